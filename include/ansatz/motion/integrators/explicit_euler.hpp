@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `ExplicitEuler`: position and velocity both move with what was known at the beginning of the step (notes 1.6.1).
+///
+/// Use it to see why nobody uses it: the energy of an undamped spring grows by the factor 1 + (omega dt)^2 in every
+/// step, at every dt. SemiImplicitEuler costs the same and does not.
+
+#include <ansatz/world/concepts.hpp>
+
+namespace ansatz {
+
+/// \f$ x_{n+1} = x_n + v_n\,\Delta t, \quad v_{n+1} = v_n + a(x_n, v_n)\,\Delta t \f$
+struct ExplicitEuler {
+    using role = roles::Integrator;
+    using writes = Columns<Position, Velocity>;
+    static constexpr int stages = 1;
+    static constexpr int order = 1;
+
+    [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, const auto& a, const auto& dt) {
+        x += v * dt; // with the old velocity; the other way round it would be semi-implicit
+        v += a * dt;
+    }
+};
+
+static_assert(StagedIntegratorIn<ExplicitEuler, Space<>>);
+
+} // namespace ansatz

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// @file
+/// The type of a policy's parameters: a quantity that explains itself when it is given a bare
+/// number. `struct Drag { Parameter<unit::Frequency> rate; };` makes `Drag{0.05 / second}` work and
+/// `Drag{0.05}` one readable sentence. Use it for members of aggregates that a user fills; use
+/// Quantity everywhere else.
+
+#include <ansatz/units/arithmetic.hpp>
+#include <ansatz/units/symbol.hpp>
+
+#include <concepts>
+#include <type_traits>
+
+namespace ansatz {
+namespace detail {
+
+/// Marks every Parameter, for the operators that must see the quantity in it.
+struct ParameterTag {};
+
+template <class T>
+concept AnyParameter = std::is_class_v<T> && std::is_base_of_v<ParameterTag, T>;
+
+/// Raises the sentence for a wrong unit. The symbols are template arguments so that the compiler
+/// prints them: Boost's types alone are a page each.
+template <SymbolText Given, SymbolText Wanted>
+constexpr void refuse_unit()
+{
+    constexpr bool units_agree = Given.size == Wanted.size + 129; // false, once the symbols are known
+    static_assert(units_agree, "Ansatz units: a quantity of another unit where this parameter's unit belongs; the compiler's "
+                               "note names the unit given and the unit wanted");
+}
+
+/// A quantity's value in another, wider shape or scalar: float in double, two components in three.
+template <class To, class From>
+inline constexpr bool widens = std::is_arithmetic_v<To> && std::is_arithmetic_v<From>;
+template <class S1, int N1, int O1, class S2, int N2, int O2>
+inline constexpr bool widens<Dense<S1, N1, 1, O1>, Dense<S2, N2, 1, O2>> =
+    N2 <= N1 && N2 >= 2 && (std::is_same_v<S1, S2> || widens<S1, S2>);
+
+template <class To, class From>
+constexpr To widened(const From& from)
+{
+    if constexpr (std::is_arithmetic_v<To>)
+        return static_cast<To>(from);
+    else {
+        To to;
+        for (int i = 0; i < To::RowsAtCompileTime; ++i)
+            to.data()[i] = i < From::RowsAtCompileTime ? static_cast<typename To::Scalar>(from.data()[i]) : typename To::Scalar(0);
+        return to;
+    }
+}
+
+} // namespace detail
+
+/// A quantity as the member of a policy. Converts from quantities of its unit, refuses bare numbers
+/// and other units with a sentence, and is a Quantity in every other respect.
+/// @tparam Unit   the unit that belongs here
+/// @tparam Value  its scalar or vector
+template <class Unit, class Value = double>
+struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
+    using Base = Quantity<Unit, Value>;
+
+    /// Zero.
+    constexpr Parameter() = default;
+    /// From a quantity of this unit.
+    constexpr Parameter(const Base& q) : Base(q) {}
+    /// From a quantity of this unit with another built-in scalar, or with two components where
+    /// this has three: the third is zero.
+    template <class Other>
+        requires(!std::is_same_v<Other, Value>)
+    constexpr Parameter(const boost::units::quantity<Unit, Other>& q) : Base(make(q))
+    {
+    }
+    /// A bare number: right where nothing has a dimension, a mistake elsewhere.
+    template <class Number>
+        requires(detail::Builtin<Number> || detail::Expression<Number>)
+    constexpr Parameter(const Number& number) : Base(bare(number))
+    {
+    }
+    /// A quantity of another unit: a mistake.
+    template <class Other, class V>
+        requires(!std::is_same_v<Other, Unit>)
+    constexpr Parameter(const boost::units::quantity<Other, V>&)
+    {
+        detail::refuse_unit<detail::symbol_of<typename Other::dimension_type>, detail::symbol_of<typename Unit::dimension_type>>();
+    }
+
+private:
+    template <class Other>
+    static constexpr Base make(const boost::units::quantity<Unit, Other>& q)
+    {
+        constexpr bool fits = detail::widens<Value, Other>; // by name: the compiler prints the condition
+        static_assert(fits,
+                      "Ansatz units: this parameter takes a quantity of another shape or scalar, e.g. a vector where a "
+                      "number was given; see metres(x, y, z) and scalar_cast<double>(q)");
+        if constexpr (fits)
+            return Base::from_value(detail::widened<Value>(q.value()));
+        else
+            return Base();
+    }
+    template <class Number>
+    static constexpr Base bare(const Number& number)
+    {
+        constexpr bool needs_no_unit = detail::is_dimensionless_unit<Unit>;
+        static_assert(needs_no_unit,
+                      "Ansatz units: a bare number where a quantity belongs; multiply it with its unit, e.g. 0.5 * metre "
+                      "or 0.05 / second");
+        if constexpr (needs_no_unit && std::is_convertible_v<Number, Value>)
+            return Base::from_value(static_cast<Value>(number));
+        else
+            return Base();
+    }
+};
+
+/// A vector-valued parameter, e.g. `VectorParameter<unit::Acceleration>`; given two components, the
+/// third is zero.
+template <class Unit, int Dim = 3, class Scalar = double>
+using VectorParameter = Parameter<Unit, Vector<Scalar, Dim>>;
+
+} // namespace ansatz
+
+namespace boost::units {
+
+// Boost takes anything that is not its quantity for a plain number, a class derived from it too:
+// `parameter * metre` would be a quantity of parameters. Without a result type these drop out, and
+// the operators for quantities take over.
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct multiply_typeof_helper<X, unit<Dim, System>> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct multiply_typeof_helper<unit<Dim, System>, X> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct divide_typeof_helper<X, unit<Dim, System>> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct divide_typeof_helper<unit<Dim, System>, X> {};
+
+} // namespace boost::units

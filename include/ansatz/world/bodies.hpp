@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Bodies`: which body stands in which slot of the lanes, and which slots the step walks.
+///
+/// Slots are kept in four neighbouring ranges, awake | resting | moving | fixed, so that the step walks one dense range
+/// and ten thousand resting bodies cost it nothing. A body's id never changes while it lives; its slot does. A handle
+/// is an id with a generation, so that it survives the removal of other bodies and a stale one is known as stale.
+/// Everything here is a value: a copy of a world answers to the same handles.
+
+#include <ansatz/world/error.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ansatz {
+
+/// Names a body, in the world that made it and in every copy of that world.
+struct Handle {
+    std::uint32_t id = 0xffffffffu;
+    std::uint32_t generation = 0;
+    friend bool operator==(const Handle&, const Handle&) = default;
+};
+
+/// How a body takes part in the step.
+enum class Motion : std::uint8_t {
+    awake,   ///< forces and integrator act on it
+    resting, ///< nothing is computed for it until something wakes it (notes 1.1, 1.8)
+    moving,  ///< a platform: infinite mass, keeps the velocity it was given
+    fixed    ///< infinite mass, no physics touches it (notes 1.1)
+};
+
+inline const char* name_of(Motion m) {
+    constexpr const char* names[] = {"awake", "resting", "moving", "fixed"};
+    return names[std::size_t(m)];
+}
+
+/// The directory of a world's bodies. Slots are positions in the lanes; the owner of the lanes is told of every swap.
+class Bodies {
+public:
+    using Slot = std::uint32_t;
+
+    std::size_t size() const { return id_at_.size(); }
+    /// First slot of a range, and the slot behind its last.
+    std::size_t begin(Motion m) const { return m == Motion::awake ? 0 : end_[std::size_t(m) - 1]; }
+    std::size_t end(Motion m) const { return end_[std::size_t(m)]; }
+    std::size_t count(Motion m) const { return end(m) - begin(m); }
+
+    bool contains(Handle h) const { return h.id < slot_of_.size() && generation_[h.id] == h.generation && slot_of_[h.id] != none; }
+
+    /// \throws std::out_of_range for a handle whose body was removed, or that no body ever had
+    Slot slot(Handle h, const char* where) const {
+        if (contains(h)) return slot_of_[h.id];
+        std::string sentence = std::string(where) + ": ";
+        if (h == Handle{})
+            sentence += "the handle is empty; use one that World::add returned";
+        else if (h.id < slot_of_.size())
+            sentence += "the handle is stale: body " + std::to_string(h.id) + " of generation " + std::to_string(h.generation) +
+                        " was removed; ask contains(handle) first";
+        else
+            sentence += "the handle names body " + std::to_string(h.id) + ", but this world has given out only " +
+                        std::to_string(slot_of_.size()) + "; use a handle of this world or of the one it was copied from";
+        refuse(Refusal::out_of_range, sentence);
+    }
+
+    Motion motion(std::size_t slot) const {
+        std::size_t m = 0;
+        while (slot >= end_[m]) ++m;
+        return Motion(m);
+    }
+    Handle handle(std::size_t slot) const { return {id_at_[slot], generation_[id_at_[slot]]}; }
+    std::uint32_t id(std::size_t slot) const { return id_at_[slot]; }
+
+    /// Ids ever given out; those whose body is gone answer `false` to `alive`.
+    std::size_t ids() const { return slot_of_.size(); }
+    bool alive(std::uint32_t id) const { return slot_of_[id] != none; }
+    Slot slot_of_id(std::uint32_t id) const { return slot_of_[id]; }
+    std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
+
+    void reserve(std::size_t n) {
+        id_at_.reserve(n);
+        slot_of_.reserve(n);
+        generation_.reserve(n);
+        free_.reserve(n);
+    }
+
+    /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs.
+    Handle push_back() {
+        std::uint32_t id;
+        if (free_.empty()) {
+            id = std::uint32_t(slot_of_.size());
+            slot_of_.push_back(none);
+            generation_.push_back(0);
+            if (free_.capacity() < slot_of_.size()) free_.reserve(slot_of_.capacity());
+        } else {
+            id = free_.back();
+            free_.pop_back();
+        }
+        slot_of_[id] = Slot(id_at_.size());
+        id_at_.push_back(id);
+        ++end_[3];
+        return {id, generation_[id]};
+    }
+
+    /// Moves the body in `slot` to another range; calls `swap(i, j)` for each pair of slots to exchange.
+    template <class Swap> Slot move(Slot slot, Motion to, Swap&& swap) {
+        auto from = std::size_t(motion(slot));
+        for (; from < std::size_t(to); ++from) { // upwards: to the end of the range, then the border moves down over it
+            exchange(slot, Slot(end_[from] - 1), swap);
+            slot = Slot(--end_[from]);
+        }
+        for (; from > std::size_t(to); --from) { // downwards: to the beginning of the range, then the border moves up
+            exchange(slot, Slot(end_[from - 1]), swap);
+            slot = Slot(end_[from - 1]++);
+        }
+        return slot;
+    }
+
+    /// Removes the body in `slot`; its handle becomes stale. The last slot is free afterwards.
+    template <class Swap> void erase(Slot slot, Swap&& swap) {
+        slot = move(slot, Motion::fixed, swap);
+        exchange(slot, Slot(size() - 1), swap);
+        const auto id = id_at_.back();
+        id_at_.pop_back();
+        --end_[3];
+        slot_of_[id] = none;
+        ++generation_[id];
+        free_.push_back(id);
+    }
+
+    friend bool operator==(const Bodies& a, const Bodies& b) {
+        if (a.ids() != b.ids() || a.free_ != b.free_ || a.generation_ != b.generation_) return false;
+        for (std::uint32_t id = 0; id < a.ids(); ++id)
+            if (a.alive(id) != b.alive(id) || (a.alive(id) && a.motion(a.slot_of_[id]) != b.motion(b.slot_of_[id]))) return false;
+        return true;
+    }
+
+private:
+    friend struct Archive;
+    static constexpr Slot none = 0xffffffffu;
+
+    template <class Swap> void exchange(Slot i, Slot j, Swap& swap) {
+        if (i == j) return;
+        swap(i, j);
+        std::swap(id_at_[i], id_at_[j]);
+        slot_of_[id_at_[i]] = i;
+        slot_of_[id_at_[j]] = j;
+    }
+
+    std::vector<std::uint32_t> id_at_;      // by slot
+    std::vector<Slot> slot_of_;             // by id
+    std::vector<std::uint32_t> generation_; // by id
+    std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
+    std::array<std::size_t, 4> end_{};      // of each range
+};
+
+} // namespace ansatz

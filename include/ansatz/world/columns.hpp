@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Columns: what a world can store of each body, and the compile-time lists of them that policies declare.
+///
+/// A column is a tag: a unit, a shape (scalar or vector) and a name. A policy declares the columns that it reads and
+/// writes; a world stores the union of these lists and nothing else, so that an effect nobody called for has no byte.
+/// Write a column of your own for a policy of your own (a temperature, a charge); the library need not know it.
+
+#include <ansatz/units.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+#include <type_traits>
+
+namespace ansatz {
+
+/// One number of a body, or one number for each dimension.
+enum class Shape : unsigned char { scalar, vector };
+
+/// \name The columns of the library
+/// Position and Velocity are what integrators usually keep; InverseMass is 1/m, zero for a body that nothing moves.
+/// @{
+struct Position {
+    using Unit = unit::Length;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "position";
+};
+struct Velocity {
+    using Unit = unit::Velocity;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "velocity";
+};
+struct InverseMass {
+    using Unit = unit::InverseMass;
+    static constexpr Shape shape = Shape::scalar;
+    static constexpr std::string_view name = "inverse mass";
+};
+/// Where a body was one step ago, for an integrator that keeps history instead of velocity (notes 1.6.4).
+struct PreviousPosition {
+    using Unit = unit::Length;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "previous position";
+};
+/// The sum of the forces that couple bodies; exists only where some policy couples.
+struct CoupledForce {
+    using Unit = unit::Force;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "coupled force";
+};
+/// What a user's own forces add up to until the next step is done; exists only with the policy AppliedForces.
+struct AppliedForce {
+    using Unit = unit::Force;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "applied force";
+    static constexpr bool transient = true; ///< the step sets it back to zero when it has used it
+};
+/// Where a body was drawn last; exists only with the policy Interpolation.
+struct DrawnPosition {
+    using Unit = unit::Length;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "drawn position";
+};
+/// Scratch that a stage leaves for a later one: a local while nothing couples, a column otherwise.
+template <class UnitT, int Number = 0> struct ScratchVector {
+    using Unit = UnitT;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "scratch";
+};
+/// Not stored: a law that lists Clock among what it reads may ask its context for the time. Because the world knows
+/// which laws do, it also knows that it must look at resting bodies again while time passes.
+struct Clock {};
+/// @}
+
+/// A column: its unit, shape and name.
+template <class C>
+concept Column = requires {
+    typename C::Unit;
+    { C::shape } -> std::convertible_to<Shape>;
+    { C::name } -> std::convertible_to<std::string_view>;
+};
+
+/// A compile-time list of columns.
+template <class... C> struct Columns {
+    static constexpr std::size_t size = sizeof...(C);
+};
+
+namespace detail {
+
+template <class T> constexpr bool is_columns = false;
+template <class... C> constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>) && ...);
+
+template <class C, class List> constexpr bool contains = false;
+template <class C, class... In> constexpr bool contains<C, Columns<In...>> = (std::same_as<C, In> || ...);
+
+// The union keeps the order of first mention, so that the layout of a world follows its list of policies.
+template <class Done, class... Lists> struct Union {
+    using type = Done;
+};
+template <class... Done, class Next, class... More, class... Lists>
+struct Union<Columns<Done...>, Columns<Next, More...>, Lists...> {
+    using grown = std::conditional_t<contains<Next, Columns<Done...>> || std::same_as<Next, Clock>, Columns<Done...>,
+                                     Columns<Done..., Next>>;
+    using type = typename Union<grown, Columns<More...>, Lists...>::type;
+};
+template <class... Done, class... Lists> struct Union<Columns<Done...>, Columns<>, Lists...> {
+    using type = typename Union<Columns<Done...>, Lists...>::type;
+};
+
+template <class List, class Minus> struct Difference;
+template <class... C, class Minus> struct Difference<Columns<C...>, Minus> {
+    using type = typename Union<Columns<>, std::conditional_t<contains<C, Minus>, Columns<>, Columns<C>>...>::type;
+};
+
+template <class List, class With> struct Intersection;
+template <class... C, class With> struct Intersection<Columns<C...>, With> {
+    using type = typename Union<Columns<>, std::conditional_t<contains<C, With>, Columns<C>, Columns<>>...>::type;
+};
+
+template <class P> struct Reads {
+    using type = Columns<>;
+};
+template <class P>
+    requires requires { typename P::reads; }
+struct Reads<P> {
+    using type = typename P::reads;
+};
+template <class P> struct Writes {
+    using type = Columns<>;
+};
+template <class P>
+    requires requires { typename P::writes; }
+struct Writes<P> {
+    using type = typename P::writes;
+};
+
+} // namespace detail
+
+/// The union of column lists, in the order of first mention, without `Clock`.
+template <class... Lists> using union_of = typename detail::Union<Columns<>, Lists...>::type;
+/// The columns of `List` that are not in `Minus`.
+template <class List, class Minus> using difference_of = typename detail::Difference<List, Minus>::type;
+/// The columns of `List` that are in `With`.
+template <class List, class With> using intersection_of = typename detail::Intersection<List, With>::type;
+/// What a policy declares that it reads or writes; empty where it declares nothing.
+template <class P> using reads_of = typename detail::Reads<P>::type;
+template <class P> using writes_of = typename detail::Writes<P>::type;
+
+/// A column's value in a space: a scalar or a vector quantity.
+template <class C, class S>
+using value_of =
+    std::conditional_t<C::shape == Shape::vector, typename S::template VectorOf<typename C::Unit>, typename S::template ScalarOf<typename C::Unit>>;
+
+/// How many lanes (arrays of raw scalars) a column takes in a space of `Dim` dimensions.
+template <class C> constexpr std::size_t lanes_of(int dimension) {
+    return C::shape == Shape::vector ? std::size_t(dimension) : 1;
+}
+
+} // namespace ansatz

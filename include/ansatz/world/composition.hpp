@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Composition<P...>`: what follows at compile time from a list of policies. Which space, which integrator, which
+/// forces act on one body and which couple bodies, which effects act where, and the one list of columns that the world
+/// stores: the union of what its policies declared, and nothing else.
+
+#include <ansatz/world/integration.hpp>
+
+#include <type_traits>
+
+namespace ansatz {
+
+/// A compile-time list of types.
+template <class... T> struct Types {
+    static constexpr int size = int(sizeof...(T));
+};
+
+namespace detail {
+
+template <class Done, template <class> class Keep, class... T> struct Filtered {
+    using type = Done;
+};
+template <class... Done, template <class> class Keep, class First, class... Rest>
+struct Filtered<Types<Done...>, Keep, First, Rest...> {
+    using type = typename Filtered<std::conditional_t<Keep<First>::value, Types<Done..., First>, Types<Done...>>, Keep, Rest...>::type;
+};
+template <template <class> class Keep, class... T> using filter = typename Filtered<Types<>, Keep, T...>::type;
+
+/// Takes the place of an integrator that is missing, so that only the sentence about it is seen.
+struct NoIntegrator {
+    using role = roles::Integrator;
+    using writes = Columns<Position, Velocity>;
+    static constexpr int stages = 1;
+    static void advance(Stage<0>, auto&, auto&, const auto&, const auto&) {}
+};
+template <class> struct FirstOf {
+    using type = NoIntegrator;
+};
+template <class First, class... Rest> struct FirstOf<Types<First, Rest...>> {
+    using type = First;
+};
+
+template <class P> constexpr bool couples_bodies = requires { requires P::couples_bodies; };
+template <class P> constexpr bool puts_to_rest = requires { requires P::puts_to_rest; };
+
+template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
+template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};
+template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> && !couples_bodies<P>> {};
+template <class P> struct IsObserver : std::bool_constant<PlaysRole<P, roles::Observer>> {};
+template <class P> struct IsRester : std::bool_constant<puts_to_rest<P>> {};
+
+template <Place At> struct EffectAt {
+    template <class P> static constexpr bool here() {
+        if constexpr (PlaysRole<P, roles::Effect> && requires { P::place; }) return P::place == At;
+        return false;
+    }
+    template <class P> struct Is : std::bool_constant<here<P>()> {};
+};
+
+/// What evaluating policy `P` needs: what it declared, and the mass where a force must become an acceleration.
+template <class P, class S> constexpr auto needs() {
+    if constexpr (IsCoupling<P>::value)
+        return union_of<reads_of<P>, Columns<CoupledForce, InverseMass>>{};
+    else if constexpr (IsLaw<P>::value)
+        return needs_of_law<P, S>{};
+    else
+        return union_of<writes_of<P>, reads_of<P>>{};
+}
+
+template <class C> constexpr bool is_transient = requires { requires C::transient; };
+template <class List> struct Transient;
+template <class... C> struct Transient<Columns<C...>> {
+    using type = union_of<std::conditional_t<is_transient<C>, Columns<C>, Columns<>>...>;
+};
+
+template <class S, class List> struct LawsFrom;
+template <class S, class... P> struct LawsFrom<S, Types<P...>> {
+    using type = Laws<S, P...>;
+};
+template <class S, class List> struct EffectsFrom;
+template <class S, class... P> struct EffectsFrom<S, Types<P...>> {
+    using type = Effects<S, P...>;
+};
+
+} // namespace detail
+
+/// The facts about a list of policies.
+template <class... P> struct Composition {
+    using S = space_of<P...>;
+    using Integrator = typename detail::FirstOf<detail::filter<detail::IsIntegrator, P...>>::type;
+    using laws = detail::filter<detail::IsLaw, P...>;
+    using couplings = detail::filter<detail::IsCoupling, P...>;
+    using observers = detail::filter<detail::IsObserver, P...>;
+    using resters = detail::filter<detail::IsRester, P...>;
+    template <Place At> using effects = detail::filter<detail::EffectAt<At>::template Is, P...>;
+
+    using Laws = typename detail::LawsFrom<S, laws>::type;
+    template <Place At> using Effects = typename detail::EffectsFrom<S, effects<At>>::type;
+
+    static constexpr bool coupled = couplings::size > 0;
+    static constexpr bool rests = resters::size > 0;
+    /// Position history instead of a velocity: reading and changing the velocity goes through the integrator.
+    static constexpr bool history = detail::derives_velocity<Integrator>;
+
+    /// Everything that some policy needs.
+    using needed = union_of<writes_of<Integrator>, decltype(detail::needs<P, S>())...>;
+    static constexpr bool velocity_read = detail::contains<Velocity, needed>;
+    /// The scratch that the integrator really has use for.
+    using scratch = std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
+                                       difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>;
+    /// What the world stores: scratch becomes columns only where stages are run body after body.
+    using stored = std::conditional_t<coupled, union_of<needed, scratch>,
+                                      std::conditional_t<history, difference_of<needed, Columns<Velocity>>, needed>>;
+    /// What makes up the state: stored, and not made anew in every step.
+    using state = difference_of<
+        stored, union_of<detail::scratch_of<Integrator>, std::conditional_t<history, Columns<Velocity>, Columns<>>>>;
+    /// Columns that the step sets back to zero when it has used them.
+    using transient = typename detail::Transient<stored>::type;
+
+    template <class C> static constexpr bool stores = detail::contains<C, stored>;
+    static constexpr bool has_mass = stores<InverseMass>;
+};
+
+} // namespace ansatz

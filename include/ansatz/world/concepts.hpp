@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// One concept for each role, with every expression that the role needs.
+///
+/// A policy author reads the concept of the role, writes a struct with those expressions, and asserts it:
+/// `static_assert(ForceIn<MyForce, Space<>>);`. `check.hpp` says the same facts as sentences.
+
+#include <ansatz/world/composition.hpp>
+#include <ansatz/world/view.hpp>
+
+#include <concepts>
+
+namespace ansatz {
+
+namespace detail {
+
+template <class P> concept DeclaresReads = requires { typename P::reads; } && is_columns<reads_of<P>>;
+template <class P> concept DeclaresWrites = requires { typename P::writes; } && is_columns<writes_of<P>>;
+template <class P, class S> concept Binds = requires { typename Bound<P, S>; } && std::constructible_from<Bound<P, S>, const P&>;
+
+template <class P, class S, class... C> constexpr bool lawful(Columns<C...>) {
+    if constexpr (Binds<P, S>) {
+        using L = const Bound<P, S>&;
+        using Ctx = const Context<S, reads_clock<P>>&;
+        if constexpr (AnswersAcceleration<Bound<P, S>, const Row<S, without_clock<P>>, Context<S, reads_clock<P>>, C...>)
+            return std::is_convertible_v<decltype(std::declval<L>().acceleration(std::declval<const value_of<C, S>&>()..., std::declval<Ctx>())),
+                                         typename S::Acceleration>;
+        else if constexpr (AnswersForce<Bound<P, S>, const Row<S, without_clock<P>>, Context<S, reads_clock<P>>, C...>)
+            return std::is_convertible_v<decltype(std::declval<L>().force(std::declval<const value_of<C, S>&>()..., std::declval<Ctx>())),
+                                         typename S::Force>;
+    }
+    return false;
+}
+
+template <class P, class S> constexpr bool couples_in() {
+    if constexpr (Binds<P, S> && couples_bodies<P>)
+        return requires(const Bound<P, S>& f, CouplingView<S, P>& view, const Context<S, reads_clock<P>>& c) { f.couple(view, c); };
+    return false;
+}
+
+template <class I, class S, class... W, class... X> constexpr bool advances(Columns<W...>, Columns<X...>) {
+    return []<int... K>(std::integer_sequence<int, K...>) {
+        return (requires(value_of<W, S>&... w, value_of<X, S>&... x, const typename S::Acceleration& a, const TimeStep<S>& dt) {
+            I::advance(Stage<K + first_stage<I>(true)>{}, w..., x..., a, dt);
+        } && ...);
+    }(std::make_integer_sequence<int, stage_count<I>() - first_stage<I>(true)>{});
+}
+
+template <class I, class S>
+concept KeepsHistory = contains<PreviousPosition, writes_of<I>> &&
+    requires(const typename S::Position& x, const typename S::Velocity& v, const typename S::Acceleration& a, const typename S::Time& t) {
+        { I::mean_velocity(x, x, t) } -> std::convertible_to<typename S::Velocity>;
+        { I::velocity_now(v, a, t) } -> std::convertible_to<typename S::Velocity>;
+        { I::history(x, v, a, t) } -> std::convertible_to<typename S::Position>;
+    };
+
+/// The laws as a solving integrator sees them: a function of position, velocity and the fraction of the step.
+template <class S> struct LawsProbe {
+    typename S::Acceleration operator()(const typename S::Position&, const typename S::Velocity&, double) const;
+    Jacobian<S> jacobian(const typename S::Position&, const typename S::Velocity&, double) const;
+};
+template <class I, class S>
+concept Solves = requires(typename S::Position& x, typename S::Velocity& v, const LawsProbe<S>& laws, const TimeStep<S>& dt) {
+    { I::solve(x, v, laws, dt) } -> std::convertible_to<bool>;
+};
+
+template <class E, class S, class... W, class... C> constexpr bool applies(Columns<W...>, Columns<C...>) {
+    if constexpr (Binds<E, S>)
+        return requires(const Bound<E, S>& effect, value_of<W, S>&... w, const value_of<C, S>&... c, const Context<S, reads_clock<E>>& context) {
+            effect.apply(w..., c..., context);
+        };
+    return false;
+}
+
+} // namespace detail
+
+/// A force in space `S` that is a law of one body: declares `reads`, and `In<S>`, made from the policy, answers
+/// `acceleration(columns..., context)` or `force(columns..., context)` with exactly that quantity.
+template <class P, class S>
+concept LawIn = PlaysRole<P, roles::Force> && !detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::Binds<P, S> &&
+                detail::lawful<P, S>(detail::without_clock<P>{});
+
+/// A force in space `S` that couples bodies: `static constexpr bool couples_bodies = true;`, and `In<S>` has
+/// `couple(view, context)`, which adds forces through the view.
+template <class P, class S>
+concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>();
+
+/// A force of either kind.
+template <class P, class S>
+concept ForceIn = LawIn<P, S> || CouplingIn<P, S>;
+
+/// A force whose derivative is known, or whose answer does not depend on position and velocity.
+template <class P, class S>
+concept DifferentiableIn = LawIn<P, S> && (!detail::depends_on_motion<P> || []<class... C>(Columns<C...>) {
+    return requires(const detail::Bound<P, S>& law, const value_of<C, S>&... c, const Context<S, detail::reads_clock<P>>& context) {
+        law.jacobian(c..., context).position;
+        law.jacobian(c..., context).velocity;
+    };
+}(detail::without_clock<P>{}));
+
+/// An integrator of stages: `advance(Stage<k>, written..., scratch..., a, dt)` for every stage; where it keeps no
+/// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means.
+template <class I, class S>
+concept StagedIntegratorIn =
+    PlaysRole<I, roles::Integrator> && detail::DeclaresWrites<I> && detail::contains<Position, writes_of<I>> && detail::is_staged<I> &&
+    detail::advances<I, S>(writes_of<I>{}, detail::scratch_of<I>{}) && (!detail::derives_velocity<I> || detail::KeepsHistory<I, S>);
+
+/// An integrator that solves for the next state: `solve(x, v, laws, dt)` answers whether it succeeded.
+template <class I, class S>
+concept SolvingIntegratorIn = PlaysRole<I, roles::Integrator> && !detail::is_staged<I> && detail::DeclaresWrites<I> &&
+                              detail::contains<Position, writes_of<I>> && detail::contains<Velocity, writes_of<I>> && detail::Solves<I, S>;
+
+/// An integrator of either kind.
+template <class I, class S>
+concept IntegratorIn = StagedIntegratorIn<I, S> || SolvingIntegratorIn<I, S>;
+
+/// An effect in space `S`: declares `writes` (and `reads`), a `place`, and `In<S>` has
+/// `apply(written&..., read..., context)`.
+template <class E, class S>
+concept EffectIn = PlaysRole<E, roles::Effect> && detail::DeclaresWrites<E> && requires { { E::place } -> std::convertible_to<Place>; } &&
+                   detail::applies<E, S>(writes_of<E>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{});
+
+/// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only.
+template <class O, class S>
+concept ObserverIn = PlaysRole<O, roles::Observer> && (writes_of<O>::size == 0);
+
+} // namespace ansatz

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `WorldData`: what a world holds of its bodies, and how one body is read from it and written to it.
+///
+/// This is the value that is copied, hashed and saved. It has no policy in it and no algorithm: the step is in
+/// step.hpp, the door with its checks in world.hpp.
+
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/clock.hpp>
+#include <ansatz/world/composition.hpp>
+#include <ansatz/world/events.hpp>
+#include <ansatz/world/lanes.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace ansatz {
+
+/// How long a body has been slow; counted only in worlds that put bodies to rest.
+struct RestTime {
+    using Unit = unit::Time;
+    static constexpr Shape shape = Shape::scalar;
+    static constexpr std::string_view name = "rest time";
+};
+
+/// What could go wrong inside a step and does not stop it; poll it with World::status.
+struct Status {
+    std::uint64_t unsolved = 0;  ///< body steps whose equation an implicit integrator could not solve, so far
+    std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
+    Handle first_not_finite{};    ///< the one with the smallest id among them
+    bool ok() const { return unsolved == 0 && not_finite == 0; }
+};
+
+namespace detail {
+struct Absent {
+    friend bool operator==(const Absent&, const Absent&) = default;
+};
+
+/// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
+/// known when the step is taken (notes 1.6.4; hard case I11). Until then the body's history lane holds its *velocity*.
+struct Starts {
+    std::vector<std::uint8_t> waits; // by id
+    std::vector<std::uint32_t> list; // ids; some may have started or gone since
+
+    void reserve(std::size_t n) {
+        waits.reserve(n);
+        list.reserve(2 * n);
+    }
+    bool waiting(std::uint32_t id) const { return id < waits.size() && waits[id] != 0; }
+    void wait(std::uint32_t id) {
+        if (waits.size() <= id) waits.resize(id + 1, 0);
+        if (waits[id] == 0) list.push_back(id);
+        waits[id] = 1;
+    }
+    void forget(std::uint32_t id) {
+        if (!waiting(id)) return;
+        waits[id] = 0;
+        std::erase(list, id);
+    }
+};
+} // namespace detail
+
+template <class C> struct WorldData {
+    using S = typename C::S;
+    using Integrator = typename C::Integrator;
+    using Scalar = typename S::Scalar;
+    using Slot = Bodies::Slot;
+
+    /// Every column of a body that some policy may look at, Velocity included where it is derived.
+    using AllColumns = union_of<typename C::needed, Columns<Position, Velocity>>;
+    using Body = Row<S, AllColumns>;
+
+    Lanes<S, typename C::stored> lanes;
+    Bodies bodies;
+    StepClock<S> clock;
+    [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
+    [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
+    std::uint64_t unsolved = 0;
+
+    void reserve(std::size_t n) {
+        lanes.reserve(n);
+        bodies.reserve(n);
+        if constexpr (C::history) starts.reserve(n);
+        if constexpr (C::rests) events.reserve(n);
+    }
+
+    Slot move(Slot slot, Motion to) {
+        return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { lanes.swap(i, j); });
+    }
+
+    typename S::Time last_dt() const { return S::Time::from_value(Scalar(clock.last().value())); }
+
+    bool waiting(Slot slot) const {
+        if constexpr (C::history) return starts.waiting(bodies.id(slot));
+        return false;
+    }
+
+    /// The values of one body. Where the velocity is derived, it is the mean over the last step.
+    Body load(Slot slot) const {
+        Body row;
+        load_columns(row, slot, typename C::stored{}, AllColumns{});
+        if constexpr (C::history) {
+            if (waiting(slot))
+                row.template get<Velocity>() = raw_velocity(slot);
+            else
+                detail::derive_velocity<Integrator>(row, last_dt());
+        }
+        return row;
+    }
+
+    /// The velocity that a body was given and whose history has not begun.
+    typename S::Velocity raw_velocity(Slot slot) const
+        requires C::history
+    {
+        return S::Velocity::from_value(lanes.template get<PreviousPosition>(slot).value());
+    }
+
+    /// Gives a body a velocity.
+    void set_velocity(Slot slot, const typename S::Velocity& v) {
+        if constexpr (C::history) {
+            lanes.template set<PreviousPosition>(slot, S::Position::from_value(v.value()));
+            starts.wait(bodies.id(slot));
+        } else
+            lanes.template set<Velocity>(slot, v);
+    }
+
+    /// Stops a body exactly.
+    void stop(Slot slot) {
+        if constexpr (C::history) {
+            starts.forget(bodies.id(slot));
+            lanes.template set<PreviousPosition>(slot, lanes.template get<Position>(slot));
+        } else
+            lanes.template set<Velocity>(slot, S::template zero_vector<unit::Velocity>());
+    }
+
+private:
+    template <class... Stored, class... All>
+    void load_columns(Body& row, Slot slot, Columns<Stored...>, Columns<All...>) const {
+        auto one = [&]<class Which>(Columns<Which>) {
+            if constexpr (detail::contains<Which, Columns<Stored...>>) row.template get<Which>() = lanes.template get<Which>(slot);
+        };
+        (one(Columns<All>{}), ...);
+    }
+};
+
+} // namespace ansatz

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// The door of a world: the members of `World` that take values from outside and check them. Everything is converted
+/// and checked before anything is changed, so that a refusal leaves the world as it was. Included by world.hpp.
+// not in the umbrella: it is the second half of world.hpp, which includes it
+
+#include <ansatz/world/hash.hpp>
+#include <ansatz/world/world.hpp>
+
+namespace ansatz {
+
+namespace detail {
+
+/// The unit, the shape and the dimension of a value at the door, each with its sentence.
+template <class S, class Unit, class Q> constexpr void check_vector() {
+    using Bare = stripped<Q>;
+    static_assert(has_unit<Unit, Bare> && vector_valued<Bare>,
+                  "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
+                  "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
+    if constexpr (has_unit<Unit, Bare> && vector_valued<Bare>)
+        static_assert(Bare::value_type::RowsAtCompileTime == S::dimension,
+                      "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes metres(x, y), one of "
+                      "three dimensions metres(x, y, z)");
+}
+
+/// A vector from outside, in the world's scalar.
+template <class S, class Unit, class Q>
+typename S::template VectorOf<Unit> finite_vector(std::string_view where, std::string_view what, const Q& q) {
+    check_vector<S, Unit, Q>();
+    typename S::template VectorOf<Unit> result;
+    if constexpr (has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>) result = scalar_cast<typename S::Scalar>(q);
+    if (!is_finite(result)) refuse_value(where, what, describe(q), "every component is a finite number that the world's scalar can hold");
+    return result;
+}
+
+/// A scalar from outside, in the world's scalar.
+template <class S, class Unit, class Q>
+typename S::template ScalarOf<Unit> finite_scalar(std::string_view where, std::string_view what, const Q& q) {
+    static_assert(has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>,
+                  "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, e.g. 1.0 / 60 * second");
+    typename S::template ScalarOf<Unit> result{};
+    if constexpr (has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>) result = scalar_cast<typename S::Scalar>(q);
+    if (!is_finite(result)) refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
+    return result;
+}
+
+/// 1/m of a mass from outside.
+template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_view where, const Q& m) {
+    using Scalar = typename S::Scalar;
+    const auto given = scalar_cast<Scalar>(m);
+    const auto inverse = Scalar(1) / given;
+    if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
+        refuse_value(where, "mass", describe(m),
+                     "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
+    return inverse;
+}
+
+template <class World_, class... Property> struct CheckAdd {
+    using C = typename World_::composition;
+    template <class Column_> static constexpr int given = (0 + ... + int(gives<Column_, Property>));
+    static constexpr int kinds = (0 + ... + int(is_kind<Property>));
+    static constexpr bool immovable = ((std::same_as<Property, Fixed> || std::same_as<Property, Moving>) || ...);
+    static_assert((is_property<Property> && ...), "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
+                                                  "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
+    static_assert(kinds <= 1, "Ansatz: add: a body is one of fixed, moving or resting");
+    static_assert(given<Position> <= 1 && given<Velocity> <= 1 && given<InverseMass> <= 1, "Ansatz: add: a property is given twice");
+    static_assert(given<InverseMass> == 0 || C::has_mass,
+                  "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity accelerates every mass "
+                  "alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
+    static_assert(given<InverseMass> == 1 || !C::has_mass || immovable,
+                  "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
+    static_assert(given<InverseMass> == 0 || !immovable, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
+    static_assert(given<Velocity> == 0 || !(std::same_as<Property, Fixed> || ...),
+                  "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
+    static_assert(given<Velocity> == 0 || !(std::same_as<Property, Resting> || ...), "Ansatz: add: a resting body has no velocity");
+    static_assert(C::rests || !(std::same_as<Property, Resting> || ...),
+                  "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
+    static constexpr bool ok = true;
+};
+
+} // namespace detail
+
+template <class... P>
+template <class Row_, class Property>
+void World<P...>::take(Row_& row, const Property& property) {
+    if constexpr (detail::is_given<Property>) {
+        using C = typename Property::column;
+        if constexpr (std::same_as<C, ansatz::InverseMass> && detail::gives<C, Property> && !detail::gives<C, Given<C, int>>) {
+            if constexpr (requires { scalar_cast<Scalar>(property.value) + typename S::Mass(); })
+                row.template get<C>() = detail::inverse_of_mass<S>("World::add", property.value);
+            else
+                row.template get<C>() = detail::finite_scalar<S, typename C::Unit>("World::add", C::name, property.value);
+        } else {
+            if constexpr (!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity>) need_column<C>();
+            if constexpr (C::shape == Shape::vector)
+                row.template get<C>() = detail::finite_vector<S, typename C::Unit>("World::add", C::name, property.value);
+            else
+                row.template get<C>() = detail::finite_scalar<S, typename C::Unit>("World::add", C::name, property.value);
+        }
+    }
+}
+
+template <class... P> void World<P...>::grow() {
+    if (size() + 1 > capacity_) reserve(std::max<std::size_t>(8, 2 * capacity_));
+}
+
+template <class... P>
+template <class... Property>
+Handle World<P...>::add(const Property&... property) {
+    static_assert(detail::CheckAdd<World, Property...>::ok);
+    using Row_ = Row<S, union_of<typename composition::stored, Columns<ansatz::Position, ansatz::Velocity>>>;
+    Row_ row{};
+    (take(row, property), ...);
+    constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
+    constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
+    constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
+    grow();
+    Slot slot = Slot(size());
+    data_.lanes.push_back();
+    const Handle body = data_.bodies.push_back();
+    [&]<class... C>(Columns<C...>) {
+        (data_.lanes.template set<C>(slot, row.template get<C>()), ...);
+    }(typename composition::stored{});
+    slot = data_.move(slot, is_fixed ? Motion::fixed : is_moving ? Motion::moving : is_resting ? Motion::resting : Motion::awake);
+    if constexpr (is_fixed || is_resting)
+        data_.stop(slot);
+    else
+        data_.set_velocity(slot, row.template get<ansatz::Velocity>());
+    if constexpr (has_datum) {
+        if (user_.by_id.size() <= body.id) user_.by_id.resize(body.id + 1);
+        user_.by_id[body.id] = Datum{};
+        auto keep = [&](const auto& given) {
+            if constexpr (detail::is_given_datum<std::remove_cvref_t<decltype(given)>>) user_.by_id[body.id] = given.value;
+        };
+        (keep(property), ...);
+    } else
+        static_assert(!(detail::is_given_datum<Property> || ...), "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to "
+                                                                  "its policies");
+    return body;
+}
+
+template <class... P>
+template <class Q>
+void World<P...>::set_position(Handle body, const Q& x) {
+    const auto slot = data_.bodies.slot(body, "World::set_position");
+    const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
+    const auto v = velocity_at(slot);
+    const auto kind = data_.bodies.motion(slot);
+    data_.lanes.template set<ansatz::Position>(slot, where);
+    if constexpr (composition::history) {
+        if (kind == Motion::fixed || kind == Motion::resting)
+            data_.stop(slot);
+        else
+            data_.set_velocity(slot, v);
+    }
+    if constexpr (composition::template stores<DrawnPosition>) data_.lanes.template set<DrawnPosition>(slot, where);
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class Q>
+void World<P...>::set_velocity(Handle body, const Q& v) {
+    const auto slot = data_.bodies.slot(body, "World::set_velocity");
+    const auto value = detail::finite_vector<S, unit::Velocity>("World::set_velocity", "velocity", v);
+    if (data_.bodies.motion(slot) == Motion::fixed)
+        refuse_value("World::set_velocity", "the body", "fixed", "a platform that moves is added as `moving`");
+    data_.set_velocity(slot, value);
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class Q>
+void World<P...>::set_mass(Handle body, const Q& m) {
+    need_mass();
+    const auto slot = data_.bodies.slot(body, "World::set_mass");
+    const auto inverse = detail::inverse_of_mass<S>("World::set_mass", m);
+    const auto kind = data_.bodies.motion(slot);
+    if (kind == Motion::fixed || kind == Motion::moving)
+        refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
+    data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class Q>
+void World<P...>::apply_impulse(Handle body, const Q& j) {
+    need_mass();
+    const auto slot = data_.bodies.slot(body, "World::apply_impulse");
+    const auto impulse = detail::finite_vector<S, unit::Momentum>("World::apply_impulse", "impulse", j);
+    const auto inverse = data_.lanes.template get<ansatz::InverseMass>(slot);
+    if (!(inverse.value() > Scalar(0))) return;
+    const auto v = velocity_at(slot) + inverse * impulse;
+    if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", describe(j), "the velocity after it is finite");
+    data_.set_velocity(slot, v);
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class Q>
+void World<P...>::apply_force(Handle body, const Q& f) {
+    static_assert(composition::template stores<AppliedForce>,
+                  "Ansatz: this world takes no forces from outside; add AppliedForces{} to its policies");
+    const auto slot = data_.bodies.slot(body, "World::apply_force");
+    const auto force = detail::finite_vector<S, unit::Force>("World::apply_force", "force", f);
+    if (!(data_.lanes.template get<ansatz::InverseMass>(slot).value() > Scalar(0))) return;
+    const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
+    if (!is_finite(total)) refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
+    data_.lanes.template set<AppliedForce>(slot, total);
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class C, class Q>
+void World<P...>::write(Handle body, const Q& value) {
+    need_column<C>();
+    static_assert(!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity> && !std::same_as<C, PreviousPosition>,
+                  "Ansatz: position and velocity are changed by set_position and set_velocity, because the integrator owns what they mean");
+    const auto slot = data_.bodies.slot(body, "World::write");
+    if constexpr (C::shape == Shape::vector)
+        data_.lanes.template set<C>(slot, detail::finite_vector<S, typename C::Unit>("World::write", C::name, value));
+    else
+        data_.lanes.template set<C>(slot, detail::finite_scalar<S, typename C::Unit>("World::write", C::name, value));
+    wake_slot(slot);
+}
+
+template <class... P>
+template <class Policy>
+void World<P...>::set(const Policy& policy) {
+    static_assert((std::same_as<Policy, P> || ...), "Ansatz: set: this world has no such policy; see the list in its type");
+    auto changed = policies_;
+    std::get<Policy>(changed) = policy;
+    auto bound = BoundPolicies<composition>::from(checked(changed));
+    if constexpr (composition::history && PlaysRole<Policy, roles::Force>) {
+        // The velocity now is what the old forces made it; only from here on the new ones act.
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) data_.set_velocity(Slot(slot), velocity_at(Slot(slot)));
+    }
+    policies_ = std::move(changed);
+    bound_ = std::move(bound);
+    if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect>) wake_all();
+}
+
+template <class... P>
+template <class T>
+void World<P...>::step(const T& dt) {
+    const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
+    if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
+    if (h.value() == Scalar(0)) {
+        if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
+        return;
+    }
+    const bool first = tick() == 0;
+    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
+        .run(scalar_cast<typename S::ClockScalar>(dt));
+}
+
+template <class... P> Status World<P...>::status() const {
+    Status s;
+    s.unsolved = data_.unsolved;
+    for_each([&](Handle h) {
+        const auto body = row(h);
+        bool finite = true;
+        [&]<class... C>(Columns<C...>) { ((finite = finite && is_finite(body.template get<C>())), ...); }(typename Data::AllColumns{});
+        if (finite) return;
+        if (s.not_finite++ == 0) s.first_not_finite = h;
+    });
+    return s;
+}
+
+template <class... P> std::uint64_t World<P...>::hash() const {
+    StateHash hash;
+    hash.add(data_.clock.tick());
+    hash.add_number(data_.clock.now().value());
+    hash.add_number(data_.clock.last().value());
+    for_each([&](Handle h) {
+        const auto slot = data_.bodies.slot_of_id(h.id);
+        hash.add(h.id);
+        hash.add(h.generation);
+        hash.add(std::uint64_t(data_.bodies.motion(slot)));
+        hash.add(data_.waiting(slot));
+        [&]<class... C>(Columns<C...>) {
+            auto column = [&]<class One>(Columns<One>) {
+                for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) hash.add_number(data_.lanes.template lane<One>(int(k))[slot]);
+            };
+            (column(Columns<C>{}), ...);
+        }(typename composition::state{});
+    });
+    return hash.value();
+}
+
+} // namespace ansatz

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Events: what happened in a world, in a buffer that you poll after a step. There are no callbacks, because code that
+/// runs in the middle of a step could change what the step is working on.
+
+#include <ansatz/world/bodies.hpp>
+
+#include <span>
+#include <vector>
+
+namespace ansatz {
+
+/// A body fell asleep, or woke.
+struct Event {
+    enum class Kind : std::uint8_t { slept, woke };
+    Kind kind;
+    Handle body;
+    friend bool operator==(const Event&, const Event&) = default;
+};
+
+/// The events of the last step, and of what was done to the world between the step before and it.
+class Events {
+public:
+    std::span<const Event> now() const { return now_; }
+
+    void reserve(std::size_t bodies) {
+        now_.reserve(2 * bodies);
+        next_.reserve(2 * bodies);
+    }
+    /// Between steps: shown together with those of the next step.
+    void between_steps(Event e) { next_.push_back(e); }
+    void begin_step() {
+        now_.swap(next_);
+        next_.clear();
+    }
+    void in_step(Event e) { now_.push_back(e); }
+
+private:
+    std::vector<Event> now_;
+    std::vector<Event> next_;
+};
+
+} // namespace ansatz

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `FixedStep`: turns the uneven time between frames into equal steps of a world.
+///
+/// The time that a frame took goes into an accumulator; whole steps are taken out of it, what is left says how far
+/// between two states the picture lies (`alpha`). The accumulator is clamped, because a program that was stopped for ten
+/// seconds would otherwise owe six hundred steps, take longer than a frame for them and never catch up. Use it whenever
+/// a clock of the real world drives a simulation; a measurement simply calls `step`.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/error.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+namespace ansatz {
+
+class FixedStep {
+public:
+    /// \param dt       length of a step, finite and greater than zero
+    /// \param longest  time beyond which a frame's arrears are dropped, at least dt; a quarter of a second by default
+    /// \throws std::invalid_argument for other values
+    explicit FixedStep(Quantity<unit::Time> dt, Quantity<unit::Time> longest = 0.25 * second) : dt_(dt) {
+        if (!is_finite(dt) || !(dt.value() > 0)) refuse_value("FixedStep", "dt", describe(dt), "a step is finite and greater than 0 s");
+        if (!is_finite(longest) || longest.value() < dt.value())
+            refuse_value("FixedStep", "longest", describe(longest), "the clamp is finite and at least one step, " + describe(dt));
+        // The clamp is a whole number of steps, so that it cannot lose part of one; 0.25 s is 15 steps of 1/60 s, although
+        // 0.25 / (1/60) may round below 15.
+        most_ = std::uint64_t(std::floor(longest.value() / dt.value() * (1 + 1e-12)));
+    }
+
+    Quantity<unit::Time> dt() const { return dt_; }
+    /// How far the present lies between the last two states: 0 at the former, towards 1 at the latter.
+    double alpha() const { return left_; }
+    /// Time that was dropped by the clamp, in all.
+    Quantity<unit::Time> dropped() const { return dropped_; }
+
+    /// Adds a frame's time and takes the steps that it pays for.
+    /// \param world any object with `step(dt)`
+    /// \param frame_time finite and not negative
+    /// \return how many steps were taken
+    /// \throws std::invalid_argument before anything is changed
+    template <class World_> std::uint64_t advance(World_& world, Quantity<unit::Time> frame_time) {
+        if (!is_finite(frame_time) || frame_time.value() < 0)
+            refuse_value("FixedStep::advance", "frame_time", describe(frame_time), "a frame's time is finite and not negative");
+        // Counted in steps: the fraction of a step that is left never mixes with large sums.
+        double owed = left_ + frame_time.value() / dt_.value();
+        // A spike of exactly n steps is n steps, whichever way the division was rounded.
+        const double nearest = std::round(owed);
+        if (std::abs(owed - nearest) <= 1e-12 * (1 + nearest)) owed = nearest;
+        double whole = std::floor(owed);
+        left_ = owed - whole;
+        if (whole > double(most_)) {
+            dropped_ += (whole - double(most_)) * dt_;
+            whole = double(most_);
+        }
+        const auto steps = std::uint64_t(whole);
+        for (std::uint64_t i = 0; i < steps; ++i) world.step(dt_);
+        return steps;
+    }
+
+private:
+    Quantity<unit::Time> dt_;
+    Quantity<unit::Time> dropped_{};
+    double left_ = 0; // in steps, below 1
+    std::uint64_t most_ = 0;
+};
+
+} // namespace ansatz

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// One body through one step: the kernels that join an integrator, the laws and the per-body effects.
+///
+/// Where nothing couples bodies, `WholeStep` runs all stages of a body at once, in registers, and touches each lane
+/// once. Where something couples, the world runs `OneStage` over all bodies, stage by stage, and the scratch between
+/// stages becomes columns. An integrator is written once, for one body, and does not know which of the two runs it.
+
+#include <ansatz/world/laws.hpp>
+#include <ansatz/world/row.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+namespace ansatz {
+
+/// Names a stage in the overloads of an integrator's `advance`: `advance(Stage<0>, x, v, a, dt)`.
+template <int Number> struct Stage {};
+
+/// Where in the step an effect acts.
+enum class Place {
+    before_forces,     ///< on the state that the step starts from
+    after_integration, ///< on the state that the integrator has just made, before contacts are looked for
+    end_of_step        ///< when everything else has been done
+};
+
+namespace detail {
+
+template <class I> struct Scratch {
+    using type = Columns<>;
+};
+template <class I>
+    requires requires { typename I::scratch; }
+struct Scratch<I> {
+    using type = typename I::scratch;
+};
+template <class I> using scratch_of = typename Scratch<I>::type;
+
+/// An integrator that keeps no Velocity column derives the velocity from what it keeps.
+template <class I> constexpr bool derives_velocity = !contains<Velocity, writes_of<I>>;
+
+/// An integrator of stages has `advance`; one that solves (implicit, foreign steppers) has `solve`.
+template <class I> constexpr bool is_staged = requires { I::stages; };
+
+template <class I> constexpr int stage_count() {
+    if constexpr (is_staged<I>) return I::stages;
+    return 0;
+}
+template <class I> constexpr int first_stage(bool velocity_read) {
+    if constexpr (requires { I::first_stage(velocity_read); }) return I::first_stage(velocity_read);
+    return 0;
+}
+/// The fraction of dt at which stage `k` asks the laws.
+template <class I> constexpr double node(int k) {
+    if constexpr (requires { I::nodes[0]; }) return I::nodes[k];
+    return 0;
+}
+
+template <class I, int K, class R, class... W, class... X, class A, class Dt>
+[[gnu::always_inline]] inline void advance(R& row, Columns<W...>, Columns<X...>, const A& a, const Dt& dt) {
+    I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
+}
+
+/// The velocity of a body whose integrator derives it, into the row's Velocity: the mean over the last step.
+template <class I, class R, class T> [[gnu::always_inline]] inline void derive_velocity(R& row, const T& over) {
+    if constexpr (derives_velocity<I>)
+        row.template get<Velocity>() = I::mean_velocity(row.template get<Position>(), row.template get<PreviousPosition>(), over);
+}
+
+/// Calls a per-body effect with what it declared: references to what it writes, values of what it reads.
+template <class E, class S, class R, class... W, class... C>
+[[gnu::always_inline]] inline void apply_one(const Bound<E, S>& effect, R& row, Columns<W...>, Columns<C...>,
+                                             const Context<S>& context) {
+    effect.apply(row.template get<W>()..., std::as_const(row).template get<C>()...,
+                 context.template restricted<reads_clock<E>>());
+}
+
+} // namespace detail
+
+/// The per-body effects `E...` of one place of the step, in space `S`.
+template <class S, class... E> class Effects {
+public:
+    using writes = union_of<writes_of<E>...>;
+    using reads = union_of<writes_of<E>..., reads_of<E>...>;
+    static constexpr bool empty = sizeof...(E) == 0;
+
+    explicit Effects(const E&... policies) : effects_(detail::Bound<E, S>(policies)...) {}
+
+    void prepare(const Context<S>& context) {
+        auto one = [&](auto& effect) {
+            if constexpr (requires { effect.prepare(context); }) effect.prepare(context);
+        };
+        std::apply([&](auto&... effect) { (one(effect), ...); }, effects_);
+    }
+
+    /// Acts on one body. What an effect does to the velocity or the position of a body goes through the integrator:
+    /// where velocity is derived from history, a body that was only moved must not gain speed, and one that was only
+    /// slowed must not jump.
+    /// \param over the time between the body's previous and present position
+    template <class I, class R> [[gnu::always_inline]] void apply(R& row, const Context<S>& context, const typename S::Time& over) const {
+        if constexpr (!empty) {
+            constexpr bool history = detail::derives_velocity<I>;
+            constexpr bool velocity = detail::contains<Velocity, writes>;
+            constexpr bool position = detail::contains<Position, writes>;
+            if constexpr (history && detail::contains<Velocity, reads>) detail::derive_velocity<I>(row, over);
+            typename S::Velocity old_velocity{};
+            typename S::Position old_position{};
+            if constexpr (history && velocity) old_velocity = row.template get<Velocity>();
+            if constexpr (history && position) old_position = row.template get<Position>();
+            (detail::apply_one<E, S>(std::get<detail::Bound<E, S>>(effects_), row, writes_of<E>{},
+                                     difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}, context),
+             ...);
+            if constexpr (history && position)
+                row.template get<PreviousPosition>() += row.template get<Position>() - old_position;
+            if constexpr (history && velocity) keep_or_kick(row, old_velocity, over);
+        }
+    }
+
+private:
+    // A component that no effect changed keeps its history to the bit: a null effect must be the same as none.
+    template <class R> [[gnu::always_inline]] static void keep_or_kick(R& row, const typename S::Velocity& old, const typename S::Time& over) {
+        const auto& x = row.template get<Position>().value();
+        const auto& v = row.template get<Velocity>().value();
+        auto previous = row.template get<PreviousPosition>().value();
+        for (int i = 0; i < S::dimension; ++i)
+            previous[i] = v[i] == old.value()[i] ? previous[i] : x[i] - v[i] * over.value();
+        row.template get<PreviousPosition>() = S::Position::from_value(previous);
+    }
+
+    std::tuple<detail::Bound<E, S>...> effects_;
+};
+
+/// The laws as an integrator that solves sees them: functions of position, velocity and the fraction of the step; the
+/// other columns of the body stay as they are.
+template <class S, class LawsT, class R> class LawsOfBody {
+public:
+    LawsOfBody(const LawsT& laws, const R& row, const Context<S>& context) : laws_(laws), row_(row), context_(context) {}
+
+    typename S::Acceleration operator()(const typename S::Position& x, const typename S::Velocity& v, double fraction) const {
+        return laws_.acceleration(at(x, v), context_.later(fraction));
+    }
+    Jacobian<S> jacobian(const typename S::Position& x, const typename S::Velocity& v, double fraction) const {
+        return laws_.jacobian(at(x, v), context_.later(fraction));
+    }
+
+private:
+    R at(const typename S::Position& x, const typename S::Velocity& v) const {
+        R row = row_;
+        row.template get<Position>() = x;
+        row.template get<Velocity>() = v;
+        return row;
+    }
+    const LawsT& laws_;
+    const R& row_;
+    const Context<S>& context_;
+};
+
+/// All of one body's step, every stage with its forces, effects. For worlds where nothing couples.
+template <class S, class I, class LawsT, class Before, class After, class Transient> struct WholeStep {
+    static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
+
+    LawsT laws;
+    Before before;
+    After after;
+    Context<S> context;
+    std::uint64_t* unsolved; ///< counts the bodies whose equation an implicit integrator could not solve
+
+    template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
+        before.template apply<I>(row, context, context.dt().previous);
+        detail::derive_velocity<I>(row, context.dt().previous);
+        if constexpr (detail::is_staged<I>)
+            stages(row, std::make_integer_sequence<int, detail::stage_count<I>() - detail::first_stage<I>(velocity_read)>{});
+        else
+            solve(row);
+        after.template apply<I>(row, context, context.dt());
+        clear(row, Transient{});
+    }
+
+private:
+    template <class R> void solve(R& row) const {
+        const R start = row;
+        const bool solved = I::solve(row.template get<Position>(), row.template get<Velocity>(),
+                                     LawsOfBody<S, LawsT, R>(laws, start, context), context.dt());
+        if (!solved) ++*unsolved;
+    }
+    template <class R, int... K> [[gnu::always_inline]] void stages(R& row, std::integer_sequence<int, K...>) const {
+        (stage<K + detail::first_stage<I>(velocity_read)>(row), ...);
+    }
+    template <int K, class R> [[gnu::always_inline]] void stage(R& row) const {
+        const auto a = laws.acceleration(row, context.later(detail::node<I>(K)));
+        detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, a, context.dt());
+    }
+    template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
+        ((row.template get<C>() = value_of<C, S>()), ...);
+    }
+};
+
+/// Stage `K` of one body, with the coupled force that was summed for it. For worlds where something couples.
+template <class S, class I, int K, class LawsT> struct OneStage {
+    LawsT laws;
+    Context<S> context;
+
+    template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
+        const auto own = laws.acceleration(row, context.later(detail::node<I>(K)));
+        const auto coupled = row.template get<InverseMass>() * row.template get<CoupledForce>();
+        detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, own + coupled, context.dt());
+    }
+};
+
+/// Effects alone, over all bodies: where a step runs stage by stage, and at the end of every step.
+template <class S, class I, class EffectsT, class Transient> struct EffectsOnly {
+    EffectsT effects;
+    Context<S> context;
+    typename S::Time over;
+
+    template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
+        effects.template apply<I>(row, context, over);
+        clear(row, Transient{});
+    }
+
+private:
+    template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
+        ((row.template get<C>() = value_of<C, S>()), ...);
+    }
+};
+
+} // namespace ansatz

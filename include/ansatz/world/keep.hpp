@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Keep<Columns...>` and `Datum<T>`: things that a world stores although none of its policies needs them.
+///
+/// Use `Keep<InverseMass>` to ask a world of gravity alone for momentum and energy, and `Datum<T>` for whatever belongs
+/// to a body in your program (a name, a sprite). Not for what a policy needs: the policy declares that itself.
+
+#include <ansatz/world/columns.hpp>
+#include <ansatz/world/roles.hpp>
+
+namespace ansatz {
+
+/// Stores the columns `C...`. Costs their bytes for each body and not one instruction of the step.
+template <class... C> struct Keep {
+    static_assert((Column<C> && ...), "Ansatz: Keep stores columns, e.g. Keep<InverseMass>; see columns.hpp");
+    using role = roles::Observer;
+    using reads = Columns<C...>;
+};
+
+/// Stores one `T` for each body, reached by `world.datum(handle)`. It is copied with the world; it is neither hashed nor
+/// saved, because only your program knows what it means.
+template <class T> struct Datum {
+    using role = roles::Observer;
+    using reads = Columns<>;
+    using datum_type = T;
+};
+
+} // namespace ansatz

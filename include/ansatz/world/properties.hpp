@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// What `World::add` takes: named properties of a body, in any order.
+///
+/// `world.add(position(metres(0, 10, 0)), mass(2.0 * kilogram))`: each property carries its name, so that a velocity is
+/// never taken for a position, and each is checked for its unit at compile time and for its value at the door. A column
+/// of your own is given with `with<Temperature>(293.0 * kelvin)`.
+
+#include <ansatz/world/columns.hpp>
+
+#include <type_traits>
+#include <utility>
+
+namespace ansatz {
+
+/// A body that no physics touches (notes 1.1): infinite mass, no velocity, e.g. the ground.
+struct Fixed {};
+inline constexpr Fixed fixed{};
+
+/// A platform: infinite mass, moves with the velocity that it is given and is moved by nothing else.
+struct Moving {};
+inline constexpr Moving moving{};
+
+/// Added asleep: nothing is computed for it until something wakes it. Needs a world that can put bodies to rest.
+struct Resting {};
+inline constexpr Resting resting{};
+
+/// A value for a column.
+template <class C, class Q> struct Given {
+    using column = C;
+    Q value;
+};
+
+/// The mass of a body, a finite quantity greater than zero.
+template <class Q> struct GivenMass {
+    using column = InverseMass;
+    Q value;
+};
+
+/// A datum of the user's own, for worlds with a `Datum<T>` policy.
+template <class T> struct GivenDatum {
+    T value;
+};
+
+namespace detail {
+// One sentence for each property that is given something without a unit, or with another one.
+template <class Unit, class Q> constexpr bool has_unit = false;
+template <class Unit, class V> constexpr bool has_unit<Unit, boost::units::quantity<Unit, V>> = true;
+template <class Q> constexpr bool vector_valued = false;
+template <class U, class V> constexpr bool vector_valued<boost::units::quantity<U, V>> = is_matrix<V>;
+
+template <class Q> struct Stripped {
+    using type = Q;
+};
+template <class U, class V> boost::units::quantity<U, V> as_quantity(const boost::units::quantity<U, V>&);
+template <class Q>
+    requires requires(const Q& q) { as_quantity(q); }
+struct Stripped<Q> {
+    using type = decltype(as_quantity(std::declval<const Q&>()));
+};
+template <class Q> using stripped = typename Stripped<Q>::type;
+} // namespace detail
+
+/// Where the body is: a vector of length, e.g. `position(metres(0, 10, 0))`. The origin if it is not given.
+template <class Q> auto position(const Q& x) {
+    using Given_ = detail::stripped<Q>;
+    static_assert(detail::has_unit<unit::Length, Given_> && detail::vector_valued<Given_>,
+                  "Ansatz: position takes a vector of lengths; write e.g. position(metres(0, 10, 0))");
+    return Given<Position, Given_>{x};
+}
+
+/// How it moves: a vector of velocity, e.g. `velocity(metres_per_second(1, 0, 0))`. Zero if it is not given.
+template <class Q> auto velocity(const Q& v) {
+    using Given_ = detail::stripped<Q>;
+    static_assert(detail::has_unit<unit::Velocity, Given_> && detail::vector_valued<Given_>,
+                  "Ansatz: velocity takes a vector of velocities; write e.g. velocity(metres_per_second(1, 0, 0))");
+    return Given<Velocity, Given_>{v};
+}
+
+/// How heavy it is: e.g. `mass(2.0 * kilogram)`. Needed where the world stores mass.
+template <class Q> auto mass(const Q& m) {
+    using Given_ = detail::stripped<Q>;
+    static_assert(detail::has_unit<unit::Mass, Given_> && !detail::vector_valued<Given_>,
+                  "Ansatz: mass takes a mass; write e.g. mass(2.0 * kilogram)");
+    return GivenMass<Given_>{m};
+}
+
+/// A value for any column that a policy of the world stores, e.g. one of your own.
+template <class C, class Q> auto with(const Q& value) {
+    static_assert(Column<C>, "Ansatz: with<C> names a column: a type with Unit, shape and name; see columns.hpp");
+    using Given_ = detail::stripped<Q>;
+    static_assert(detail::has_unit<typename C::Unit, Given_> && detail::vector_valued<Given_> == (C::shape == Shape::vector),
+                  "Ansatz: the value given to with<C> has not the unit or the shape of column C");
+    return Given<C, Given_>{value};
+}
+
+/// The user's own datum of the body.
+template <class T> auto datum(T value) { return GivenDatum<T>{std::move(value)}; }
+
+} // namespace ansatz

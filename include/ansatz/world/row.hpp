@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Row`: the values of one body's columns, as quantities, while the laws look at it.
+///
+/// The loop over bodies loads a row from the lanes, hands its values to laws, stages and effects, and stores what was
+/// written. A row lives in registers; nothing of it remains in an optimised program.
+
+#include <ansatz/world/columns.hpp>
+
+#include <cstddef>
+#include <utility>
+
+namespace ansatz {
+
+namespace detail {
+
+template <class C, class S> struct Cell {
+    value_of<C, S> value;
+};
+
+template <class C, class S, class Scalar> [[gnu::always_inline]] inline value_of<C, S> load(const Scalar* raw) {
+    using V = value_of<C, S>;
+    if constexpr (C::shape == Shape::scalar)
+        return V::from_value(raw[0]);
+    else if constexpr (S::dimension == 2)
+        return V::from_value(typename V::value_type(raw[0], raw[1]));
+    else
+        return V::from_value(typename V::value_type(raw[0], raw[1], raw[2]));
+}
+
+template <class C, class S, class Scalar> [[gnu::always_inline]] inline void store(const value_of<C, S>& q, Scalar* raw) {
+    if constexpr (C::shape == Shape::scalar)
+        raw[0] = q.value();
+    else
+        for (int i = 0; i < S::dimension; ++i) raw[i] = q.value()[i];
+}
+
+/// Position of column C's first lane among the lanes of a list.
+template <class C, class List> constexpr std::size_t lane_offset = 0;
+template <class C, class First, class... Rest>
+constexpr std::size_t lane_offset<C, Columns<First, Rest...>> = 0;
+
+template <class C, class... In> constexpr std::size_t offset_in(Columns<In...>, int dimension) {
+    std::size_t offset = 0;
+    bool found = false;
+    ((found = found || std::same_as<C, In>, offset += found ? 0 : lanes_of<In>(dimension)), ...);
+    return offset;
+}
+
+template <class... In> constexpr std::size_t lane_count(Columns<In...>, int dimension) {
+    return (std::size_t(0) + ... + lanes_of<In>(dimension));
+}
+
+} // namespace detail
+
+/// The values of columns `C...` of one body in space `S`.
+template <class S, class List> struct Row;
+template <class S, class... C> struct Row<S, Columns<C...>> : detail::Cell<C, S>... {
+    using columns = Columns<C...>;
+
+    template <class Which> [[gnu::always_inline]] value_of<Which, S>& get() { return detail::Cell<Which, S>::value; }
+    template <class Which> [[gnu::always_inline]] const value_of<Which, S>& get() const {
+        return detail::Cell<Which, S>::value;
+    }
+};
+
+namespace detail {
+
+/// Calls `f` with the values of the listed columns, in the order of the list (Clock is not a value).
+template <class R, class F, class... C>
+[[gnu::always_inline]] inline decltype(auto) with_values(R& row, Columns<C...>, F&& f) {
+    return std::forward<F>(f)(row.template get<C>()...);
+}
+
+} // namespace detail
+} // namespace ansatz

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Space<Scalar, Dim>`: the number type and the dimension of a world, and the quantity types that follow from them.
+///
+/// A world without a Space policy lives in `Space<double, 3>`; this is the one silent default of the library. Use
+/// `Space<float, 2>` for a plane game on lanes half as wide, and a Boost.Multiprecision number as the reference that
+/// accuracy is measured against. Policies know no Space: their parameters are double quantities in three components,
+/// and the world converts them here, once, when it is made.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/error.hpp>
+#include <ansatz/world/roles.hpp>
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace ansatz {
+
+/// \tparam ScalarT float, double, or a class scalar such as boost::multiprecision::cpp_bin_float (without expression
+///                 templates)
+/// \tparam Dim     2 or 3
+template <class ScalarT = double, int Dim = 3> struct Space {
+    static_assert(Dim == 2 || Dim == 3, "Ansatz: a Space has 2 or 3 dimensions, e.g. Space<double, 3> or Space<float, 2>");
+    static_assert(!std::is_integral_v<ScalarT>,
+                  "Ansatz: the scalar of a Space is a real number type, e.g. Space<double, 3>; integers cannot integrate");
+
+    using role = roles::Space;
+    using Scalar = ScalarT;
+    static constexpr int dimension = Dim;
+
+    /// The type of the clock: at least double, because a float that counts seconds freezes after six days.
+    using ClockScalar = std::conditional_t<std::is_same_v<Scalar, float>, double, Scalar>;
+
+    template <class Unit> using ScalarOf = Quantity<Unit, Scalar>;
+    template <class Unit> using VectorOf = VectorQuantity<Unit, Dim, Scalar>;
+    template <class Unit> using MatrixOf = MatrixQuantity<Unit, Dim, Scalar>;
+
+    using Length = ScalarOf<unit::Length>;
+    using Time = ScalarOf<unit::Time>;
+    using ClockTime = ansatz::Quantity<unit::Time, ClockScalar>;
+    using Mass = ScalarOf<unit::Mass>;
+    using InverseMass = ScalarOf<unit::InverseMass>;
+    using Speed = ScalarOf<unit::Velocity>;
+    using Energy = ScalarOf<unit::Energy>;
+    using Position = VectorOf<unit::Length>;
+    using Velocity = VectorOf<unit::Velocity>;
+    using Acceleration = VectorOf<unit::Acceleration>;
+    using Force = VectorOf<unit::Force>;
+    using Momentum = VectorOf<unit::Momentum>;
+
+    /// A scalar parameter of a policy, in this space's number type.
+    template <class Unit, class From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
+        return ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
+    }
+
+    /// A three-component parameter of a policy, in this space's number type and dimension.
+    /// \throws std::invalid_argument if a component that this space does not have is not zero
+    template <class Unit, class From>
+    static VectorOf<Unit> convert(std::string_view what, const VectorQuantity<Unit, 3, From>& q) {
+        if constexpr (Dim == 2)
+            if (!(q.value()[2] == From(0)))
+                refuse_value("World", what, describe(q), "this world has two dimensions, so its third component must be 0");
+        Vector<Scalar, Dim> v;
+        for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
+        return VectorOf<Unit>::from_value(v);
+    }
+
+    template <class Unit> static VectorOf<Unit> zero_vector() {
+        Vector<Scalar, Dim> v;
+        for (int i = 0; i < Dim; ++i) v[i] = Scalar(0);
+        return VectorOf<Unit>::from_value(v);
+    }
+};
+
+namespace detail {
+template <class... P> struct SpaceOf {
+    using type = Space<>;
+};
+template <class First, class... Rest> struct SpaceOf<First, Rest...> {
+    using type = typename SpaceOf<Rest...>::type;
+};
+template <PlaysRole<roles::Space> First, class... Rest> struct SpaceOf<First, Rest...> {
+    using type = First;
+};
+} // namespace detail
+
+/// The Space among the policies, or `Space<double, 3>`.
+template <class... P> using space_of = typename detail::SpaceOf<P...>::type;
+
+} // namespace ansatz

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// The step: the order in which a world's parts act, and nothing else.
+///
+///     starts -> effects -> [ forces -> integrator ] x stages -> effects -> platforms -> rest -> observers
+///
+/// It composes and owns no algorithm: laws, stages and effects are the policies', the loop is `sweep`. Where nothing
+/// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
+/// couples, they run stage by stage. The step does not allocate, throw or print once the world is warm.
+
+#include <ansatz/world/data.hpp>
+#include <ansatz/world/view.hpp>
+
+namespace ansatz {
+
+/// The policies of a world, bound to its space.
+template <class C> struct BoundPolicies {
+    using S = typename C::S;
+    typename C::Laws laws;
+    typename C::template Effects<Place::before_forces> before;
+    typename C::template Effects<Place::after_integration> after;
+    typename C::template Effects<Place::end_of_step> end;
+
+    template <class Policies> static BoundPolicies from(const Policies& policies) {
+        return {bind<typename C::Laws>(policies, typename C::laws{}),
+                bind<typename C::template Effects<Place::before_forces>>(policies, typename C::template effects<Place::before_forces>{}),
+                bind<typename C::template Effects<Place::after_integration>>(policies, typename C::template effects<Place::after_integration>{}),
+                bind<typename C::template Effects<Place::end_of_step>>(policies, typename C::template effects<Place::end_of_step>{})};
+    }
+    void prepare(const Context<S>& context) {
+        laws.prepare(context);
+        before.prepare(context);
+        after.prepare(context);
+        end.prepare(context);
+    }
+
+private:
+    template <class To, class Policies, class... Q> static To bind(const Policies& policies, Types<Q...>) {
+        return To(std::get<Q>(policies)...);
+    }
+};
+
+/// One step of a world's data under its policies.
+template <class C, class Policies> class Step {
+public:
+    using S = typename C::S;
+    using I = typename C::Integrator;
+    using Data = WorldData<C>;
+    using Slot = typename Data::Slot;
+
+    Step(Data& data, Policies& policies, const BoundPolicies<C>& bound, const TimeStep<S>& dt)
+        : data_(data), policies_(policies), bound_(bound), context_(data.clock.now(), dt) {
+        bound_.prepare(context_);
+    }
+
+    void run(const typename S::ClockTime& dt) {
+        if constexpr (C::rests) data_.events.begin_step();
+        if constexpr (C::rests && (C::Laws::time_dependent)) wake_the_pulled();
+        if constexpr (C::history) complete_starts();
+        if constexpr (C::coupled)
+            stage_by_stage();
+        else
+            body_by_body();
+        advance_platforms();
+        if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
+        data_.clock.advance(dt);
+        if constexpr (C::rests) put_to_rest();
+        observe(typename C::observers{});
+    }
+
+private:
+    /// The columns that a kernel loads are stored ones; the others it needs live in the row alone.
+    template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
+    template <class Needs> using locals = difference_of<Needs, typename C::stored>;
+    using derived = std::conditional_t<C::history, Columns<Velocity>, Columns<>>;
+
+    template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {
+        using Load = loaded<Needs>;
+        sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range), data_.bodies.end(range), kernel);
+    }
+
+    void body_by_body() {
+        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), typename C::transient>;
+        using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes, typename decltype(bound_.after)::writes,
+                                 typename C::transient>;
+        using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
+                               typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived>;
+        walk<Needs, Written>(Motion::awake, Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
+    }
+
+    void stage_by_stage() {
+        if constexpr (!decltype(bound_.before)::empty) effects_only<Columns<>>(bound_.before, context_.dt().previous);
+        [&]<int... K>(std::integer_sequence<int, K...>) {
+            (stage<K + first_stage>(), ...);
+        }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
+        if constexpr (!decltype(bound_.after)::empty || C::transient::size > 0)
+            effects_only<typename C::transient>(bound_.after, context_.dt());
+    }
+
+    static constexpr int first_stage = detail::first_stage<I>(C::velocity_read);
+
+    template <int K> void stage() {
+        if constexpr (K == first_stage) derive_velocities();
+        sum_coupled_forces(context_.later(detail::node<I>(K)));
+        if constexpr (K == first_stage && C::rests) wake_the_pulled();
+        using Written = union_of<writes_of<I>, typename C::scratch>;
+        using Needs = union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>>;
+        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws>{bound_.laws, context_});
+    }
+
+    template <class Transient, class EffectsT> void effects_only(const EffectsT& effects, const typename S::Time& over) {
+        using Written = std::conditional_t<C::history, union_of<typename EffectsT::writes, Transient, writes_of<I>>,
+                                           union_of<typename EffectsT::writes, Transient>>;
+        using Needs = union_of<Written, typename EffectsT::reads, derived>;
+        walk<Needs, Written>(Motion::awake, EffectsOnly<S, I, EffectsT, Transient>{effects, context_, over});
+    }
+
+    /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
+    void derive_velocities() {
+        if constexpr (C::history && C::template stores<Velocity>)
+            for (std::size_t slot = 0; slot < data_.bodies.size(); ++slot)
+                data_.lanes.template set<Velocity>(slot, data_.load(Slot(slot)).template get<Velocity>());
+    }
+
+    void sum_coupled_forces(const Context<S>& context) {
+        for (int k = 0; k < S::dimension; ++k) {
+            auto* lane = data_.lanes.template lane<CoupledForce>(k);
+            std::fill(lane, lane + data_.bodies.size(), typename S::Scalar(0));
+        }
+        couple(typename C::couplings{}, context);
+    }
+    template <class... Q> void couple(Types<Q...>, const Context<S>& context) {
+        (couple_one<Q>(context), ...);
+    }
+    template <class Q> void couple_one(const Context<S>& context) {
+        CouplingView<S, Q> view(data_.lanes, data_.bodies);
+        detail::Bound<Q, S> force(std::get<Q>(policies_));
+        const auto limited = context.template restricted<detail::reads_clock<Q>>();
+        if constexpr (requires { force.prepare(limited); }) force.prepare(limited);
+        force.couple(view, limited);
+    }
+
+    /// The acceleration of one body as it stands.
+    typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
+        auto a = bound_.laws.acceleration(row, context_);
+        if constexpr (C::coupled) a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
+        return a;
+    }
+
+    void complete_starts() {
+        if (data_.starts.list.empty()) return;
+        if constexpr (C::coupled) {
+            derive_velocities();
+            sum_coupled_forces(context_);
+        }
+        for (const auto id : data_.starts.list) {
+            const Slot slot = data_.bodies.slot_of_id(id);
+            const auto row = data_.load(slot);
+            const bool pulled = data_.bodies.motion(slot) == Motion::awake;
+            const auto a = pulled ? acceleration(slot, row) : typename S::Acceleration();
+            data_.lanes.template set<PreviousPosition>(
+                slot, I::history(row.template get<Position>(), row.template get<Velocity>(), a, context_.dt().previous));
+            data_.starts.waits[id] = 0;
+        }
+        data_.starts.list.clear();
+    }
+
+    /// Platforms keep their velocity: the integrator's own stages without any acceleration.
+    void advance_platforms() {
+        if (data_.bodies.count(Motion::moving) == 0) return;
+        using Coast = WholeStep<S, std::conditional_t<detail::is_staged<I>, I, detail::NoIntegrator>, Laws<S>, Effects<S>, Effects<S>, Columns<>>;
+        if constexpr (!detail::is_staged<I>) {
+            for (auto slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot)
+                data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) +
+                                                             data_.lanes.template get<Velocity>(slot) * context_.dt());
+        } else
+            walk<union_of<writes_of<I>, detail::scratch_of<I>, derived>, writes_of<I>>(
+                Motion::moving, Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved});
+    }
+
+    /// A body rests when it has been slow for long enough and would stay: at velocity zero nothing pulls at it.
+    void put_to_rest() {
+        using Rester = typename detail::FirstOf<typename C::resters>::type;
+        const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
+        const Context<S> after(data_.clock.now(), context_.dt());
+        const auto* time = data_.lanes.template lane<RestTime>();
+        for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);) {
+            if (!rest.long_enough(S::Time::from_value(time[slot]))) continue;
+            if (!(pull_at_rest(slot, after) == S::template zero_vector<unit::Acceleration>())) continue;
+            data_.stop(slot);
+            data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
+            data_.move(slot, Motion::resting);
+        }
+    }
+    typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
+        auto row = data_.load(slot);
+        row.template get<Velocity>() = S::template zero_vector<unit::Velocity>();
+        auto a = bound_.laws.acceleration(row, context);
+        if constexpr (C::coupled) a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
+        return a;
+    }
+
+    void wake_the_pulled() {
+        for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {
+            if (pull_at_rest(slot, context_) == S::template zero_vector<unit::Acceleration>()) continue;
+            wake_resting(data_, slot);
+            // The body that took this slot was at the beginning of the range: look at it too, unless it is the one woken.
+            if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
+        }
+    }
+
+public:
+    /// Takes a resting body back into the awake range, within a step.
+    static Slot wake_resting(Data& data, Slot slot) {
+        data.events.in_step({Event::Kind::woke, data.bodies.handle(slot)});
+        data.lanes.template set<RestTime>(slot, S::Time::from_value(typename S::Scalar(0)));
+        return data.move(slot, Motion::awake);
+    }
+
+private:
+    template <class... O> void observe(Types<O...>) {
+        (observe_one<O>(), ...);
+    }
+    template <class O> void observe_one() {
+        ObserverView<S, O> view(data_.lanes, data_.bodies, data_.clock.now(), data_.clock.tick());
+        if constexpr (requires { std::get<O>(policies_).observe(view); }) std::get<O>(policies_).observe(view);
+    }
+
+    Data& data_;
+    Policies& policies_;
+    BoundPolicies<C> bound_;
+    Context<S> context_;
+};
+
+} // namespace ansatz

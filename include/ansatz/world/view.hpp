@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Views: how forces that couple bodies, and observers, see a world. A view shows the columns that its policy declared
+/// and no other; touching another one is one sentence at compile time.
+
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/context.hpp>
+#include <ansatz/world/laws.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace ansatz {
+
+/// What `Lanes` of any columns look like to a view: pointers by column, found once when the view is made.
+template <class S, class P, class Declared> class ColumnsView {
+public:
+    using Scalar = typename S::Scalar;
+    using Slot = Bodies::Slot;
+
+    template <class LanesT>
+    ColumnsView(const LanesT& lanes, const Bodies& bodies) : pointers_(collect(lanes, Declared{})), bodies_(&bodies) {}
+
+    /// All bodies stand in slots 0 to size(): first the awake ones, then resting, moving, fixed.
+    std::size_t size() const { return bodies_->size(); }
+    std::size_t begin(Motion m) const { return bodies_->begin(m); }
+    std::size_t end(Motion m) const { return bodies_->end(m); }
+
+    bool contains(Handle h) const { return bodies_->contains(h); }
+    Slot slot(Handle h) const { return bodies_->slot(h, "view"); }
+    Handle handle(std::size_t slot) const { return bodies_->handle(slot); }
+    Motion motion(std::size_t slot) const { return bodies_->motion(slot); }
+
+    /// The value of a declared column.
+    template <class C> [[gnu::always_inline]] value_of<C, S> get(std::size_t slot) const {
+        check<C>();
+        Scalar raw[3] = {};
+        for (std::size_t k = 0; k < lanes_of<C>(S::dimension); ++k) raw[k] = pointers_[offset<C>() + k][slot];
+        return detail::load<C, S>(raw);
+    }
+    /// One lane of a declared column: the raw SI scalars of one component.
+    template <class C> std::span<const Scalar> lane(int component = 0) const {
+        check<C>();
+        return {pointers_[offset<C>() + std::size_t(component)], size()};
+    }
+
+protected:
+    const Bodies& bodies() const { return *bodies_; }
+
+private:
+    template <class C> static constexpr void check() {
+        static_assert(detail::contains<C, Declared>,
+                      "Ansatz: a policy touches a column that it did not declare; add it to its `reads`, "
+                      "e.g. `using reads = Columns<Position, Velocity>;`");
+    }
+    template <class C> static constexpr std::size_t offset() {
+        if constexpr (detail::contains<C, Declared>) return detail::offset_in<C>(Declared{}, S::dimension);
+        return 0;
+    }
+    static constexpr std::size_t width = detail::lane_count(Declared{}, S::dimension);
+
+    template <class LanesT, class... C> static auto collect(const LanesT& lanes, Columns<C...>) {
+        std::array<const Scalar*, width + 1> all{};
+        std::size_t next = 0;
+        auto take = [&]<class One>(Columns<One>) {
+            for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) all[next++] = lanes.template lane<One>(int(k));
+        };
+        (take(Columns<C>{}), ...);
+        return all;
+    }
+
+    std::array<const Scalar*, width + 1> pointers_;
+    const Bodies* bodies_;
+};
+
+/// What a force that couples bodies works on: its columns to read, and one way to write, `add_force`.
+template <class S, class P> class CouplingView : public ColumnsView<S, P, detail::without_clock<P>> {
+    using Base = ColumnsView<S, P, detail::without_clock<P>>;
+
+public:
+    template <class LanesT> CouplingView(LanesT& lanes, const Bodies& bodies) : Base(lanes, bodies) {
+        for (int k = 0; k < S::dimension; ++k) force_[std::size_t(k)] = lanes.template lane<CoupledForce>(k);
+    }
+
+    /// Adds a force on one body. On a body of infinite mass it has no effect.
+    [[gnu::always_inline]] void add_force(std::size_t slot, const typename S::Force& f) {
+        for (int k = 0; k < S::dimension; ++k) force_[std::size_t(k)][slot] += f.value()[k];
+    }
+    /// Newton's third law: `f` on the first body, `-f` on the second (notes 1.3).
+    [[gnu::always_inline]] void add_force_pair(std::size_t on, std::size_t from, const typename S::Force& f) {
+        add_force(on, f);
+        add_force(from, -f);
+    }
+
+private:
+    std::array<typename S::Scalar*, 3> force_{};
+};
+
+/// What an observer sees.
+template <class S, class P> class ObserverView : public ColumnsView<S, P, detail::without_clock<P>> {
+    using Base = ColumnsView<S, P, detail::without_clock<P>>;
+
+public:
+    template <class LanesT>
+    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename S::ClockTime& time, std::uint64_t tick)
+        : Base(lanes, bodies), time_(time), tick_(tick) {}
+
+    const typename S::ClockTime& time() const { return time_; }
+    std::uint64_t tick() const { return tick_; }
+
+private:
+    typename S::ClockTime time_;
+    std::uint64_t tick_;
+};
+
+} // namespace ansatz

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `World`: the composition root. A world is the list of what happens in it.
+///
+/// Name the policies in any order; the compiler builds exactly that world. It is a value: copying it is the snapshot,
+/// and the copy continues bit-identically. Use it when bodies should be advanced together by one integrator; when you
+/// have an entity system of your own, call `sweep`, `Laws` and the policies directly instead.
+///
+/// Threads: a world has no hidden global and no lock. Different worlds, copies included, may be used on different
+/// threads at the same time; so may const members of one world. A change needs that world for itself.
+
+#include <ansatz/world/check.hpp>
+#include <ansatz/world/properties.hpp>
+#include <ansatz/world/step.hpp>
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace ansatz {
+
+struct Archive; // save.hpp reads and writes the parts of a world
+
+namespace detail {
+
+/// The user's own datum for each body, by id.
+template <class T> struct DataOfUser {
+    std::vector<T> by_id;
+};
+template <> struct DataOfUser<void> {};
+
+template <class P> constexpr bool is_datum = requires { typename P::datum_type; };
+template <class... P> struct DatumOf {
+    using type = void;
+};
+template <class First, class... Rest> struct DatumOf<First, Rest...> {
+    using type = typename DatumOf<Rest...>::type;
+};
+template <class First, class... Rest>
+    requires is_datum<First>
+struct DatumOf<First, Rest...> {
+    using type = typename First::datum_type;
+};
+
+template <class T> constexpr bool is_given = false;
+template <class C, class Q> constexpr bool is_given<Given<C, Q>> = true;
+template <class Q> constexpr bool is_given<GivenMass<Q>> = true;
+template <class T> constexpr bool is_given_datum = false;
+template <class T> constexpr bool is_given_datum<GivenDatum<T>> = true;
+template <class T> constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
+template <class T> constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T>;
+
+template <class C, class T> constexpr bool gives = false;
+template <class C, class Q> constexpr bool gives<C, Given<C, Q>> = true;
+template <class Q> constexpr bool gives<InverseMass, GivenMass<Q>> = true;
+
+} // namespace detail
+
+/// \tparam P policies in any order, each one type once: exactly one Integrator; any number of Force, Effect, Observer;
+///           at most one Space (`Space<double, 3>` without it)
+template <class... P> class World {
+    static_assert(detail::CheckWorld<P...>::ok, "Ansatz: this list of policies is not a world; the sentence above says why");
+
+public:
+    using composition = Composition<P...>;
+    using S = typename composition::S;
+    using Integrator = typename composition::Integrator;
+    using Scalar = typename S::Scalar;
+    using Position = typename S::Position;
+    using Velocity = typename S::Velocity;
+    using Acceleration = typename S::Acceleration;
+    using ClockTime = typename S::ClockTime;
+
+    /// What a body takes in the lanes; the directory adds 16 bytes.
+    static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
+
+    /// \throws std::invalid_argument if a policy's parameter is not acceptable
+    explicit World(P... policies) : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
+
+    /// \name Bodies
+    /// @{
+
+    /// Adds a body, described by properties in any order: position(...), velocity(...), mass(...), with<Column>(...),
+    /// datum(...), and fixed, moving or resting.
+    /// \throws std::invalid_argument if a value is not acceptable; the world is then as it was
+    template <class... Property> Handle add(const Property&... property);
+
+    /// Removes a body. Other handles stay valid; this one becomes stale.
+    /// \throws std::out_of_range for a stale handle
+    void remove(Handle body) {
+        const auto slot = data_.bodies.slot(body, "World::remove");
+        if constexpr (composition::history) data_.starts.forget(body.id);
+        data_.bodies.erase(slot, [&](std::size_t i, std::size_t j) { data_.lanes.swap(i, j); });
+        data_.lanes.pop_back();
+    }
+    bool contains(Handle body) const { return data_.bodies.contains(body); }
+    std::size_t size() const { return data_.bodies.size(); }
+    std::size_t count(Motion m) const { return data_.bodies.count(m); }
+    /// Makes room, so that adding `n` bodies in all does not allocate.
+    void reserve(std::size_t n) {
+        data_.reserve(n);
+        capacity_ = std::max(capacity_, n);
+        if constexpr (has_datum) user_.by_id.reserve(n);
+    }
+    /// The handles of all bodies, by id.
+    std::vector<Handle> handles() const {
+        std::vector<Handle> all;
+        all.reserve(size());
+        for_each([&](Handle h) { all.push_back(h); });
+        return all;
+    }
+    /// Calls `f(handle)` for each body, by id. Do not add or remove bodies in it.
+    template <class F> void for_each(F&& f) const {
+        for (std::uint32_t id = 0; id < data_.bodies.ids(); ++id)
+            if (data_.bodies.alive(id)) f(data_.bodies.handle(data_.bodies.slot_of_id(id)));
+    }
+    Motion motion(Handle body) const { return data_.bodies.motion(data_.bodies.slot(body, "World::motion")); }
+    /// @}
+
+    /// \name Reading a body
+    /// All throw std::out_of_range for a stale handle.
+    /// @{
+    Position position(Handle body) const {
+        return data_.lanes.template get<ansatz::Position>(data_.bodies.slot(body, "World::position"));
+    }
+    /// The velocity at the present time. Where the integrator keeps history instead, it is derived: the mean velocity of
+    /// the last step belongs to half a step ago, and half a step of the present acceleration brings it here.
+    Velocity velocity(Handle body) const { return velocity_at(data_.bodies.slot(body, "World::velocity")); }
+    /// What all forces together do to the body now.
+    Acceleration acceleration(Handle body) const { return acceleration_at(data_.bodies.slot(body, "World::acceleration")); }
+    typename S::Mass mass(Handle body) const {
+        need_mass();
+        const auto inverse = data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::mass"));
+        return Scalar(1) / inverse;
+    }
+    typename S::InverseMass inverse_mass(Handle body) const {
+        need_mass();
+        return data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::inverse_mass"));
+    }
+    /// The value of any stored column.
+    template <class C> value_of<C, S> read(Handle body) const {
+        need_column<C>();
+        return data_.lanes.template get<C>(data_.bodies.slot(body, "World::read"));
+    }
+    /// The user's own datum of the body.
+    auto& datum(Handle body) {
+        need_datum();
+        data_.bodies.slot(body, "World::datum");
+        return user_.by_id[body.id];
+    }
+    const auto& datum(Handle body) const {
+        need_datum();
+        data_.bodies.slot(body, "World::datum");
+        return user_.by_id[body.id];
+    }
+    /// A lane of a stored column: raw SI scalars of one component, slot by slot; for plotting and other libraries. The
+    /// body of slot i is `body_at(i)`; slots change when bodies are added, removed, fall asleep or wake.
+    template <class C> std::span<const Scalar> lane(int component = 0) const {
+        need_column<C>();
+        return {data_.lanes.template lane<C>(component), size()};
+    }
+    Handle body_at(std::size_t slot) const { return data_.bodies.handle(slot); }
+    /// @}
+
+    /// \name Changing a body
+    /// Each wakes a resting body. All throw std::out_of_range for a stale handle, std::invalid_argument for a value
+    /// that is not finite; the world is then as it was.
+    /// @{
+
+    /// Puts the body somewhere else. It keeps its velocity, whatever the integrator, and is not drawn in between.
+    template <class Q> void set_position(Handle body, const Q& x);
+    /// \throws std::invalid_argument also for a fixed body, which has no velocity (add it as `moving`)
+    template <class Q> void set_velocity(Handle body, const Q& v);
+    template <class Q> void set_mass(Handle body, const Q& m);
+    /// Changes the momentum at once by `j` (in N s). A body of infinite mass does not notice.
+    template <class Q> void apply_impulse(Handle body, const Q& j);
+    /// Adds to the force that acts during the next step, in every stage of it. Needs the policy AppliedForces.
+    template <class Q> void apply_force(Handle body, const Q& f);
+    /// Gives a stored column a value.
+    template <class C, class Q> void write(Handle body, const Q& value);
+    /// Wakes a resting body; does nothing to others.
+    void wake(Handle body) { wake_slot(data_.bodies.slot(body, "World::wake")); }
+    /// @}
+
+    /// \name Policies
+    /// @{
+    template <class Policy> const Policy& get() const {
+        static_assert((std::same_as<Policy, P> || ...), "Ansatz: get: this world has no such policy; see the list in its type");
+        return std::get<Policy>(policies_);
+    }
+    /// Replaces a policy's parameters. A force or effect that changes wakes every resting body.
+    /// \throws std::invalid_argument if a parameter is not acceptable; the world is then as it was
+    template <class Policy> void set(const Policy& policy);
+    /// @}
+
+    /// \name Time
+    /// @{
+
+    /// One step. A step of zero is exactly nothing.
+    /// \param dt finite, not negative
+    /// \throws std::invalid_argument before anything is touched
+    template <class T> void step(const T& dt);
+
+    /// The simulated time: a whole number of steps, never a sum of them.
+    ClockTime time() const { return data_.clock.now(); }
+    /// Steps taken.
+    std::uint64_t tick() const { return data_.clock.tick(); }
+    /// Who slept and woke in the last step and between the step before and it.
+    std::span<const Event> events() const {
+        if constexpr (composition::rests) return data_.events.now();
+        return {};
+    }
+    /// What went wrong inside steps; looks at every body when it is called.
+    Status status() const;
+    /// @}
+
+    /// A number that differs, almost surely, when anything of the state differs; equal states have equal hashes in every
+    /// build. Policies' parameters are not part of it.
+    std::uint64_t hash() const;
+
+    /// The laws as they are bound, for queries such as potential energy.
+    const typename composition::Laws& laws() const { return bound_.laws; }
+    /// The values of one body, for the same queries.
+    auto row(Handle body) const { return data_.load(data_.bodies.slot(body, "World::row")); }
+    Context<S> context() const { return Context<S>(time(), TimeStep<S>(data_.last_dt(), data_.last_dt())); }
+
+private:
+    friend struct Archive;
+    using Data = WorldData<composition>;
+    using Slot = Bodies::Slot;
+    using Datum = typename detail::DatumOf<P...>::type;
+    static constexpr bool has_datum = !std::is_void_v<Datum>;
+    using Policies = std::tuple<P...>;
+
+    static const Policies& checked(const Policies& policies) {
+        auto one = [](const auto& policy) {
+            if constexpr (requires { policy.check(); }) policy.check();
+        };
+        std::apply([&](const auto&... policy) { (one(policy), ...); }, policies);
+        return policies;
+    }
+
+    static constexpr void need_mass() {
+        static_assert(composition::has_mass, "Ansatz: this world stores no mass, because none of its policies needs it (gravity "
+                                             "accelerates every mass alike); add Keep<InverseMass>{} to its policies");
+    }
+    static constexpr void need_datum() {
+        static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    }
+    template <class C> static constexpr void need_column() {
+        static_assert(composition::template stores<C>,
+                      "Ansatz: this world does not store that column, because none of its policies declares it; add Keep<Column>{} to "
+                      "its policies");
+    }
+
+    Acceleration acceleration_of(Slot slot, const typename Data::Body& row) const {
+        if (data_.bodies.motion(slot) == Motion::moving || data_.bodies.motion(slot) == Motion::fixed) return Acceleration();
+        auto a = bound_.laws.acceleration(row, context());
+        if constexpr (composition::coupled)
+            a += data_.lanes.template get<ansatz::InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
+        return a;
+    }
+    Acceleration acceleration_at(Slot slot) const {
+        auto row = data_.load(slot);
+        row.template get<ansatz::Velocity>() = velocity_at(slot);
+        return acceleration_of(slot, row);
+    }
+    Velocity velocity_at(Slot slot) const {
+        const auto row = data_.load(slot);
+        const auto& v = row.template get<ansatz::Velocity>();
+        if constexpr (composition::history)
+            if (!data_.waiting(slot) && data_.bodies.motion(slot) == Motion::awake)
+                return Integrator::velocity_now(v, acceleration_of(slot, row), data_.last_dt());
+        return v;
+    }
+
+    void wake_slot(Slot slot) {
+        if constexpr (composition::rests) {
+            data_.lanes.template set<RestTime>(slot, typename S::Time());
+            if (data_.bodies.motion(slot) != Motion::resting) return;
+            data_.events.between_steps({Event::Kind::woke, data_.bodies.handle(slot)});
+            data_.move(slot, Motion::awake);
+        }
+    }
+    void wake_all() {
+        if constexpr (composition::rests)
+            for_each([&](Handle h) { wake(h); });
+    }
+
+    template <class Row_, class Property> static void take(Row_& row, const Property& property);
+    void grow();
+
+    Policies policies_;
+    BoundPolicies<composition> bound_;
+    Data data_;
+    [[no_unique_address]] detail::DataOfUser<Datum> user_;
+    std::size_t capacity_ = 0;
+};
+
+template <class... P> World(P...) -> World<P...>;
+
+} // namespace ansatz
+
+#include <ansatz/world/door.hpp>
