@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Quantities with units: everything of this module but printing to streams, which is
 /// <ansatz/units/print.hpp>.
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Plane angles: a dimension of their own, stored in radians. Degrees exist only where they are
 /// spelled, in degrees() and in_degrees(). Angular velocities are frequencies (1/s), see unit.hpp.
 
@@ -22,8 +22,7 @@ using std::tan;
 namespace detail {
 /// Radians in a degree, with digits for every scalar that is likely to be used.
 template <class S>
-[[gnu::always_inline]] constexpr S radians_per_degree()
-{
+[[gnu::always_inline]] constexpr S radians_per_degree() {
     if constexpr (std::is_arithmetic_v<S>)
         return static_cast<S>(0.0174532925199432957692369076848861271L);
     else
@@ -33,22 +32,19 @@ template <class S>
 
 /// An angle given in degrees. Whole numbers become double.
 template <detail::ScalarValue S>
-[[gnu::always_inline]] constexpr auto degrees(const S& value)
-{
+[[gnu::always_inline]] constexpr auto degrees(const S& value) {
     using Scalar = std::conditional_t<std::is_integral_v<S>, double, S>;
     return Quantity<unit::PlaneAngle, Scalar>::from_value(static_cast<Scalar>(value) * detail::radians_per_degree<Scalar>());
 }
 /// An angle given in radians; the same as `value * radian`.
 template <detail::ScalarValue S>
-[[gnu::always_inline]] constexpr auto radians(const S& value)
-{
+[[gnu::always_inline]] constexpr auto radians(const S& value) {
     using Scalar = std::conditional_t<std::is_integral_v<S>, double, S>;
     return Quantity<unit::PlaneAngle, Scalar>::from_value(static_cast<Scalar>(value));
 }
 /// The plain number of degrees in an angle.
 template <class S>
-[[gnu::always_inline]] constexpr S in_degrees(const boost::units::quantity<unit::PlaneAngle, S>& angle)
-{
+[[gnu::always_inline]] constexpr S in_degrees(const boost::units::quantity<unit::PlaneAngle, S>& angle) {
     return angle.value() / detail::radians_per_degree<S>();
 }
 
@@ -67,8 +63,7 @@ template <class S>
 template <class Unit, class S>
     requires detail::ScalarValue<S>
 [[gnu::always_inline]] inline Quantity<unit::PlaneAngle, S> atan2(const boost::units::quantity<Unit, S>& y,
-                                                                  const boost::units::quantity<Unit, S>& x)
-{
+                                                                  const boost::units::quantity<Unit, S>& x) {
     return Quantity<unit::PlaneAngle, S>::from_value(atan2(y.value(), x.value()));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Arithmetic of quantities, written as in the notes: `x + v * dt`, `2.0 * k * d`, `-g`. Every
 /// operator returns a plain object, so `auto` is safe; vectors are computed coefficient by
 /// coefficient and inline completely, so that a loop over bodies vectorises. A plain number takes
@@ -34,8 +34,7 @@ using UnitQuotient = typename boost::units::divide_typeof_helper<A, B>::type;
 
 /// Matrix product, written out: Eigen's would issue packets of its own (see zip()).
 template <class S, int R, int K, int C, int O1, int O2>
-[[gnu::always_inline]] inline auto product(const Dense<S, R, K, O1>& a, const Dense<S, K, C, O2>& b)
-{
+[[gnu::always_inline]] inline auto product(const Dense<S, R, K, O1>& a, const Dense<S, K, C, O2>& b) {
     Eigen::Matrix<S, R, C> result;
     for (int i = 0; i < R; ++i)
         for (int j = 0; j < C; ++j) {
@@ -143,30 +142,26 @@ struct divide_typeof_helper<unit<Dim, System>, X> {};
 /// A vector or matrix quantity itself.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& q)
-{
+operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& q) {
     return q;
 }
 /// The opposite vector or matrix.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& q)
-{
+operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& q) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(ansatz::detail::negated(q.value()));
 }
 /// Sum of two vectors or matrices of the same unit.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b)
-{
+operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::combine<ansatz::detail::Plus>(a.value(), b.value()));
 }
 /// Difference of two vectors or matrices of the same unit.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b)
-{
+operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::combine<ansatz::detail::Minus>(a.value(), b.value()));
 }
@@ -176,24 +171,21 @@ operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<
 /// A vector times a scalar quantity.
 template <class U1, class U2, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<ansatz::detail::UnitProduct<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>
-operator*(const quantity<U1, Eigen::Matrix<S, R, C, O, R, C>>& v, const quantity<U2, S>& s)
-{
+operator*(const quantity<U1, Eigen::Matrix<S, R, C, O, R, C>>& v, const quantity<U2, S>& s) {
     return quantity<ansatz::detail::UnitProduct<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::scaled<ansatz::detail::Times>(v.value(), s.value()));
 }
 /// A scalar quantity times a vector.
 template <class U1, class U2, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<ansatz::detail::UnitProduct<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>
-operator*(const quantity<U1, S>& s, const quantity<U2, Eigen::Matrix<S, R, C, O, R, C>>& v)
-{
+operator*(const quantity<U1, S>& s, const quantity<U2, Eigen::Matrix<S, R, C, O, R, C>>& v) {
     return quantity<ansatz::detail::UnitProduct<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::scaled<ansatz::detail::Times>(v.value(), s.value()));
 }
 /// A vector divided by a scalar quantity. Each coefficient is divided: no reciprocal is taken.
 template <class U1, class U2, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<ansatz::detail::UnitQuotient<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>
-operator/(const quantity<U1, Eigen::Matrix<S, R, C, O, R, C>>& v, const quantity<U2, S>& s)
-{
+operator/(const quantity<U1, Eigen::Matrix<S, R, C, O, R, C>>& v, const quantity<U2, S>& s) {
     return quantity<ansatz::detail::UnitQuotient<U1, U2>, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::scaled<ansatz::detail::Over>(v.value(), s.value()));
 }
@@ -201,8 +193,7 @@ operator/(const quantity<U1, Eigen::Matrix<S, R, C, O, R, C>>& v, const quantity
 template <class U, class S, int R, int C, int O, class Number>
     requires(ansatz::detail::Builtin<Number> || std::is_same_v<Number, S>)
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator*(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s)
-{
+operator*(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::scaled<ansatz::detail::Times>(v.value(), static_cast<S>(s)));
 }
@@ -210,16 +201,14 @@ operator*(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s
 template <class U, class S, int R, int C, int O, class Number>
     requires(ansatz::detail::Builtin<Number> || std::is_same_v<Number, S>)
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator*(const Number& s, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v)
-{
+operator*(const Number& s, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v) {
     return v * s;
 }
 /// A vector divided by a plain number.
 template <class U, class S, int R, int C, int O, class Number>
     requires(ansatz::detail::Builtin<Number> || std::is_same_v<Number, S>)
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator/(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s)
-{
+operator/(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::scaled<ansatz::detail::Over>(v.value(), static_cast<S>(s)));
 }
@@ -229,8 +218,7 @@ operator/(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s
 /// A plain vector (a direction) times a scalar quantity (a speed).
 template <ansatz::detail::Expression E, class U, class S>
     requires ansatz::detail::ScalarValue<S>
-[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const E& direction, const quantity<U, S>& s)
-{
+[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const E& direction, const quantity<U, S>& s) {
     ansatz::detail::refuse_mixed_scalars<typename E::Scalar, S>();
     if constexpr (std::is_same_v<typename E::Scalar, S>) {
         const ansatz::detail::Plain<E>& v = direction; // an expression is evaluated here, a vector is not copied
@@ -241,15 +229,13 @@ template <ansatz::detail::Expression E, class U, class S>
 /// A scalar quantity times a plain vector.
 template <ansatz::detail::Expression E, class U, class S>
     requires ansatz::detail::ScalarValue<S>
-[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const quantity<U, S>& s, const E& direction)
-{
+[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const quantity<U, S>& s, const E& direction) {
     return direction * s;
 }
 /// A plain vector divided by a scalar quantity.
 template <ansatz::detail::Expression E, class U, class S>
     requires ansatz::detail::ScalarValue<S>
-[[gnu::always_inline]] inline auto operator/(const E& direction, const quantity<U, S>& s)
-{
+[[gnu::always_inline]] inline auto operator/(const E& direction, const quantity<U, S>& s) {
     using Result = quantity<typename power_typeof_helper<U, static_rational<-1>>::type, ansatz::detail::Plain<E>>;
     ansatz::detail::refuse_mixed_scalars<typename E::Scalar, S>();
     if constexpr (std::is_same_v<typename E::Scalar, S>) {
@@ -266,32 +252,28 @@ template <ansatz::detail::Expression E, class U, class S>
 template <class U1, class U2, class S, int R, int K, int C, int O1, int O2>
     requires(R > 1 && K > 1)
 [[gnu::always_inline]] inline auto operator*(const quantity<U1, Eigen::Matrix<S, R, K, O1, R, K>>& m,
-                                             const quantity<U2, Eigen::Matrix<S, K, C, O2, K, C>>& v)
-{
+                                             const quantity<U2, Eigen::Matrix<S, K, C, O2, K, C>>& v) {
     return quantity<ansatz::detail::UnitProduct<U1, U2>, Eigen::Matrix<S, R, C>>::from_value(
         ansatz::detail::product(m.value(), v.value()));
 }
 /// A plain matrix (a rotation, a projection) times a vector or matrix quantity.
 template <ansatz::detail::Expression E, class U, class S, int K, int C, int O>
     requires(E::ColsAtCompileTime == K && E::RowsAtCompileTime > 1 && K > 1 && std::is_same_v<typename E::Scalar, S>)
-[[gnu::always_inline]] inline auto operator*(const E& m, const quantity<U, Eigen::Matrix<S, K, C, O, K, C>>& v)
-{
+[[gnu::always_inline]] inline auto operator*(const E& m, const quantity<U, Eigen::Matrix<S, K, C, O, K, C>>& v) {
     const ansatz::detail::Plain<E>& plain = m;
     return quantity<U, Eigen::Matrix<S, E::RowsAtCompileTime, C>>::from_value(ansatz::detail::product(plain, v.value()));
 }
 /// A matrix quantity times a plain vector or matrix.
 template <ansatz::detail::Expression E, class U, class S, int R, int K, int O>
     requires(E::RowsAtCompileTime == K && R > 1 && K > 1 && std::is_same_v<typename E::Scalar, S>)
-[[gnu::always_inline]] inline auto operator*(const quantity<U, Eigen::Matrix<S, R, K, O, R, K>>& m, const E& v)
-{
+[[gnu::always_inline]] inline auto operator*(const quantity<U, Eigen::Matrix<S, R, K, O, R, K>>& m, const E& v) {
     const ansatz::detail::Plain<E>& plain = v;
     return quantity<U, Eigen::Matrix<S, R, E::ColsAtCompileTime>>::from_value(ansatz::detail::product(m.value(), plain));
 }
 /// A rotation (quaternion, angle-axis) of a vector quantity. Needs <Eigen/Geometry> where it is used.
 template <class Rotation, class U, class S, int N, int O>
 [[gnu::always_inline]] inline auto operator*(const Eigen::RotationBase<Rotation, N>& rotation,
-                                             const quantity<U, Eigen::Matrix<S, N, 1, O, N, 1>>& v)
-{
+                                             const quantity<U, Eigen::Matrix<S, N, 1, O, N, 1>>& v) {
     return quantity<U, Eigen::Matrix<S, N, 1, O, N, 1>>::from_value(rotation * v.value());
 }
 
@@ -301,58 +283,50 @@ template <class Rotation, class U, class S, int N, int O>
 /// A number times a scalar quantity: `2 * q`, `2.0 * q` for a q of float or of a class scalar.
 template <class Unit, class Y, ansatz::detail::Builtin Number>
     requires(ansatz::detail::ScalarValue<Y> && !std::is_same_v<Number, Y>)
-[[gnu::always_inline]] constexpr quantity<Unit, Y> operator*(const Number& s, const quantity<Unit, Y>& q)
-{
+[[gnu::always_inline]] constexpr quantity<Unit, Y> operator*(const Number& s, const quantity<Unit, Y>& q) {
     return quantity<Unit, Y>::from_value(static_cast<Y>(s) * q.value());
 }
 /// A scalar quantity times a number.
 template <class Unit, class Y, ansatz::detail::Builtin Number>
     requires(ansatz::detail::ScalarValue<Y> && !std::is_same_v<Number, Y>)
-[[gnu::always_inline]] constexpr quantity<Unit, Y> operator*(const quantity<Unit, Y>& q, const Number& s)
-{
+[[gnu::always_inline]] constexpr quantity<Unit, Y> operator*(const quantity<Unit, Y>& q, const Number& s) {
     return quantity<Unit, Y>::from_value(q.value() * static_cast<Y>(s));
 }
 /// A scalar quantity divided by a number.
 template <class Unit, class Y, ansatz::detail::Builtin Number>
     requires(ansatz::detail::ScalarValue<Y> && !std::is_same_v<Number, Y>)
-[[gnu::always_inline]] constexpr quantity<Unit, Y> operator/(const quantity<Unit, Y>& q, const Number& s)
-{
+[[gnu::always_inline]] constexpr quantity<Unit, Y> operator/(const quantity<Unit, Y>& q, const Number& s) {
     return quantity<Unit, Y>::from_value(q.value() / static_cast<Y>(s));
 }
 /// A number divided by a scalar quantity.
 template <class Unit, class Y, ansatz::detail::Builtin Number>
     requires(ansatz::detail::ScalarValue<Y> && !std::is_same_v<Number, Y>)
-[[gnu::always_inline]] constexpr auto operator/(const Number& s, const quantity<Unit, Y>& q)
-{
+[[gnu::always_inline]] constexpr auto operator/(const Number& s, const quantity<Unit, Y>& q) {
     using Result = quantity<typename power_typeof_helper<Unit, static_rational<-1>>::type, Y>;
     return Result::from_value(static_cast<Y>(s) / q.value());
 }
 /// A number plus a dimensionless quantity, whose scalar it takes: `1.0 + rate * dt`.
 template <class System, class Y, ansatz::detail::Builtin Number>
     requires ansatz::detail::ScalarValue<Y>
-[[gnu::always_inline]] constexpr auto operator+(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q)
-{
+[[gnu::always_inline]] constexpr auto operator+(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) + q.value());
 }
 /// A dimensionless quantity plus a number.
 template <class System, class Y, ansatz::detail::Builtin Number>
     requires ansatz::detail::ScalarValue<Y>
-[[gnu::always_inline]] constexpr auto operator+(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s)
-{
+[[gnu::always_inline]] constexpr auto operator+(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() + static_cast<Y>(s));
 }
 /// A number minus a dimensionless quantity: `1.0 - rate * dt`.
 template <class System, class Y, ansatz::detail::Builtin Number>
     requires ansatz::detail::ScalarValue<Y>
-[[gnu::always_inline]] constexpr auto operator-(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q)
-{
+[[gnu::always_inline]] constexpr auto operator-(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) - q.value());
 }
 /// A dimensionless quantity minus a number.
 template <class System, class Y, ansatz::detail::Builtin Number>
     requires ansatz::detail::ScalarValue<Y>
-[[gnu::always_inline]] constexpr auto operator-(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s)
-{
+[[gnu::always_inline]] constexpr auto operator-(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() - static_cast<Y>(s));
 }
 

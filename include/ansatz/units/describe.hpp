@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// A quantity as text for error sentences and labels: "-3 kg", "(0, 9.5, 0) m". Numbers are the
 /// shortest that read back as the same value; no streams, no locale. For output with a chosen
 /// precision use print.hpp.
@@ -16,8 +16,7 @@ namespace ansatz {
 namespace detail {
 
 template <class S>
-inline void append_number(std::string& text, const S& value)
-{
+inline void append_number(std::string& text, const S& value) {
     if constexpr (std::is_arithmetic_v<S>) {
         if constexpr (std::is_floating_point_v<S>)
             if (value != value) { // to_chars shows the sign of a NaN, which means nothing to a reader
@@ -32,8 +31,7 @@ inline void append_number(std::string& text, const S& value)
 }
 
 template <class S, int R, int C, int O>
-inline void append_number(std::string& text, const Dense<S, R, C, O>& m)
-{
+inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
         text += i == 0 ? "(" : ", ";
         if constexpr (C != 1)
@@ -52,8 +50,7 @@ inline void append_number(std::string& text, const Dense<S, R, C, O>& m)
 
 /// Text of a quantity: value and symbol, "2 kg", "(0, 9.5, 0) m"; a dimensionless one is its number.
 template <class Unit, class Value>
-std::string describe(const boost::units::quantity<Unit, Value>& q)
-{
+std::string describe(const boost::units::quantity<Unit, Value>& q) {
     std::string text;
     detail::append_number(text, q.value());
     if (constexpr auto unit_symbol = symbol<Unit>(); !unit_symbol.empty()) {
@@ -64,16 +61,14 @@ std::string describe(const boost::units::quantity<Unit, Value>& q)
 }
 /// Text of a plain number, "0.5", "nan", "inf".
 template <detail::Builtin Number>
-std::string describe(const Number& value)
-{
+std::string describe(const Number& value) {
     std::string text;
     detail::append_number(text, value);
     return text;
 }
 /// Text of a plain vector, "(0, 1, 0)".
 template <class S, int R, int C, int O>
-std::string describe(const detail::Dense<S, R, C, O>& value)
-{
+std::string describe(const detail::Dense<S, R, C, O>& value) {
     std::string text;
     detail::append_number(text, value);
     return text;

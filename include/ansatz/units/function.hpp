@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Functions of quantities: dot, cross, norm, direction, components, sqrt, abs, min, max,
 /// is_finite, in. They accept plain vectors (directions, normals) beside vector quantities and
 /// compute coefficient by coefficient, so that a loop over bodies vectorises. For whole columns of
 /// numbers use Eigen's own array functions on the lanes.
 
 #include <ansatz/units/arithmetic.hpp>
+#include <ansatz/units/describe.hpp>
+#include <ansatz/world/error.hpp>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace ansatz {
 
@@ -23,8 +24,7 @@ using std::sqrt;
 namespace detail {
 
 template <class S, int N, int O1, int O2>
-[[gnu::always_inline]] inline S dot_of(const Dense<S, N, 1, O1>& a, const Dense<S, N, 1, O2>& b)
-{
+[[gnu::always_inline]] inline S dot_of(const Dense<S, N, 1, O1>& a, const Dense<S, N, 1, O2>& b) {
     const S* pa = a.data();
     const S* pb = b.data();
     if constexpr (N == 2)
@@ -40,8 +40,7 @@ template <class S, int N, int O1, int O2>
 }
 
 template <class S, int N, int O1, int O2>
-[[gnu::always_inline]] inline auto cross_of(const Dense<S, N, 1, O1>& a, const Dense<S, N, 1, O2>& b)
-{
+[[gnu::always_inline]] inline auto cross_of(const Dense<S, N, 1, O1>& a, const Dense<S, N, 1, O2>& b) {
     static_assert(N == 2 || N == 3, "Ansatz units: cross() is for vectors of 2 or 3 components");
     const S* p = a.data();
     const S* q = b.data();
@@ -52,89 +51,76 @@ template <class S, int N, int O1, int O2>
 }
 
 template <class Unit, class Value>
-[[gnu::always_inline]] constexpr auto with_unit(const Value& value)
-{
+[[gnu::always_inline]] constexpr auto with_unit(const Value& value) {
     return boost::units::quantity<Unit, Value>::from_value(value);
 }
 
 /// Evaluates an expression, hands a plain vector through.
 template <Expression E>
 [[gnu::always_inline]] inline const Plain<E>& plain(const E& e)
-    requires std::is_same_v<E, Plain<E>>
-{
+    requires std::is_same_v<E, Plain<E>> {
     return e;
 }
 template <Expression E>
-[[gnu::always_inline]] inline Plain<E> plain(const E& e)
-{
+[[gnu::always_inline]] inline Plain<E> plain(const E& e) {
     return e;
 }
 
 } // namespace detail
 
-/// @name Dot product
+/// \name Dot product
 /// Of two vector quantities, of a quantity and a plain vector, of two plain vectors.
 ///@{
 template <class U1, class U2, class S, int N, int O>
 [[gnu::always_inline]] inline auto dot(const boost::units::quantity<U1, detail::Dense<S, N, 1, O>>& a,
-                                       const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b)
-{
+                                       const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b) {
     return detail::with_unit<detail::UnitProduct<U1, U2>>(detail::dot_of(a.value(), b.value()));
 }
 template <class U, class S, int N, int O, detail::Expression E>
-[[gnu::always_inline]] inline auto dot(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& a, const E& b)
-{
+[[gnu::always_inline]] inline auto dot(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& a, const E& b) {
     return detail::with_unit<U>(detail::dot_of(a.value(), detail::plain(b)));
 }
 template <detail::Expression E, class U, class S, int N, int O>
-[[gnu::always_inline]] inline auto dot(const E& a, const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& b)
-{
+[[gnu::always_inline]] inline auto dot(const E& a, const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& b) {
     return detail::with_unit<U>(detail::dot_of(detail::plain(a), b.value()));
 }
 template <detail::Expression E1, detail::Expression E2>
-[[gnu::always_inline]] inline auto dot(const E1& a, const E2& b)
-{
+[[gnu::always_inline]] inline auto dot(const E1& a, const E2& b) {
     return detail::dot_of(detail::plain(a), detail::plain(b));
 }
 ///@}
 
-/// @name Cross product
+/// \name Cross product
 /// Three components: a vector. Two components: the scalar `ax*by - ay*bx`, the third component of
 /// the vector product in the plane.
 ///@{
 template <class U1, class U2, class S, int N, int O>
 [[gnu::always_inline]] inline auto cross(const boost::units::quantity<U1, detail::Dense<S, N, 1, O>>& a,
-                                         const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b)
-{
+                                         const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b) {
     return detail::with_unit<detail::UnitProduct<U1, U2>>(detail::cross_of(a.value(), b.value()));
 }
 template <class U, class S, int N, int O, detail::Expression E>
-[[gnu::always_inline]] inline auto cross(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& a, const E& b)
-{
+[[gnu::always_inline]] inline auto cross(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& a, const E& b) {
     return detail::with_unit<U>(detail::cross_of(a.value(), detail::plain(b)));
 }
 template <detail::Expression E, class U, class S, int N, int O>
-[[gnu::always_inline]] inline auto cross(const E& a, const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& b)
-{
+[[gnu::always_inline]] inline auto cross(const E& a, const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& b) {
     return detail::with_unit<U>(detail::cross_of(detail::plain(a), b.value()));
 }
 template <detail::Expression E1, detail::Expression E2>
-[[gnu::always_inline]] inline auto cross(const E1& a, const E2& b)
-{
+[[gnu::always_inline]] inline auto cross(const E1& a, const E2& b) {
     return detail::cross_of(detail::plain(a), detail::plain(b));
 }
 ///@}
 
 /// |v|^2, the sum of the squared components. Overflows and underflows at half the exponent range.
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline auto squared_norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+[[gnu::always_inline]] inline auto squared_norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return detail::with_unit<detail::UnitProduct<U, U>>(detail::dot_of(v.value(), v.value()));
 }
 /// |v|^2 of a plain vector.
 template <detail::Expression E>
-[[gnu::always_inline]] inline auto squared_norm(const E& v)
-{
+[[gnu::always_inline]] inline auto squared_norm(const E& v) {
     const auto& p = detail::plain(v);
     return detail::dot_of(p, p);
 }
@@ -142,22 +128,19 @@ template <detail::Expression E>
 /// |v|, as sqrt(x*x + y*y + z*z): the form that compilers vectorise. Nothing is rescaled, so
 /// components beyond the square root of the largest number give infinity.
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+[[gnu::always_inline]] inline boost::units::quantity<U, S> norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return detail::with_unit<U>(S(sqrt(detail::dot_of(v.value(), v.value()))));
 }
 /// |v| of a plain vector.
 template <detail::Expression E>
-[[gnu::always_inline]] inline auto norm(const E& v)
-{
+[[gnu::always_inline]] inline auto norm(const E& v) {
     return typename E::Scalar(sqrt(squared_norm(v)));
 }
 
 /// The square root, which halves the dimension: the root of an area is a length.
 template <class Unit, class Y>
     requires detail::ScalarValue<Y>
-[[gnu::always_inline]] inline auto sqrt(const boost::units::quantity<Unit, Y>& q)
-{
+[[gnu::always_inline]] inline auto sqrt(const boost::units::quantity<Unit, Y>& q) {
     using Root = typename boost::units::root_typeof_helper<Unit, boost::units::static_rational<2>>::type;
     return detail::with_unit<Root>(Y(sqrt(q.value())));
 }
@@ -165,60 +148,53 @@ template <class Unit, class Y>
 /// The absolute value of a scalar quantity.
 template <class Unit, class Y>
     requires detail::ScalarValue<Y>
-[[gnu::always_inline]] inline boost::units::quantity<Unit, Y> abs(const boost::units::quantity<Unit, Y>& q)
-{
+[[gnu::always_inline]] inline boost::units::quantity<Unit, Y> abs(const boost::units::quantity<Unit, Y>& q) {
     return detail::with_unit<Unit>(Y(abs(q.value())));
 }
 /// The smaller of two scalar quantities of one unit; the first if they are equal.
 template <class Unit, class Y>
     requires detail::ScalarValue<Y>
 [[gnu::always_inline]] constexpr boost::units::quantity<Unit, Y> min(const boost::units::quantity<Unit, Y>& a,
-                                                                     const boost::units::quantity<Unit, Y>& b)
-{
+                                                                     const boost::units::quantity<Unit, Y>& b) {
     return b.value() < a.value() ? b : a;
 }
 /// The larger of two scalar quantities of one unit; the first if they are equal.
 template <class Unit, class Y>
     requires detail::ScalarValue<Y>
 [[gnu::always_inline]] constexpr boost::units::quantity<Unit, Y> max(const boost::units::quantity<Unit, Y>& a,
-                                                                     const boost::units::quantity<Unit, Y>& b)
-{
+                                                                     const boost::units::quantity<Unit, Y>& b) {
     return a.value() < b.value() ? b : a;
 }
 
 /// True when a number is neither infinite nor NaN.
 template <detail::ScalarValue S>
-[[gnu::always_inline]] inline bool is_finite(const S& s)
-{
+[[gnu::always_inline]] inline bool is_finite(const S& s) {
     using std::isfinite;
     return isfinite(s);
 }
 /// True when every component of a plain vector or matrix is finite.
 template <detail::Expression E>
-[[gnu::always_inline]] inline bool is_finite(const E& e)
-{
+[[gnu::always_inline]] inline bool is_finite(const E& e) {
     const auto& m = detail::plain(e);
     bool all = true;
     for (Eigen::Index i = 0; i < m.size(); ++i)
-        all = all && is_finite(m.data()[i]);
+        all = bool(all & is_finite(m.data()[i])); // no early exit: a loop over bodies stays straight
     return all;
 }
 /// True when a quantity, with all its components, is finite.
 template <class Unit, class Value>
-[[gnu::always_inline]] inline bool is_finite(const boost::units::quantity<Unit, Value>& q)
-{
+[[gnu::always_inline]] inline bool is_finite(const boost::units::quantity<Unit, Value>& q) {
     return is_finite(q.value());
 }
 
-/// The unit vector along v, dimensionless and plain. For lanes where v cannot be zero.
-/// @throws std::invalid_argument where v has no direction: zero, infinite, NaN, or with a length
+/// The unit vector along v, dimensionless and plain.
+/// \throws std::invalid_argument where v has no direction: zero, infinite, NaN, or with a length
 ///         that is not representable. Inside a step use direction_or().
 template <class U, class S, int N, int O>
-inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     const S length = norm(v).value();
     if (!(length > S(0)) || !is_finite(length))
-        throw std::invalid_argument("direction: the vector has no direction, its length is zero or not finite");
+        refuse_value("direction", "the vector", describe(v), "a vector has a direction when its length is finite and greater than 0");
     return detail::scaled<detail::Over>(v.value(), length);
 }
 
@@ -226,8 +202,7 @@ inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detai
 template <class U, class S, int N, int O>
 [[gnu::always_inline]] inline detail::Dense<S, N, 1, O>
 direction_or(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v,
-             const std::type_identity_t<detail::Dense<S, N, 1, O>>& fallback)
-{
+             const std::type_identity_t<detail::Dense<S, N, 1, O>>& fallback) {
     const S length = norm(v).value();
     if (length > S(0) && is_finite(length))
         return detail::scaled<detail::Over>(v.value(), length);
@@ -235,30 +210,26 @@ direction_or(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v,
 }
 
 /// One component of a vector quantity.
-/// @param i 0 for x, 1 for y, 2 for z; not checked
+/// \param i 0 for x, 1 for y, 2 for z; not checked
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> component(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v, int i)
-{
+[[gnu::always_inline]] inline boost::units::quantity<U, S> component(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v, int i) {
     return detail::with_unit<U>(v.value().data()[i]);
 }
 /// The first component.
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> x(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+[[gnu::always_inline]] inline boost::units::quantity<U, S> x(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 0);
 }
 /// The second component.
 template <class U, class S, int N, int O>
     requires(N > 1)
-[[gnu::always_inline]] inline boost::units::quantity<U, S> y(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+[[gnu::always_inline]] inline boost::units::quantity<U, S> y(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 1);
 }
 /// The third component.
 template <class U, class S, int N, int O>
     requires(N > 2)
-[[gnu::always_inline]] inline boost::units::quantity<U, S> z(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v)
-{
+[[gnu::always_inline]] inline boost::units::quantity<U, S> z(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 2);
 }
 
@@ -266,8 +237,7 @@ template <class U, class S, int N, int O>
 /// out for plots and other libraries. A unit of another dimension does not compile.
 template <class Dimension, class System, class Value>
 [[gnu::always_inline]] constexpr Value in(const boost::units::quantity<boost::units::unit<Dimension, System>, Value>& q,
-                                          const boost::units::unit<Dimension, System>&)
-{
+                                          const boost::units::unit<Dimension, System>&) {
     return q.value();
 }
 

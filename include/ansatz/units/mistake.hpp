@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Operators that exist only to say what is wrong: different scalars mixed in one expression, sums
 /// of different units, a bare number added to a quantity, vector times vector. Nothing here is for
 /// use. A mixture of scalars counts as an existing expression when a concept asks, since its
@@ -47,31 +47,27 @@ namespace boost::units {
 
 template <class Unit, class X, class Y>
     requires(ansatz::detail::DifferentScalars<X, Y> && ansatz::detail::same_shape<X, Y>)
-constexpr quantity<Unit, X> operator+(const quantity<Unit, X>& a, const quantity<Unit, Y>&)
-{
+constexpr quantity<Unit, X> operator+(const quantity<Unit, X>& a, const quantity<Unit, Y>&) {
     ansatz::detail::refuse_mixed_scalars<ansatz::detail::ScalarOf<X>, ansatz::detail::ScalarOf<Y>>();
     return a;
 }
 template <class Unit, class X, class Y>
     requires(ansatz::detail::DifferentScalars<X, Y> && ansatz::detail::same_shape<X, Y>)
-constexpr quantity<Unit, X> operator-(const quantity<Unit, X>& a, const quantity<Unit, Y>&)
-{
+constexpr quantity<Unit, X> operator-(const quantity<Unit, X>& a, const quantity<Unit, Y>&) {
     ansatz::detail::refuse_mixed_scalars<ansatz::detail::ScalarOf<X>, ansatz::detail::ScalarOf<Y>>();
     return a;
 }
 template <class Unit1, class Unit2, class X, class Y>
     requires(ansatz::detail::DifferentScalars<X, Y> && ansatz::detail::Scales<X, Y>)
 constexpr auto operator*(const quantity<Unit1, X>&, const quantity<Unit2, Y>&)
-    -> quantity<typename multiply_typeof_helper<Unit1, Unit2>::type, ansatz::detail::Bigger<X, Y>>
-{
+    -> quantity<typename multiply_typeof_helper<Unit1, Unit2>::type, ansatz::detail::Bigger<X, Y>> {
     ansatz::detail::refuse_mixed_scalars<ansatz::detail::ScalarOf<X>, ansatz::detail::ScalarOf<Y>>();
     return {};
 }
 template <class Unit1, class Unit2, class X, class Y>
     requires(ansatz::detail::DifferentScalars<X, Y> && ansatz::detail::ScalarValue<Y>)
 constexpr auto operator/(const quantity<Unit1, X>&, const quantity<Unit2, Y>&)
-    -> quantity<typename divide_typeof_helper<Unit1, Unit2>::type, X>
-{
+    -> quantity<typename divide_typeof_helper<Unit1, Unit2>::type, X> {
     ansatz::detail::refuse_mixed_scalars<ansatz::detail::ScalarOf<X>, ansatz::detail::ScalarOf<Y>>();
     return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// The type of a policy's parameters: a quantity that explains itself when it is given a bare
 /// number. `struct Drag { Parameter<unit::Frequency> rate; };` makes `Drag{0.05 / second}` work and
 /// `Drag{0.05}` one readable sentence. Use it for members of aggregates that a user fills; use
@@ -25,8 +25,7 @@ concept AnyParameter = std::is_class_v<T> && std::is_base_of_v<ParameterTag, T>;
 /// Raises the sentence for a wrong unit. The symbols are template arguments so that the compiler
 /// prints them: Boost's types alone are a page each.
 template <SymbolText Given, SymbolText Wanted>
-constexpr void refuse_unit()
-{
+constexpr void refuse_unit() {
     constexpr bool units_agree = Given.size == Wanted.size + 129; // false, once the symbols are known
     static_assert(units_agree, "Ansatz units: a quantity of another unit where this parameter's unit belongs; the compiler's "
                                "note names the unit given and the unit wanted");
@@ -40,8 +39,7 @@ inline constexpr bool widens<Dense<S1, N1, 1, O1>, Dense<S2, N2, 1, O2>> =
     N2 <= N1 && N2 >= 2 && (std::is_same_v<S1, S2> || widens<S1, S2>);
 
 template <class To, class From>
-constexpr To widened(const From& from)
-{
+constexpr To widened(const From& from) {
     if constexpr (std::is_arithmetic_v<To>)
         return static_cast<To>(from);
     else {
@@ -56,8 +54,8 @@ constexpr To widened(const From& from)
 
 /// A quantity as the member of a policy. Converts from quantities of its unit, refuses bare numbers
 /// and other units with a sentence, and is a Quantity in every other respect.
-/// @tparam Unit   the unit that belongs here
-/// @tparam Value  its scalar or vector
+/// \tparam Unit   the unit that belongs here
+/// \tparam Value  its scalar or vector
 template <class Unit, class Value = double>
 struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
     using Base = Quantity<Unit, Value>;
@@ -70,27 +68,23 @@ struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
     /// this has three: the third is zero.
     template <class Other>
         requires(!std::is_same_v<Other, Value>)
-    constexpr Parameter(const boost::units::quantity<Unit, Other>& q) : Base(make(q))
-    {
+    constexpr Parameter(const boost::units::quantity<Unit, Other>& q) : Base(make(q)) {
     }
     /// A bare number: right where nothing has a dimension, a mistake elsewhere.
     template <class Number>
         requires(detail::Builtin<Number> || detail::Expression<Number>)
-    constexpr Parameter(const Number& number) : Base(bare(number))
-    {
+    constexpr Parameter(const Number& number) : Base(bare(number)) {
     }
     /// A quantity of another unit: a mistake.
     template <class Other, class V>
         requires(!std::is_same_v<Other, Unit>)
-    constexpr Parameter(const boost::units::quantity<Other, V>&)
-    {
+    constexpr Parameter(const boost::units::quantity<Other, V>&) {
         detail::refuse_unit<detail::symbol_of<typename Other::dimension_type>, detail::symbol_of<typename Unit::dimension_type>>();
     }
 
 private:
     template <class Other>
-    static constexpr Base make(const boost::units::quantity<Unit, Other>& q)
-    {
+    static constexpr Base make(const boost::units::quantity<Unit, Other>& q) {
         constexpr bool fits = detail::widens<Value, Other>; // by name: the compiler prints the condition
         static_assert(fits,
                       "Ansatz units: this parameter takes a quantity of another shape or scalar, e.g. a vector where a "
@@ -101,8 +95,7 @@ private:
             return Base();
     }
     template <class Number>
-    static constexpr Base bare(const Number& number)
-    {
+    static constexpr Base bare(const Number& number) {
         constexpr bool needs_no_unit = detail::is_dimensionless_unit<Unit>;
         static_assert(needs_no_unit,
                       "Ansatz units: a bare number where a quantity belongs; multiply it with its unit, e.g. 0.5 * metre "

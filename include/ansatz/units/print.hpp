@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Printing of quantities to streams: `std::cout << ball_position` writes "(0, 9.5, 0) m". The
 /// stream's precision, format and width are honoured; a width applies to every number, so that
 /// vectors stand in columns. Not part of <ansatz/units.hpp>, for the sake of programs that never
@@ -15,14 +15,12 @@
 namespace ansatz::detail {
 
 template <class Char, class Traits, class S>
-void print_value(std::basic_ostream<Char, Traits>& out, std::streamsize width, const S& value)
-{
+void print_value(std::basic_ostream<Char, Traits>& out, std::streamsize width, const S& value) {
     out.width(width);
     out << value;
 }
 template <class Char, class Traits, class S, int R, int C, int O>
-void print_value(std::basic_ostream<Char, Traits>& out, std::streamsize width, const Dense<S, R, C, O>& m)
-{
+void print_value(std::basic_ostream<Char, Traits>& out, std::streamsize width, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
         out << (i == 0 ? "(" : ", ");
         if constexpr (C != 1)
@@ -45,8 +43,7 @@ namespace boost::units {
 /// included too.
 template <class Char, class Traits, class Unit, class Y>
     requires(sizeof(Y) > 0)
-std::basic_ostream<Char, Traits>& operator<<(std::basic_ostream<Char, Traits>& out, const quantity<Unit, Y>& q)
-{
+std::basic_ostream<Char, Traits>& operator<<(std::basic_ostream<Char, Traits>& out, const quantity<Unit, Y>& q) {
     const auto width = out.width(0);
     ansatz::detail::print_value(out, width, q.value());
     if (constexpr auto text = ansatz::symbol<Unit>(); !text.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// The types that carry a unit: scalar, vector and matrix quantities. Boost.Units supplies the
 /// checking, Eigen the storage; this header makes the two fit. Use these types wherever a reader of
 /// a public interface or of a law of physics looks. Do not use them for bulk storage: the columns
@@ -18,8 +18,8 @@
 namespace ansatz {
 
 /// A number with a unit, e.g. `Quantity<unit::Length>`. A default-constructed one is zero.
-/// @tparam Unit   an SI unit of namespace ansatz::unit (or any unit of Boost.Units)
-/// @tparam Value  the scalar: float, double, a Boost.Multiprecision number without expression
+/// \tparam Unit   an SI unit of namespace ansatz::unit (or any unit of Boost.Units)
+/// \tparam Value  the scalar: float, double, a Boost.Multiprecision number without expression
 ///                templates; or a fixed-size Eigen matrix
 template <class Unit, class Value = double>
 using Quantity = boost::units::quantity<Unit, Value>;
@@ -74,8 +74,7 @@ inline constexpr bool never = false;
 /// Raises the one sentence for arithmetic between different scalars. Called from the body of an
 /// operator, so that asking whether the expression exists does not raise it.
 template <class A, class B>
-[[gnu::always_inline]] constexpr void refuse_mixed_scalars()
-{
+[[gnu::always_inline]] constexpr void refuse_mixed_scalars() {
     constexpr bool builtin = std::is_arithmetic_v<A> && std::is_arithmetic_v<B>;
     constexpr bool one_builtin_scalar = !builtin || std::is_same_v<A, B>; // by name: compilers print the condition
     constexpr bool one_scalar = builtin || std::is_same_v<A, B>;
@@ -91,8 +90,7 @@ template <class A, class B>
 /// expression templates, but for Vector2d and Vector4f it would issue SIMD packets of its own, and
 /// a loop over bodies that holds those is not vectorised any more.
 template <class Operation, class Matrix, std::size_t... I>
-[[gnu::always_inline]] inline Matrix zip(const Matrix& a, const Matrix& b, std::index_sequence<I...>)
-{
+[[gnu::always_inline]] inline Matrix zip(const Matrix& a, const Matrix& b, std::index_sequence<I...>) {
     Matrix result;
     const auto* pa = a.data();
     const auto* pb = b.data();
@@ -103,8 +101,7 @@ template <class Operation, class Matrix, std::size_t... I>
 
 /// Every coefficient of a matrix combined with the same number; see zip().
 template <class Operation, class Matrix, std::size_t... I>
-[[gnu::always_inline]] inline Matrix each(const Matrix& a, const typename Matrix::Scalar& s, std::index_sequence<I...>)
-{
+[[gnu::always_inline]] inline Matrix each(const Matrix& a, const typename Matrix::Scalar& s, std::index_sequence<I...>) {
     Matrix result;
     const auto* pa = a.data();
     auto* pr = result.data();
@@ -144,30 +141,26 @@ public:
     [[gnu::always_inline]] const Matrix& value() const { return value_; }
 
     /// Adds a quantity of the same unit.
-    [[gnu::always_inline]] Self& operator+=(const Self& other)
-    {
+    [[gnu::always_inline]] Self& operator+=(const Self& other) {
         value_ = combine<Plus>(value_, other.value());
         return self();
     }
     /// Subtracts a quantity of the same unit.
-    [[gnu::always_inline]] Self& operator-=(const Self& other)
-    {
+    [[gnu::always_inline]] Self& operator-=(const Self& other) {
         value_ = combine<Minus>(value_, other.value());
         return self();
     }
     /// Multiplies by a plain number, which takes this quantity's scalar.
     template <class Number>
         requires std::is_convertible_v<Number, Scalar>
-    [[gnu::always_inline]] Self& operator*=(const Number& factor)
-    {
+    [[gnu::always_inline]] Self& operator*=(const Number& factor) {
         value_ = scaled<Times>(value_, static_cast<Scalar>(factor));
         return self();
     }
     /// Divides by a plain number, which takes this quantity's scalar.
     template <class Number>
         requires std::is_convertible_v<Number, Scalar>
-    [[gnu::always_inline]] Self& operator/=(const Number& divisor)
-    {
+    [[gnu::always_inline]] Self& operator/=(const Number& divisor) {
         value_ = scaled<Over>(value_, static_cast<Scalar>(divisor));
         return self();
     }
@@ -177,16 +170,14 @@ protected:
     [[gnu::always_inline]] explicit MatrixStorage(const Matrix& value) { assign(value, Indices<Matrix>{}); }
     // Coefficient by coefficient: g++ does not take a block copy apart, and then does not vectorise the loop around it.
     [[gnu::always_inline]] MatrixStorage(const MatrixStorage& other) { assign(other.value_, Indices<Matrix>{}); }
-    [[gnu::always_inline]] MatrixStorage& operator=(const MatrixStorage& other)
-    {
+    [[gnu::always_inline]] MatrixStorage& operator=(const MatrixStorage& other) {
         assign(other.value_, Indices<Matrix>{});
         return *this;
     }
 
 private:
     template <std::size_t... I>
-    [[gnu::always_inline]] void assign(const Matrix& other, std::index_sequence<I...>)
-    {
+    [[gnu::always_inline]] void assign(const Matrix& other, std::index_sequence<I...>) {
         ((value_.data()[I] = other.data()[I]), ...);
     }
     [[gnu::always_inline]] Self& self() { return static_cast<Self&>(*this); }
@@ -224,7 +215,7 @@ private:
 
 /// The same without a dimension: converts from and to the plain matrix, as Boost's scalars do.
 template <class System, class S, int R, int C, int O>
-class quantity<unit<dimensionless_type, System>, Eigen::Matrix<S, R, C, O, R, C>>
+class quantity<BOOST_UNITS_DIMENSIONLESS_UNIT(System), Eigen::Matrix<S, R, C, O, R, C>>
     : public ansatz::detail::MatrixStorage<
           quantity<unit<dimensionless_type, System>, Eigen::Matrix<S, R, C, O, R, C>>,
           Eigen::Matrix<S, R, C, O, R, C>> {
@@ -263,8 +254,7 @@ template <class T, class S, int R, int C, int O>
 struct ScalarCast<T, Dense<S, R, C, O>> {
     using Result = Dense<T, R, C, O>;
     template <std::size_t... I>
-    [[gnu::always_inline]] static Result copy(const Dense<S, R, C, O>& m, std::index_sequence<I...>)
-    {
+    [[gnu::always_inline]] static Result copy(const Dense<S, R, C, O>& m, std::index_sequence<I...>) {
         Result result;
         ((result.data()[I] = static_cast<T>(m.data()[I])), ...);
         return result;
@@ -277,8 +267,7 @@ struct ScalarCast<T, Dense<S, R, C, O>> {
 /// The same quantity with another scalar: `scalar_cast<float>(metres(0, 10, 0))`. Scalars, vectors
 /// and matrices. A narrowing one rounds; a value out of range becomes what static_cast makes of it.
 template <class T, class Unit, class Value>
-[[gnu::always_inline]] constexpr auto scalar_cast(const boost::units::quantity<Unit, Value>& q)
-{
+[[gnu::always_inline]] constexpr auto scalar_cast(const boost::units::quantity<Unit, Value>& q) {
     auto value = detail::ScalarCast<T, Value>::of(q.value());
     return boost::units::quantity<Unit, decltype(value)>::from_value(value);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// The symbol of a unit as text, made at compile time: "m/s", "N", "kg m^2/s^3". Used by
 /// describe.hpp for error sentences and by print.hpp. Only coherent SI units: a unit of another
 /// system has no symbol here, and asking for it does not compile.
@@ -46,8 +46,7 @@ struct ExponentsOf<boost::units::dimensionless_type> {
 };
 template <class Base, long N, long D, class Rest>
 struct ExponentsOf<boost::units::list<boost::units::dim<Base, boost::units::static_rational<N, D>>, Rest>> {
-    static constexpr void add(Exponents& e)
-    {
+    static constexpr void add(Exponents& e) {
         static_assert(base_index<Base> >= 0, "Ansatz units: this unit has a base dimension that SI does not know");
         e.numerator[base_index<Base>] = N;
         e.denominator[base_index<Base>] = D;
@@ -60,20 +59,17 @@ struct SymbolText {
     char text[128]{};
     std::size_t size = 0;
 
-    constexpr void add(std::string_view s)
-    {
+    constexpr void add(std::string_view s) {
         for (char c : s)
             text[size++] = c;
     }
-    constexpr void add(long n)
-    {
+    constexpr void add(long n) {
         if (n >= 10)
             add(n / 10);
         text[size++] = static_cast<char>('0' + n % 10);
     }
     /// One base unit with a positive exponent n/d.
-    constexpr void add(std::string_view base, long n, long d)
-    {
+    constexpr void add(std::string_view base, long n, long d) {
         add(base);
         if (d != 1) {
             add("^(");
@@ -89,8 +85,7 @@ struct SymbolText {
 };
 
 /// The unit's own name, where physics has one that a reader expects; else empty.
-constexpr std::string_view named_symbol(const Exponents& e)
-{
+constexpr std::string_view named_symbol(const Exponents& e) {
     struct Named {
         std::string_view symbol;
         int mass, length, time;
@@ -108,8 +103,7 @@ constexpr std::string_view named_symbol(const Exponents& e)
     return {};
 }
 
-constexpr SymbolText symbol_text(const Exponents& e)
-{
+constexpr SymbolText symbol_text(const Exponents& e) {
     SymbolText result;
     if (const auto name = named_symbol(e); !name.empty()) {
         result.add(name);
@@ -144,8 +138,7 @@ constexpr SymbolText symbol_text(const Exponents& e)
 }
 
 template <class Dimension>
-constexpr SymbolText make_symbol()
-{
+constexpr SymbolText make_symbol() {
     Exponents e;
     ExponentsOf<Dimension>::add(e);
     return symbol_text(e);
@@ -159,14 +152,12 @@ inline constexpr SymbolText symbol_of = make_symbol<Dimension>();
 /// The symbol of a unit: `symbol(metre_per_second)` is "m/s"; "" for a dimensionless one. A unit
 /// without a name of its own is spelled by its base units, "kg m^2/s^3", "m^(1/2)", "m^3/(kg s^2)".
 template <class Dimension>
-constexpr std::string_view symbol(const boost::units::unit<Dimension, boost::units::si::system>&)
-{
+constexpr std::string_view symbol(const boost::units::unit<Dimension, boost::units::si::system>&) {
     return {detail::symbol_of<Dimension>.text, detail::symbol_of<Dimension>.size};
 }
 /// The symbol of a unit type: `symbol<unit::Velocity>()`.
 template <class Unit>
-constexpr std::string_view symbol()
-{
+constexpr std::string_view symbol() {
     return symbol(Unit{});
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// The SI units by name: types in namespace ansatz::unit, constants in the singular. Multiply or
 /// divide a number by a constant to make a quantity: `0.5 * metre`, `0.05 / second`. Vectors are
 /// made by the plural functions of vector.hpp. Angles are a dimension of their own here, as in
@@ -83,7 +83,7 @@ using PlaneAngle            = detail::Si<0, 0, 0, 1>; ///< rad
 
 } // namespace unit
 
-/// @name Unit constants, in the singular
+/// \name Unit constants, in the singular
 /// A number times (or divided by) one of them is a quantity; whole numbers become double.
 ///@{
 inline constexpr unit::Length       metre{};
@@ -141,8 +141,7 @@ struct divide_typeof_helper<unit<Dim, System>, X> {};
 /// Half a metre: `metre / 2`.
 template <class System, class Dim, class X>
     requires std::is_integral_v<X>
-constexpr quantity<unit<Dim, System>, double> operator/(const unit<Dim, System>&, X divisor)
-{
+constexpr quantity<unit<Dim, System>, double> operator/(const unit<Dim, System>&, X divisor) {
     return quantity<unit<Dim, System>, double>::from_value(1.0 / static_cast<double>(divisor));
 }
 

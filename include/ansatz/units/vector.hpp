@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-/// @file
+/// \file
 /// Makers of vector quantities: plural names, two or three components. `metres(0, 10, 0)` reads
 /// better than any constructor and cannot be mistaken for a velocity. Built-in numbers make vectors
 /// of double; where a component is a class scalar (Boost.Multiprecision) the vector keeps it. For
@@ -30,8 +30,7 @@ struct Components<X, Xs...> {
 };
 
 template <class Unit, class... Xs>
-[[gnu::always_inline]] inline auto make_vector(const Xs&... xs)
-{
+[[gnu::always_inline]] inline auto make_vector(const Xs&... xs) {
     static_assert(sizeof...(Xs) == 2 || sizeof...(Xs) == 3, "Ansatz units: a vector has 2 or 3 components");
     using Scalar = typename Components<Xs...>::type;
     return VectorQuantity<Unit, static_cast<int>(sizeof...(Xs)), Scalar>::from_value(
@@ -41,11 +40,10 @@ template <class Unit, class... Xs>
 } // namespace detail
 
 /// A vector quantity of any unit: `vector_of(newton_per_metre, 1, 2, 3)`.
-/// @param xs two or three plain numbers, in that unit
+/// \param xs two or three plain numbers, in that unit
 template <class Dimension, class System, class... Xs>
     requires(detail::ScalarValue<Xs> && ...)
-[[gnu::always_inline]] inline auto vector_of(const boost::units::unit<Dimension, System>&, const Xs&... xs)
-{
+[[gnu::always_inline]] inline auto vector_of(const boost::units::unit<Dimension, System>&, const Xs&... xs) {
     return detail::make_vector<boost::units::unit<Dimension, System>>(xs...);
 }
 
@@ -53,8 +51,7 @@ template <class Dimension, class System, class... Xs>
 template <class Unit, class S>
     requires detail::ScalarValue<S>
 [[gnu::always_inline]] inline VectorQuantity<Unit, 2, S> vector_of(const boost::units::quantity<Unit, S>& x,
-                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& y)
-{
+                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& y) {
     return VectorQuantity<Unit, 2, S>::from_value(Vector<S, 2>(x.value(), y.value()));
 }
 /// A vector quantity from three components of one unit and scalar.
@@ -62,12 +59,11 @@ template <class Unit, class S>
     requires detail::ScalarValue<S>
 [[gnu::always_inline]] inline VectorQuantity<Unit, 3, S> vector_of(const boost::units::quantity<Unit, S>& x,
                                                                    const std::type_identity_t<boost::units::quantity<Unit, S>>& y,
-                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& z)
-{
+                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& z) {
     return VectorQuantity<Unit, 3, S>::from_value(Vector<S, 3>(x.value(), y.value(), z.value()));
 }
 
-/// @name Makers by unit
+/// \name Makers by unit
 /// Each takes two or three plain numbers.
 ///@{
 template <class... Xs> auto metres(const Xs&... xs) { return detail::make_vector<unit::Length>(xs...); }

@@ -126,11 +126,14 @@ template <class C, class... P> struct CheckTogether {
     using I = typename C::Integrator;
     static constexpr bool implicit = requires { requires I::needs_jacobian; };
     static constexpr bool solving = !is_staged<I>;
-    static_assert(!implicit || (CheckJacobian<P, S>::ok && ...), "Ansatz: see the sentence about the Jacobian above");
+    static constexpr bool differentiable = [] {
+        if constexpr (implicit) return (CheckJacobian<P, S>::ok && ...);
+        return true;
+    }();
     static constexpr bool foreign = C::coupled && solving && !implicit;
     static_assert(!foreign, "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; take an "
                             "integrator of stages, e.g. RungeKutta4");
-    static constexpr bool ok = true;
+    static constexpr bool ok = differentiable && !foreign;
 };
 
 /// All sentences about one list of policies, in an order in which the first is the one to read.

@@ -57,6 +57,12 @@ struct AppliedForce {
     static constexpr std::string_view name = "applied force";
     static constexpr bool transient = true; ///< the step sets it back to zero when it has used it
 };
+/// How long a body has been slow; counted only in worlds that put bodies to rest.
+struct RestTime {
+    using Unit = unit::Time;
+    static constexpr Shape shape = Shape::scalar;
+    static constexpr std::string_view name = "rest time";
+};
 /// Where a body was drawn last; exists only with the policy Interpolation.
 struct DrawnPosition {
     using Unit = unit::Length;

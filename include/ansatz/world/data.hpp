@@ -18,13 +18,6 @@
 
 namespace ansatz {
 
-/// How long a body has been slow; counted only in worlds that put bodies to rest.
-struct RestTime {
-    using Unit = unit::Time;
-    static constexpr Shape shape = Shape::scalar;
-    static constexpr std::string_view name = "rest time";
-};
-
 /// What could go wrong inside a step and does not stop it; poll it with World::status.
 struct Status {
     std::uint64_t unsolved = 0;  ///< body steps whose equation an implicit integrator could not solve, so far

@@ -87,11 +87,8 @@ template <class Row_, class Property>
 void World<P...>::take(Row_& row, const Property& property) {
     if constexpr (detail::is_given<Property>) {
         using C = typename Property::column;
-        if constexpr (std::same_as<C, ansatz::InverseMass> && detail::gives<C, Property> && !detail::gives<C, Given<C, int>>) {
-            if constexpr (requires { scalar_cast<Scalar>(property.value) + typename S::Mass(); })
-                row.template get<C>() = detail::inverse_of_mass<S>("World::add", property.value);
-            else
-                row.template get<C>() = detail::finite_scalar<S, typename C::Unit>("World::add", C::name, property.value);
+        if constexpr (detail::is_given_mass<Property>) {
+            row.template get<C>() = detail::inverse_of_mass<S>("World::add", property.value);
         } else {
             if constexpr (!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity>) need_column<C>();
             if constexpr (C::shape == Shape::vector)

@@ -45,6 +45,9 @@ template <class T> struct GivenDatum {
 };
 
 namespace detail {
+template <class T> constexpr bool is_given_mass = false;
+template <class Q> constexpr bool is_given_mass<GivenMass<Q>> = true;
+
 // One sentence for each property that is given something without a unit, or with another one.
 template <class Unit, class Q> constexpr bool has_unit = false;
 template <class Unit, class V> constexpr bool has_unit<Unit, boost::units::quantity<Unit, V>> = true;

@@ -38,18 +38,14 @@ template <class C, class S, class Scalar> [[gnu::always_inline]] inline void sto
 }
 
 /// Position of column C's first lane among the lanes of a list.
-template <class C, class List> constexpr std::size_t lane_offset = 0;
-template <class C, class First, class... Rest>
-constexpr std::size_t lane_offset<C, Columns<First, Rest...>> = 0;
-
-template <class C, class... In> constexpr std::size_t offset_in(Columns<In...>, int dimension) {
+template <class C, class... In> constexpr std::size_t offset_in(Columns<In...>, [[maybe_unused]] int dimension) {
     std::size_t offset = 0;
     bool found = false;
     ((found = found || std::same_as<C, In>, offset += found ? 0 : lanes_of<In>(dimension)), ...);
     return offset;
 }
 
-template <class... In> constexpr std::size_t lane_count(Columns<In...>, int dimension) {
+template <class... In> constexpr std::size_t lane_count(Columns<In...>, [[maybe_unused]] int dimension) {
     return (std::size_t(0) + ... + lanes_of<In>(dimension));
 }
 

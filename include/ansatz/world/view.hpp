@@ -31,7 +31,15 @@ public:
     bool contains(Handle h) const { return bodies_->contains(h); }
     Slot slot(Handle h) const { return bodies_->slot(h, "view"); }
     Handle handle(std::size_t slot) const { return bodies_->handle(slot); }
+    std::uint32_t id(std::size_t slot) const { return bodies_->id(slot); }
     Motion motion(std::size_t slot) const { return bodies_->motion(slot); }
+
+    /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change. Sums that must be
+    /// the same to the bit are made in this order.
+    template <class F> void for_each(F&& f) const {
+        for (std::uint32_t id = 0; id < bodies_->ids(); ++id)
+            if (bodies_->alive(id)) f(std::size_t(bodies_->slot_of_id(id)));
+    }
 
     /// The value of a declared column.
     template <class C> [[gnu::always_inline]] value_of<C, S> get(std::size_t slot) const {
@@ -61,10 +69,10 @@ private:
     }
     static constexpr std::size_t width = detail::lane_count(Declared{}, S::dimension);
 
-    template <class LanesT, class... C> static auto collect(const LanesT& lanes, Columns<C...>) {
+    template <class LanesT, class... C> static auto collect([[maybe_unused]] const LanesT& lanes, Columns<C...>) {
         std::array<const Scalar*, width + 1> all{};
-        std::size_t next = 0;
-        auto take = [&]<class One>(Columns<One>) {
+        [[maybe_unused]] std::size_t next = 0;
+        [[maybe_unused]] auto take = [&]<class One>(Columns<One>) {
             for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) all[next++] = lanes.template lane<One>(int(k));
         };
         (take(Columns<C>{}), ...);

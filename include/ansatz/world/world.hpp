@@ -226,6 +226,8 @@ public:
     const typename composition::Laws& laws() const { return bound_.laws; }
     /// The values of one body, for the same queries.
     auto row(Handle body) const { return data_.load(data_.bodies.slot(body, "World::row")); }
+    /// What policy `P_` may see of this world: the columns that it declared.
+    template <class P_> ObserverView<S, P_> view() const { return {data_.lanes, data_.bodies, data_.clock.now(), data_.clock.tick()}; }
     Context<S> context() const { return Context<S>(time(), TimeStep<S>(data_.last_dt(), data_.last_dt())); }
 
 private:

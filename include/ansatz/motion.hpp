@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Chapter 1, motion: integrators, gravity, drag, rest, Newton's laws, SUVAT, energy and momentum.
+
+#include <ansatz/motion/applied_forces.hpp>
+#include <ansatz/motion/attraction.hpp>
+#include <ansatz/motion/decay.hpp>
+#include <ansatz/motion/drag.hpp>
+#include <ansatz/motion/energy.hpp>
+#include <ansatz/motion/frame_drag.hpp>
+#include <ansatz/motion/gravity.hpp>
+#include <ansatz/motion/integrators/explicit_euler.hpp>
+#include <ansatz/motion/integrators/implicit_euler.hpp>
+#include <ansatz/motion/integrators/runge_kutta4.hpp>
+#include <ansatz/motion/integrators/semi_implicit_euler.hpp>
+#include <ansatz/motion/integrators/velocity_verlet.hpp>
+#include <ansatz/motion/integrators/verlet.hpp>
+#include <ansatz/motion/quadratic_drag.hpp>
+#include <ansatz/motion/rest.hpp>
+#include <ansatz/motion/stop_below.hpp>

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `StopBelow`: a velocity close to zero is set to zero, to the letter of the notes (notes 1.8).
+///
+/// Use it to see what the rule does, or in a scene without forces. Under gravity it holds a ball at the top of its flight
+/// for as long as one step adds less than the threshold (g dt < threshold: for ever), and it saves no work, since the body
+/// is looked at in the next step all the same. rest.hpp is the rule made safe.
+
+#include <ansatz/world/concepts.hpp>
+#include <ansatz/world/requirements.hpp>
+
+namespace ansatz {
+
+/// \f$ |\mathbf v| < v_{min} \Rightarrow \mathbf v \leftarrow 0 \f$, after the integrator.
+struct StopBelow {
+    using role = roles::Effect;
+    using writes = Columns<Velocity>;
+    static constexpr Place place = Place::after_integration;
+
+    /// m/s, finite, not negative; zero stops nothing
+    Parameter<unit::Velocity> threshold = 0.05 * metre_per_second;
+
+    void check() const { require_not_negative("StopBelow", "threshold", threshold); }
+
+    template <class S> struct In {
+        typename S::Speed threshold;
+        explicit In(const StopBelow& stop) : threshold(S::convert(stop.threshold)) {}
+
+        [[gnu::always_inline]] void apply(typename S::Velocity& v, const auto&) const {
+            const bool slow = squared_norm(v) < threshold * threshold;
+            auto components = v.value();
+            for (int i = 0; i < S::dimension; ++i) components[i] = slow ? typename S::Scalar(0) : components[i];
+            v = S::Velocity::from_value(components);
+        }
+    };
+};
+
+static_assert(EffectIn<StopBelow, Space<>>);
+
+} // namespace ansatz
