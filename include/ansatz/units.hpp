@@ -14,3 +14,4 @@
 #include <ansatz/units/symbol.hpp>
 #include <ansatz/units/unit.hpp>
 #include <ansatz/units/vector.hpp>
+#include <ansatz/units/zero.hpp>

@@ -17,6 +17,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ \mathbf F_{ij} = G\,m_i m_j\,\frac{\mathbf x_j - \mathbf x_i}{(|\mathbf x_j - \mathbf x_i|^2 + \varepsilon^2)^{3/2}} \f$
@@ -31,6 +33,11 @@ struct Attraction {
     /// Keeps the force finite at close encounters; finite, not negative
     Parameter<unit::Length> softening = 0.0 * metre;
 
+    static constexpr std::string_view name = "Attraction";
+    static void parameters(auto& self, auto&& visit) {
+        visit("constant", self.constant);
+        visit("softening", self.softening);
+    }
     void check() const {
         require_not_negative("Attraction", "constant", constant);
         require_not_negative("Attraction", "softening", softening);

@@ -13,6 +13,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ \mathbf v \leftarrow \mathbf v\, e^{-c\,\Delta t} \f$, after the integrator.
@@ -24,6 +26,8 @@ struct Drag {
     /// c in 1/s, finite, not negative; zero is no drag, to the bit
     Parameter<unit::Frequency> rate = 0.05 / second;
 
+    static constexpr std::string_view name = "Drag";
+    static void parameters(auto& self, auto&& visit) { visit("rate", self.rate); }
     void check() const { require_not_negative("Drag", "rate", rate); }
 
     template <class S> struct In {

@@ -11,6 +11,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ \mathbf v \leftarrow d\,\mathbf v \f$ in every step, after the integrator.
@@ -22,6 +24,8 @@ struct FrameDrag {
     /// d, dimensionless, above 0 and at most 1; 1 is no drag, to the bit
     Parameter<unit::Dimensionless> factor = 0.99;
 
+    static constexpr std::string_view name = "FrameDrag";
+    static void parameters(auto& self, auto&& visit) { visit("factor", self.factor); }
     void check() const {
         if (!(factor.value() > 0) || !(factor.value() <= 1))
             refuse_value("FrameDrag", "factor", describe(factor), "a damping factor is above 0 and at most 1 (1 damps nothing)");

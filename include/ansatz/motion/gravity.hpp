@@ -11,6 +11,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ \mathbf a = \mathbf g \f$, with g = (0, -9.81, 0) m/s^2 unless another is given.
@@ -21,6 +23,8 @@ struct Gravity {
     /// m/s^2; in a world of two dimensions the third component must be zero
     VectorParameter<unit::Acceleration> acceleration = metres_per_second_squared(0, -9.81, 0);
 
+    static constexpr std::string_view name = "Gravity";
+    static void parameters(auto& self, auto&& visit) { visit("acceleration", self.acceleration); }
     void check() const { require_finite("Gravity", "acceleration", acceleration); }
 
     template <class S> struct In {

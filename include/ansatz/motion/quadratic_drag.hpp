@@ -15,6 +15,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ \mathbf F = -k\,|\mathbf v|\,\mathbf v \f$
@@ -34,6 +36,8 @@ struct QuadraticDrag {
         return {m * g / (speed * speed)};
     }
 
+    static constexpr std::string_view name = "QuadraticDrag";
+    static void parameters(auto& self, auto&& visit) { visit("coefficient", self.coefficient); }
     void check() const { require_not_negative("QuadraticDrag", "coefficient", coefficient); }
 
     template <class S> struct In {

@@ -13,6 +13,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// Slow (|v| < threshold) for `time`, and \f$ \mathbf a(\mathbf x, \mathbf v = 0) = 0 \f$: asleep, with v = 0 exactly.
@@ -28,6 +30,11 @@ struct Rest {
     /// s, finite, not negative
     Parameter<unit::Time> time = 0.5 * second;
 
+    static constexpr std::string_view name = "Rest";
+    static void parameters(auto& self, auto&& visit) {
+        visit("threshold", self.threshold);
+        visit("time", self.time);
+    }
     void check() const {
         require_positive("Rest", "threshold", threshold);
         require_not_negative("Rest", "time", time);

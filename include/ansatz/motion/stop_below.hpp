@@ -11,6 +11,8 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <string_view>
+
 namespace ansatz {
 
 /// \f$ |\mathbf v| < v_{min} \Rightarrow \mathbf v \leftarrow 0 \f$, after the integrator.
@@ -22,6 +24,8 @@ struct StopBelow {
     /// m/s, finite, not negative; zero stops nothing
     Parameter<unit::Velocity> threshold = 0.05 * metre_per_second;
 
+    static constexpr std::string_view name = "StopBelow";
+    static void parameters(auto& self, auto&& visit) { visit("threshold", self.threshold); }
     void check() const { require_not_negative("StopBelow", "threshold", threshold); }
 
     template <class S> struct In {

@@ -12,7 +12,7 @@
 /// \code
 /// const auto fall = suvat::solve(suvat::displacement(-20 * metre), suvat::initial_velocity(5 * metre_per_second),
 ///                                suvat::acceleration(-9.81 * metre_per_second_squared));
-/// std::cout << fall.back().t << ", " << fall.back().v << '\n'; // 2.5922 s, -20.4294 m/s
+/// std::cout << fall.back().t << ", " << fall.back().v << '\n'; // 2.59229 s, -20.4304 m/s
 /// \endcode
 ///
 /// | symbol | meaning                                      | unit  |
@@ -34,6 +34,7 @@
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/requirements.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -67,7 +68,8 @@ public:
     /// Takes a motion to its place by time; one that the scalar cannot hold is left out.
     void add(const Solution<Scalar>& m) {
         if (!is_finite(m.s) || !is_finite(m.u) || !is_finite(m.v) || !is_finite(m.a) || !is_finite(m.t)) return;
-        all_[size_++] = m;
+        all_[size_++] = {m.s + zero<decltype(m.s)>(), m.u + zero<decltype(m.u)>(), m.v + zero<decltype(m.v)>(), // -0 becomes 0
+                         m.a + zero<decltype(m.a)>(), m.t + zero<decltype(m.t)>()};
         if (size_ == 2 && all_[1].t < all_[0].t) std::swap(all_[0], all_[1]);
     }
 
@@ -121,6 +123,16 @@ template <class Name, class Q> constexpr auto give(const Q& q) {
 
 template <class Name, class... Names> inline constexpr int times_in = (0 + ... + int(std::is_same_v<Name, Names>));
 
+/// The known with this name; zero where it is not among them.
+template <class Name, class S, class... Names> auto known(const Known<Names, S>&... knowns) {
+    Quantity<typename Name::Unit, S> found{};
+    auto look = [&](const auto& one) {
+        if constexpr (std::is_same_v<decltype(one), const Known<Name, S>&>) found = one.value;
+    };
+    (look(knowns), ...);
+    return found;
+}
+
 /// x y + z with one rounding.
 template <class S> S fused(const S& x, const S& y, const S& z) {
     if constexpr (std::is_floating_point_v<S>)
@@ -150,6 +162,7 @@ template <class S> struct Formulas {
     static constexpr std::string_view any_time = "nothing changes, so any time would do; give the time";
     static constexpr std::string_view any_acceleration = "in no time, any acceleration would do; give another quantity";
     static constexpr std::string_view any_velocity = "in no time, any velocity would do; give another quantity";
+    static constexpr std::string_view out_of_reach = "it is out of reach: the motion turns round before it, because u^2 + 2 a s is negative";
     static constexpr std::string_view no_way = "they contradict each other: in no time there is no displacement";
     static constexpr std::string_view no_change = "they contradict each other: in no time the velocity does not change";
 
@@ -199,7 +212,7 @@ template <class S> struct Formulas {
             return one(s, u, u, a, s / u);
         }
         const Velocity speed = end_speed(s, u, a);
-        if (speed < Velocity()) return {{}, "it is out of reach: the motion turns round before, v^2 = u^2 + 2 a s would be negative"};
+        if (speed < Velocity()) return {{}, out_of_reach};
         if (speed == Velocity()) return one(s, u, speed, a, -u / a);
         // Neither v - u of the first nor u + v of the second cancels: they are sums of two numbers of one sign.
         const Velocity far = u > Velocity() ? -speed : speed;
@@ -207,6 +220,20 @@ template <class S> struct Formulas {
         Answer<S> both = one(s, u, far, a, (far - u) / a);
         both.solutions.add({s, u, near, a, s / mean(u, near)});
         return both;
+    }
+
+    // Seen backwards a motion goes from its end to its start, so that v is its initial velocity.
+    static Answer<S> sva(const Length& s, const Velocity& v, const Acceleration& a) {
+        Answer<S> answer = backwards(sua(-s, v, a));
+        if (answer.reason == out_of_reach) answer.reason = "it is out of reach: no motion ends so, because v^2 - 2 a s is negative";
+        return answer;
+    }
+    static Answer<S> svt(const Length& s, const Velocity& v, const Time& t) { return backwards(sut(-s, v, -t)); }
+    static Answer<S> vat(const Velocity& v, const Acceleration& a, const Time& t) { return backwards(uat(v, a, -t)); }
+    static Answer<S> backwards(const Answer<S>& there) {
+        Answer<S> back{{}, there.reason};
+        for (const Motion& m : there.solutions) back.solutions.add({-m.s, m.v, m.u, m.a, -m.t});
+        return back;
     }
 
     /// \f$ \sqrt{u^2 + 2 a s} \f$, or -1 m/s where it is not real. Scaled by powers of two, so that squares neither overflow
@@ -230,13 +257,6 @@ template <class S> struct Formulas {
         if (sum < S(0) && -sum <= 4 * std::numeric_limits<S>::epsilon() * square) sum = S(0);
         if (sum < S(0)) return Velocity::from_value(S(-1));
         return Velocity::from_value(ldexp(S(sqrt(sum)), half));
-    }
-
-    /// The motion seen backwards: from its end to its start, so v is its initial velocity.
-    static Answer<S> backwards(const Answer<S>& there) {
-        Answer<S> back{{}, there.reason};
-        for (const Motion& m : there.solutions) back.solutions.add({-m.s, m.v, m.u, m.a, -m.t});
-        return back;
     }
 };
 
@@ -300,38 +320,36 @@ template <class... Name, class... Scalar> auto solve(const Known<Name, Scalar>&.
         using F = detail::Formulas<S>;
         (require_finite("suvat::solve", Name::text, knowns.value), ...);
 
-        const std::tuple<const Known<Name, S>&...> all(knowns...);
-        auto get = [&]<class N>(N) { return std::get<const Known<N, S>&>(all).value; };
-        constexpr bool s = detail::times_in<named::Displacement, Name...>;
-        constexpr bool u = detail::times_in<named::InitialVelocity, Name...>;
-        constexpr bool v = detail::times_in<named::FinalVelocity, Name...>;
-        constexpr bool a = detail::times_in<named::Acceleration, Name...>;
-        constexpr named::Displacement S_{};
-        constexpr named::InitialVelocity U_{};
-        constexpr named::FinalVelocity V_{};
-        constexpr named::Acceleration A_{};
-        constexpr named::Time T_{};
+        const auto s = detail::known<named::Displacement>(knowns...);
+        const auto u = detail::known<named::InitialVelocity>(knowns...);
+        const auto v = detail::known<named::FinalVelocity>(knowns...);
+        const auto a = detail::known<named::Acceleration>(knowns...);
+        const auto t = detail::known<named::Time>(knowns...);
+        constexpr bool has_s = detail::times_in<named::Displacement, Name...> == 1;
+        constexpr bool has_u = detail::times_in<named::InitialVelocity, Name...> == 1;
+        constexpr bool has_v = detail::times_in<named::FinalVelocity, Name...> == 1;
+        constexpr bool has_a = detail::times_in<named::Acceleration, Name...> == 1;
         const detail::Answer<S> answer = [&] {
-            if constexpr (s && u && v)
-                return F::suv(get(S_), get(U_), get(V_));
-            else if constexpr (s && u && a)
-                return F::sua(get(S_), get(U_), get(A_));
-            else if constexpr (s && v && a)
-                return F::backwards(F::sua(-get(S_), get(V_), get(A_)));
-            else if constexpr (u && v && a)
-                return F::uva(get(U_), get(V_), get(A_));
-            else if constexpr (s && u)
-                return F::sut(get(S_), get(U_), get(T_));
-            else if constexpr (s && v)
-                return F::backwards(F::sut(-get(S_), get(V_), -get(T_)));
-            else if constexpr (s && a)
-                return F::sat(get(S_), get(A_), get(T_));
-            else if constexpr (u && v)
-                return F::uvt(get(U_), get(V_), get(T_));
-            else if constexpr (u && a)
-                return F::uat(get(U_), get(A_), get(T_));
+            if constexpr (has_s && has_u && has_v)
+                return F::suv(s, u, v);
+            else if constexpr (has_s && has_u && has_a)
+                return F::sua(s, u, a);
+            else if constexpr (has_s && has_v && has_a)
+                return F::sva(s, v, a);
+            else if constexpr (has_u && has_v && has_a)
+                return F::uva(u, v, a);
+            else if constexpr (has_s && has_u)
+                return F::sut(s, u, t);
+            else if constexpr (has_s && has_v)
+                return F::svt(s, v, t);
+            else if constexpr (has_s && has_a)
+                return F::sat(s, a, t);
+            else if constexpr (has_u && has_v)
+                return F::uvt(u, v, t);
+            else if constexpr (has_u && has_a)
+                return F::uat(u, a, t);
             else
-                return F::backwards(F::uat(get(V_), get(A_), -get(T_)));
+                return F::vat(v, a, t);
         }();
         if (answer.solutions.size() == 0) {
             std::string sentence = "suvat::solve: ";

@@ -116,6 +116,22 @@ template <class Unit, class System, class Dim, class X>
     requires ansatz::detail::is_matrix<X>
 struct divide_typeof_helper<unit<Dim, System>, quantity<Unit, X>> {};
 
+// A class scalar (Boost.Multiprecision) times a dimensionless quantity of itself: the number's own
+// operators accept whatever converts to it, so the call would be ambiguous. Theirs remains; the
+// result is a plain number.
+template <class System, class Y>
+    requires std::is_class_v<Y>
+struct multiply_typeof_helper<quantity<unit<dimensionless_type, System>, Y>, Y> {};
+template <class System, class Y>
+    requires std::is_class_v<Y>
+struct multiply_typeof_helper<Y, quantity<unit<dimensionless_type, System>, Y>> {};
+template <class System, class Y>
+    requires std::is_class_v<Y>
+struct divide_typeof_helper<quantity<unit<dimensionless_type, System>, Y>, Y> {};
+template <class System, class Y>
+    requires std::is_class_v<Y>
+struct divide_typeof_helper<Y, quantity<unit<dimensionless_type, System>, Y>> {};
+
 // An Eigen expression times a unit is evaluated at once.
 template <class System, class Dim, class X>
     requires(ansatz::detail::Expression<X> && !ansatz::detail::is_matrix<X>)

@@ -12,6 +12,7 @@
 #include <ansatz/world/error.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace ansatz {
 
@@ -126,7 +127,7 @@ template <detail::Expression E>
 }
 
 /// |v|, as sqrt(x*x + y*y + z*z): the form that compilers vectorise. Nothing is rescaled, so
-/// components beyond the square root of the largest number give infinity.
+/// components beyond the square root of the largest number give infinity: see robust_norm().
 template <class U, class S, int N, int O>
 [[gnu::always_inline]] inline boost::units::quantity<U, S> norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return detail::with_unit<U>(S(sqrt(detail::dot_of(v.value(), v.value()))));
@@ -187,26 +188,82 @@ template <class Unit, class Value>
     return is_finite(q.value());
 }
 
-/// The unit vector along v, dimensionless and plain.
-/// \throws std::invalid_argument where v has no direction: zero, infinite, NaN, or with a length
-///         that is not representable. Inside a step use direction_or().
-template <class U, class S, int N, int O>
-inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
-    const S length = norm(v).value();
-    if (!(length > S(0)) || !is_finite(length))
-        refuse_value("direction", "the vector", describe(v), "a vector has a direction when its length is finite and greater than 0");
-    return detail::scaled<detail::Over>(v.value(), length);
+namespace detail {
+
+/// True where |v|^2 is neither so large nor so small that its rounding errors reach |v|.
+template <class S>
+[[gnu::always_inline]] inline bool squares_well(const S& squared) {
+    return squared >= std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon() &&
+           squared <= std::numeric_limits<S>::max();
 }
 
-/// The unit vector along v, or the fallback where v has none. Never throws.
+/// The largest component by size; 0 for a vector that has an infinite or a NaN component.
+template <class S, int N, int O>
+S largest(const Dense<S, N, 1, O>& v) {
+    S result(0);
+    for (int i = 0; i < N; ++i) {
+        const S size = abs(v.data()[i]);
+        if (!is_finite(size))
+            return S(0);
+        result = max(result, size);
+    }
+    return result;
+}
+
+/// The unit vector along v: false, and nothing written, where there is none. Vectors so short or so
+/// long that the sum of squares leaves the range of the scalar are rescaled first.
+template <class S, int N, int O>
+[[gnu::always_inline]] inline bool unit_vector(const Dense<S, N, 1, O>& v, Dense<S, N, 1, O>& result) {
+    const S squared = dot_of(v, v);
+    if (squares_well(squared)) {
+        result = scaled<Over>(v, S(sqrt(squared)));
+        return true;
+    }
+    const S size = largest(v);
+    if (!(size > S(0)))
+        return false;
+    const auto near_one = scaled<Over>(v, size);
+    result = scaled<Over>(near_one, S(sqrt(dot_of(near_one, near_one))));
+    return true;
+}
+
+} // namespace detail
+
+/// |v| over the whole range of the scalar: where the sum of squares would overflow or vanish, v is
+/// rescaled first. It branches, so a loop with it is not vectorised; elsewhere the same as norm().
+template <class U, class S, int N, int O>
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+robust_norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+    const S squared = detail::dot_of(v.value(), v.value());
+    const S size = detail::squares_well(squared) ? S(0) : detail::largest(v.value());
+    if (!(size > S(0)))
+        return detail::with_unit<U>(S(sqrt(squared)));
+    const auto near_one = detail::scaled<detail::Over>(v.value(), size);
+    return detail::with_unit<U>(S(size * sqrt(detail::dot_of(near_one, near_one))));
+}
+
+/// The unit vector along v, dimensionless and plain, from the shortest to the longest vectors that
+/// the scalar can hold.
+/// \throws std::invalid_argument where v has no direction: it is zero, or a component is infinite
+///         or NaN. Inside a step use direction_or().
+template <class U, class S, int N, int O>
+inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+    detail::Dense<S, N, 1, O> result;
+    if (!detail::unit_vector(v.value(), result))
+        refuse_value("direction", "the vector", describe(v), "a vector has a direction when it is finite and not zero");
+    return result;
+}
+
+/// The unit vector along v, or the fallback where v has none. Never throws. It branches, so a loop
+/// with it is not vectorised; where v cannot be zero, `v / norm(v)` is.
 template <class U, class S, int N, int O>
 [[gnu::always_inline]] inline detail::Dense<S, N, 1, O>
 direction_or(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v,
              const std::type_identity_t<detail::Dense<S, N, 1, O>>& fallback) {
-    const S length = norm(v).value();
-    if (length > S(0) && is_finite(length))
-        return detail::scaled<detail::Over>(v.value(), length);
-    return fallback;
+    detail::Dense<S, N, 1, O> result;
+    if (!detail::unit_vector(v.value(), result))
+        return fallback;
+    return result;
 }
 
 /// One component of a vector quantity.

@@ -48,11 +48,6 @@ inline constexpr bool is_matrix = false;
 template <class S, int R, int C, int O, int MR, int MC>
 inline constexpr bool is_matrix<Eigen::Matrix<S, R, C, O, MR, MC>> = true;
 
-template <class T>
-inline constexpr bool is_quantity = false;
-template <class Unit, class Value>
-inline constexpr bool is_quantity<boost::units::quantity<Unit, Value>> = true;
-
 template <class Unit>
 inline constexpr bool is_dimensionless_unit = false;
 template <class System>
@@ -62,10 +57,12 @@ inline constexpr bool is_dimensionless_unit<boost::units::unit<boost::units::dim
 template <class T>
 concept Builtin = std::is_arithmetic_v<T>;
 
-/// What may stand as the scalar of a quantity. Says only what it is not, since a class scalar
-/// promises nothing that could be asked for cheaply.
+/// What may stand as the scalar of a quantity. Says only what it is not (a matrix, a unit, a
+/// quantity or something derived from one), since a class scalar promises nothing that could be
+/// asked for cheaply.
 template <class T>
-concept ScalarValue = std::is_arithmetic_v<T> || (std::is_class_v<T> && !is_matrix<T> && !is_quantity<T>);
+concept ScalarValue =
+    std::is_arithmetic_v<T> || (std::is_class_v<T> && !is_matrix<T> && !requires { typename T::unit_type; });
 
 /// Always false, but only once T is known: for a static_assert in a template that must not be used.
 template <class...>

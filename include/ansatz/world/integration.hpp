@@ -162,6 +162,7 @@ private:
 /// All of one body's step, every stage with its forces, effects. For worlds where nothing couples.
 template <class S, class I, class LawsT, class Before, class After, class Transient> struct WholeStep {
     static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
+    static constexpr bool inlines = detail::is_staged<I>;
 
     LawsT laws;
     Before before;
@@ -201,6 +202,8 @@ private:
 
 /// Stage `K` of one body, with the coupled force that was summed for it. For worlds where something couples.
 template <class S, class I, int K, class LawsT> struct OneStage {
+    static constexpr bool inlines = true;
+
     LawsT laws;
     Context<S> context;
 
@@ -213,6 +216,8 @@ template <class S, class I, int K, class LawsT> struct OneStage {
 
 /// Effects alone, over all bodies: where a step runs stage by stage, and at the end of every step.
 template <class S, class I, class EffectsT, class Transient> struct EffectsOnly {
+    static constexpr bool inlines = true;
+
     EffectsT effects;
     Context<S> context;
     typename S::Time over;

@@ -144,7 +144,7 @@ private:
 
     /// The acceleration of one body as it stands.
     typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
-        auto a = bound_.laws.acceleration(row, context_);
+        typename S::Acceleration a = bound_.laws.acceleration(row, context_);
         if constexpr (C::coupled) a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
         return a;
     }
@@ -197,7 +197,7 @@ private:
     typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
         auto row = data_.load(slot);
         row.template get<Velocity>() = S::template zero_vector<unit::Velocity>();
-        auto a = bound_.laws.acceleration(row, context);
+        typename S::Acceleration a = bound_.laws.acceleration(row, context);
         if constexpr (C::coupled) a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
         return a;
     }

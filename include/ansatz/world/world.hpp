@@ -261,7 +261,7 @@ private:
 
     Acceleration acceleration_of(Slot slot, const typename Data::Body& row) const {
         if (data_.bodies.motion(slot) == Motion::moving || data_.bodies.motion(slot) == Motion::fixed) return Acceleration();
-        auto a = bound_.laws.acceleration(row, context());
+        Acceleration a = bound_.laws.acceleration(row, context());
         if constexpr (composition::coupled)
             a += data_.lanes.template get<ansatz::InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
         return a;

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSL-1.0
+# What only the people who work on Ansatz need. Everything here is found by itself: a new header, test, section or
+# exercise needs no edit of a CMake file. What cannot be built is left out with a sentence, never with an error.
+
+option(ANSATZ_COMPILE_TIME_TESTS "Headers alone, tests/static, tests/archetypes, tests/must_not_compile" ON)
+option(ANSATZ_NATIVE "Compile what measures time for this very machine (-march=native)" ON)
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+enable_testing()
+
+# ------------------------------------------------------------------ what was found, what is left out (printed at the end)
+function(ansatz_note text)
+    set_property(GLOBAL APPEND PROPERTY ansatz_notes "${text}")
+endfunction()
+function(ansatz_left_out what missing debian_package)
+    set_property(GLOBAL APPEND PROPERTY ansatz_left_out
+        "${what}, for want of ${missing} (on Debian: apt install ${debian_package})")
+endfunction()
+
+# ------------------------------------------------------------------ ccache, by itself
+find_program(ANSATZ_CCACHE ccache)
+mark_as_advanced(ANSATZ_CCACHE)
+if(ANSATZ_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    # The sloppiness is what ccache asks for to work with precompiled headers.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${ANSATZ_CCACHE})
+endif()
+
+# ------------------------------------------------------------------ warnings
+# Errors with the compilers that we test with; another one may know warnings that we have not seen, and a student's
+# build must not break on those.
+set(known_compilers GNU-12 Clang-14 Clang-19)
+string(REGEX MATCH "^[0-9]+" compiler_major "${CMAKE_CXX_COMPILER_VERSION}")
+if("${CMAKE_CXX_COMPILER_ID}-${compiler_major}" IN_LIST known_compilers)
+    set(known_compiler ON)
+else()
+    set(known_compiler OFF)
+endif()
+option(ANSATZ_WARNINGS_AS_ERRORS "-Werror in tests and chapters" ${known_compiler})
+
+# What every program of ours is compiled with. Its own helpers are included by their place in the project:
+# "tests/catch.hpp", "tools/plot.hpp".
+add_library(ansatz_development INTERFACE)
+target_link_libraries(ansatz_development INTERFACE ansatz)
+target_include_directories(ansatz_development INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(ansatz_development INTERFACE -Wall -Wextra -Wpedantic -Wshadow
+    $<$<BOOL:${ANSATZ_WARNINGS_AS_ERRORS}>:-Werror>
+    # What g++ 12 guesses while it optimises is mostly wrong, inside std::string (GCC 105329) and, with the sanitizers,
+    # inside <regex> (GCC 105616); what it guesses right the sanitizers find.
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>"
+    # ccache can keep a precompiled header only if the compiler makes it reproducible.
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-Xclang -fno-pch-timestamp>")
+
+# What measures time besides; it knows the flags it is measured with, to print them beside its table.
+add_library(ansatz_measured INTERFACE)
+target_link_libraries(ansatz_measured INTERFACE ansatz_development)
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags_of_type)
+set(flags ${ANSATZ_COMPILE_OPTIONS})
+if(ANSATZ_NATIVE)
+    target_compile_options(ansatz_measured INTERFACE -march=native)
+    list(APPEND flags -march=native)
+endif()
+list(JOIN flags " " flags)
+string(STRIP "${CMAKE_CXX_FLAGS} ${${flags_of_type}} ${flags}" flags)
+target_compile_definitions(ansatz_measured INTERFACE ANSATZ_FLAGS="${flags}")
+
+foreach(tree tests chapters exercises)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/${tree}/CMakeLists.txt)
+        add_subdirectory(${tree})
+    endif()
+endforeach()
+
+# ------------------------------------------------------------------ the report
+set(with_ccache "")
+if(ANSATZ_CCACHE)
+    set(with_ccache " with ccache")
+endif()
+set(warnings "warnings are errors")
+if(NOT ANSATZ_WARNINGS_AS_ERRORS)
+    set(warnings "warnings are no errors")
+endif()
+message(STATUS "Ansatz ${PROJECT_VERSION}: ${CMAKE_BUILD_TYPE}, ${CMAKE_CXX_COMPILER_ID} "
+    "${CMAKE_CXX_COMPILER_VERSION}${with_ccache}, ${warnings}")
+message(STATUS "  stands on: Boost ${Boost_VERSION_STRING}, Eigen ${Eigen3_VERSION}")
+get_property(notes GLOBAL PROPERTY ansatz_notes)
+foreach(note IN LISTS notes)
+    message(STATUS "  ${note}")
+endforeach()
+get_property(left_out GLOBAL PROPERTY ansatz_left_out)
+foreach(text IN LISTS left_out)
+    message(STATUS "  left out: ${text}")
+endforeach()

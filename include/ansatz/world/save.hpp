@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `save` and `load`: a world's state as a JSON file with a version.
+// not in the umbrella: it is the only header that needs nlohmann-json, and takes two seconds to compile
+///
+/// Use them for saved games and for the case that goes wrong on somebody else's machine: a loaded world continues
+/// bit-identically with the saved one. A copy of a world is the faster snapshot within a program. Saved are the bodies,
+/// their handles, the clock, and the parameters of every policy that names them (`name` and `parameters`, see Gravity).
+/// Not saved: what can be made anew, polled events, and a `Datum`, whose meaning only your program knows. A file is
+/// checked in full before the world is touched; it must come from a world of the same columns, scalar and dimension.
+///
+/// Needs exceptions, for the parser's sake.
+
+#include <ansatz/world/world.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <fstream>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <string>
+
+namespace ansatz {
+
+namespace detail {
+
+using Json = nlohmann::ordered_json;
+
+/// A value in a file, with its place for the sentence about it.
+struct FileValue {
+    const Json& json;
+    std::string place;
+    bool root = false;
+
+    [[noreturn]] void refuse_here(const std::string& expected) const {
+        auto shown = json.dump();
+        if (shown.size() > 40) shown = shown.substr(0, 37) + "...";
+        refuse(Refusal::invalid_argument, place + " is " + shown + "; expected " + expected);
+    }
+    FileValue at(const char* key) const {
+        if (!json.is_object()) refuse_here(std::string("an object with \"") + key + "\"");
+        const auto found = json.find(key);
+        if (found == json.end()) refuse(Refusal::invalid_argument, place + ": expected \"" + key + "\", but there is none");
+        return {*found, place + (root ? ": " : ".") + key};
+    }
+    FileValue at(std::size_t i) const { return {json[i], place + "[" + std::to_string(i) + "]"}; }
+    std::size_t size(const char* of) const {
+        if (!json.is_array()) refuse_here(std::string("a list of ") + of);
+        return json.size();
+    }
+    void size_is(std::size_t n, const char* of) const {
+        if (size(of) != n) refuse_here("a list of " + std::to_string(n) + " " + of);
+    }
+    std::uint64_t whole(std::uint64_t most) const {
+        if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most) refuse_here("a whole number from 0 to " + std::to_string(most));
+        return json.get<std::uint64_t>();
+    }
+    bool yes() const {
+        if (!json.is_boolean()) refuse_here("true or false");
+        return json.get<bool>();
+    }
+    void is(const Json& expected, const char* why) const {
+        if (json != expected) refuse_here(expected.dump() + why);
+    }
+    /// A finite number. Class scalars stand as text, because JSON's numbers are read as doubles.
+    template <class T> T number() const {
+        T value{};
+        if constexpr (std::is_floating_point_v<T>) {
+            if (!json.is_number()) refuse_here("a finite number");
+            value = static_cast<T>(json.get<double>());
+        } else {
+            if (!json.is_string()) refuse_here("a number as text");
+            try {
+                value = T(json.get<std::string>());
+            } catch (const std::exception&) {
+                refuse_here("a number as text");
+            }
+        }
+        if (!is_finite(value)) refuse_here("a finite number that the world's scalar can hold");
+        return value;
+    }
+};
+
+template <class T> Json number_to_file(const T& x) {
+    if constexpr (std::is_floating_point_v<T>) {
+        if (is_finite(x)) return double(x);
+        return x != x ? "nan" : x > 0 ? "inf" : "-inf"; // for a person to read; load refuses it
+    } else
+        return x.str(std::numeric_limits<T>::max_digits10, std::ios_base::scientific);
+}
+
+template <class T> constexpr const char* scalar_name() {
+    if constexpr (std::same_as<T, float>) return "float";
+    if constexpr (std::same_as<T, double>) return "double";
+    return "class";
+}
+
+template <class P> concept Named = requires(P& p) {
+    { P::name } -> std::convertible_to<std::string_view>;
+    P::parameters(p, [](std::string_view, auto&) {});
+};
+
+} // namespace detail
+
+/// The one that may look into a world to save and load it.
+struct Archive {
+    static constexpr int version = 1;
+
+    template <class... P> static detail::Json write(const World<P...>& world) {
+        using detail::number_to_file;
+        using C = typename World<P...>::composition;
+        const auto& data = world.data_;
+        detail::Json file;
+        file["format"] = "ansatz world";
+        file["version"] = version;
+        file["scalar"] = detail::scalar_name<typename World<P...>::Scalar>();
+        file["dimension"] = C::S::dimension;
+        file["columns"] = columns(typename C::state{});
+        file["policies"] = detail::Json::object();
+        (write_policy(file["policies"], std::get<P>(world.policies_)), ...);
+        file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
+                         {"dt", number_to_file(data.clock.dt_.value())},
+                         {"steps", data.clock.steps_},
+                         {"tick", data.clock.tick_}};
+        file["unsolved"] = data.unsolved;
+        file["generations"] = data.bodies.generation_;
+        file["free"] = data.bodies.free_;
+        auto& bodies = file["bodies"] = detail::Json::array(); // slot by slot
+        for (std::uint32_t slot = 0; slot < data.bodies.size(); ++slot) {
+            detail::Json body;
+            body["id"] = data.bodies.id(slot);
+            body["motion"] = name_of(data.bodies.motion(slot));
+            if constexpr (C::history) body["waiting"] = data.waiting(slot);
+            write_columns(body, data.lanes, slot, typename C::state{});
+            bodies.push_back(std::move(body));
+        }
+        return file;
+    }
+
+    template <class... P> static void read(World<P...>& world, const detail::FileValue& file) {
+        using W = World<P...>;
+        using C = typename W::composition;
+        file.at("format").is("ansatz world", "");
+        file.at("version").is(version, ", the version that this library reads");
+        file.at("scalar").is(detail::scalar_name<typename W::Scalar>(), ", the scalar of this world");
+        file.at("dimension").is(C::S::dimension, ", the dimension of this world");
+        file.at("columns").is(columns(typename C::state{}), ", the columns of this world");
+
+        auto policies = world.policies_;
+        (read_policy(std::get<P>(policies), file.at("policies")), ...);
+        auto bound = BoundPolicies<C>::from(W::checked(policies));
+
+        typename W::Data data;
+        read_clock(data.clock, file.at("clock"));
+        data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
+        read_bodies<C>(data, file);
+
+        if constexpr (W::has_datum) world.user_.by_id.resize(data.bodies.ids());
+        const auto room = std::max(data.bodies.ids(), world.capacity_);
+        data.reserve(room);
+        world.capacity_ = room;
+        world.policies_ = std::move(policies);
+        world.bound_ = std::move(bound);
+        world.data_ = std::move(data);
+    }
+
+private:
+    using FileValue = detail::FileValue;
+
+    template <class... Col> static detail::Json columns(Columns<Col...>) {
+        auto names = detail::Json::array();
+        (names.push_back(Col::name), ...);
+        return names;
+    }
+
+    template <class P> static void write_policy(detail::Json& policies, const P& policy) {
+        if constexpr (detail::Named<P>) {
+            auto& json = policies[std::string(P::name)] = detail::Json::object();
+            P::parameters(policy, [&](std::string_view what, const auto& value) {
+                auto& number = json[std::string(what)];
+                if constexpr (detail::vector_valued<detail::stripped<std::remove_cvref_t<decltype(value)>>>)
+                    for (int i = 0; i < value.value().size(); ++i) number.push_back(detail::number_to_file(value.value()[i]));
+                else
+                    number = detail::number_to_file(value.value());
+            });
+        }
+    }
+    template <class P> static void read_policy(P& policy, const FileValue& policies) {
+        if constexpr (detail::Named<P>) {
+            const auto json = policies.at(std::string(P::name).c_str());
+            P::parameters(policy, [&](std::string_view what, auto& value) {
+                using Q = detail::stripped<std::remove_cvref_t<decltype(value)>>;
+                const auto given = json.at(std::string(what).c_str());
+                if constexpr (detail::vector_valued<Q>) {
+                    auto v = value.value();
+                    given.size_is(std::size_t(v.size()), "numbers");
+                    for (int i = 0; i < v.size(); ++i) v[i] = given.at(std::size_t(i)).template number<double>();
+                    value = Q::from_value(v);
+                } else
+                    value = Q::from_value(given.template number<double>());
+            });
+        }
+    }
+
+    template <class S> static void read_clock(StepClock<S>& clock, const FileValue& json) {
+        using Time = typename S::ClockTime;
+        constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+        clock.start_ = Time::from_value(json.at("start").number<typename S::ClockScalar>());
+        clock.dt_ = Time::from_value(json.at("dt").number<typename S::ClockScalar>());
+        if (clock.dt_.value() < 0) json.at("dt").refuse_here("a time step that is not negative");
+        clock.tick_ = json.at("tick").whole(most);
+        clock.steps_ = json.at("steps").whole(clock.tick_);
+    }
+
+    template <class C, class Data> static void read_bodies(Data& data, const FileValue& file) {
+        constexpr std::uint64_t most = 0xffffffffu;
+        const auto generations = file.at("generations");
+        const auto ids = generations.size("generations");
+        for (std::size_t id = 0; id < ids; ++id) {
+            data.bodies.generation_.push_back(std::uint32_t(generations.at(id).whole(most)));
+            data.bodies.slot_of_.push_back(Bodies::none);
+        }
+        const auto bodies = file.at("bodies");
+        const auto count = bodies.size("bodies");
+        auto kind = Motion::awake;
+        for (std::size_t slot = 0; slot < count; ++slot) {
+            const auto body = bodies.at(slot);
+            const auto id = body.at("id").whole(ids == 0 ? 0 : ids - 1);
+            if (id >= ids || data.bodies.slot_of_[id] != Bodies::none) body.at("id").refuse_here("an id that no other body has");
+            const auto motion = motion_from(body.at("motion"));
+            if (motion < kind) body.at("motion").refuse_here("bodies in the order awake, resting, moving, fixed");
+            if (motion == Motion::resting && !C::rests) body.at("motion").refuse_here("another state; this world puts no bodies to rest");
+            kind = motion;
+            data.bodies.slot_of_[id] = Bodies::Slot(slot);
+            data.bodies.id_at_.push_back(std::uint32_t(id));
+            for (auto m = std::size_t(motion); m < 4; ++m) data.bodies.end_[m] = slot + 1;
+            data.lanes.push_back();
+            read_columns(data.lanes, body, slot, typename C::state{});
+            if constexpr (C::has_mass) check_mass(data.lanes.template get<InverseMass>(slot).value(), motion, body.at("inverse mass"));
+            if constexpr (C::history)
+                if (body.at("waiting").yes()) data.starts.wait(std::uint32_t(id));
+        }
+        const auto free = file.at("free");
+        free.size_is(ids - count, "free ids");
+        auto taken = data.bodies.slot_of_;
+        for (std::size_t i = 0; i < ids - count; ++i) {
+            const auto id = free.at(i).whole(ids - 1);
+            if (taken[id] != Bodies::none) free.at(i).refuse_here("an id that is free, once");
+            taken[id] = 0;
+            data.bodies.free_.push_back(std::uint32_t(id));
+        }
+    }
+
+    static Motion motion_from(const FileValue& json) {
+        for (const auto m : {Motion::awake, Motion::resting, Motion::moving, Motion::fixed})
+            if (json.json == name_of(m)) return m;
+        json.refuse_here("\"awake\", \"resting\", \"moving\" or \"fixed\"");
+    }
+
+    template <class Scalar> static void check_mass(const Scalar& inverse, Motion motion, const FileValue& json) {
+        const bool immovable = motion == Motion::moving || motion == Motion::fixed;
+        if (immovable && !(inverse == Scalar(0))) json.refuse_here("0, because the body is fixed or moving");
+        if (!immovable && !(inverse > Scalar(0))) json.refuse_here("a number greater than 0");
+    }
+
+    template <class LanesT, class... Col> static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {
+        auto one = [&]<class Which>(Columns<Which>) {
+            auto& json = body[std::string(Which::name)];
+            if constexpr (Which::shape == Shape::scalar)
+                json = detail::number_to_file(lanes.template lane<Which>()[slot]);
+            else
+                for (int k = 0; k < LanesT::dimension; ++k) json.push_back(detail::number_to_file(lanes.template lane<Which>(k)[slot]));
+        };
+        (one(Columns<Col>{}), ...);
+    }
+    template <class LanesT, class... Col> static void read_columns(LanesT& lanes, const FileValue& body, std::size_t slot, Columns<Col...>) {
+        auto one = [&]<class Which>(Columns<Which>) {
+            const auto json = body.at(std::string(Which::name).c_str());
+            using Scalar = typename LanesT::Scalar;
+            if constexpr (Which::shape == Shape::scalar)
+                lanes.template lane<Which>()[slot] = json.template number<Scalar>();
+            else {
+                json.size_is(std::size_t(LanesT::dimension), "numbers");
+                for (int k = 0; k < LanesT::dimension; ++k) lanes.template lane<Which>(k)[slot] = json.at(std::size_t(k)).template number<Scalar>();
+            }
+        };
+        (one(Columns<Col>{}), ...);
+    }
+};
+
+/// Writes the state of a world.
+/// \throws std::invalid_argument if the stream fails
+template <class... P> void save(const World<P...>& world, std::ostream& out) {
+    out << Archive::write(world).dump(1) << '\n';
+    if (!out) refuse(Refusal::invalid_argument, "save: the stream could not be written to the end");
+}
+/// Writes the state of a world to a file.
+/// \throws std::invalid_argument if the file cannot be written
+template <class... P> void save(const World<P...>& world, const std::string& path) {
+    std::ofstream out(path);
+    if (!out) refuse(Refusal::invalid_argument, "save: " + path + " cannot be opened for writing");
+    save(world, out);
+}
+
+/// Reads the state of a world; handles of the saved world name its bodies.
+/// \param name how error sentences call the source, e.g. the path
+/// \throws std::invalid_argument with the place in the file and what was expected; the world is then as it was
+template <class... P> void load(World<P...>& world, std::istream& in, const std::string& name = "load") {
+    detail::Json file;
+    try {
+        file = detail::Json::parse(in);
+    } catch (const detail::Json::exception& e) {
+        const std::string what = e.what(); // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+        const auto sentence = what.find("] ");
+        refuse(Refusal::invalid_argument, name + ": " + (sentence == std::string::npos ? what : what.substr(sentence + 2)));
+    }
+    Archive::read(world, detail::FileValue{file, name, true});
+}
+/// Reads the state of a world from a file.
+template <class... P> void load(World<P...>& world, const std::string& path) {
+    std::ifstream in(path);
+    if (!in) refuse(Refusal::invalid_argument, "load: " + path + " cannot be opened for reading");
+    load(world, in, path);
+}
+
+} // namespace ansatz

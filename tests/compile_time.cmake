@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: BSL-1.0
+# What is tested by compiling: each header alone, static tests, archetypes; and by not compiling.
+
+# ------------------------------------------------------------------ every public header by itself, twice
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/*.hpp)
+set(alone)
+foreach(header IN LISTS headers)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${header}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include <${header}>\n#include <${header}>\n")
+    list(APPEND alone ${source})
+endforeach()
+list(LENGTH alone count)
+if(alone)
+    add_library(headers_alone OBJECT ${alone})
+    target_link_libraries(headers_alone PRIVATE ansatz_development)
+    target_compile_options(headers_alone PRIVATE -Wconversion)
+endif()
+ansatz_note("headers compiled alone: ${count}")
+
+# ------------------------------------------------------------------ compiling is the test
+foreach(folder static archetypes)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    if(sources)
+        add_library(${folder}_tests OBJECT ${sources})
+        target_link_libraries(${folder}_tests PRIVATE ansatz_development)
+    endif()
+endforeach()
+
+# ------------------------------------------------------------------ not compiling is the test: check.cmake
+# With every compiler that is here, whichever one this build uses: a sentence must be readable in all of them.
+set(compilers g++ clang++ clang++-19)
+set(found)
+foreach(compiler IN LISTS compilers)
+    string(MAKE_C_IDENTIFIER "ANSATZ_CHECK_${compiler}" variable)
+    find_program(${variable} ${compiler})
+    mark_as_advanced(${variable})
+    if(${variable})
+        list(APPEND found ${compiler})
+    else()
+        string(REPLACE "++" "" package ${compiler})
+        ansatz_left_out("mistakes that must not compile with ${compiler}" ${compiler} ${package})
+    endif()
+endforeach()
+
+set(system_includes $<TARGET_PROPERTY:Boost::headers,INTERFACE_INCLUDE_DIRECTORIES>
+    $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
+file(GLOB_RECURSE mistakes CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile
+    ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/*.cpp)
+foreach(mistake IN LISTS mistakes)
+    string(REGEX REPLACE "\\.cpp$" "" name ${mistake})
+    foreach(compiler IN LISTS found)
+        string(MAKE_C_IDENTIFIER "ANSATZ_CHECK_${compiler}" variable)
+        add_test(NAME must_not_compile.${name}.${compiler} COMMAND ${CMAKE_COMMAND}
+            -D FILE=${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/${mistake}
+            -D COMPILER=${${variable}}
+            "-DINCLUDES=${PROJECT_SOURCE_DIR}/include|${PROJECT_SOURCE_DIR}"
+            "-DSYSTEM_INCLUDES=$<JOIN:${system_includes},|>"
+            -P ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/check.cmake)
+        set_tests_properties(must_not_compile.${name}.${compiler} PROPERTIES LABELS must_not_compile TIMEOUT 120)
+    endforeach()
+endforeach()
+list(LENGTH mistakes count)
+list(JOIN found ", " found)
+ansatz_note("mistakes that must not compile: ${count}, each with ${found}")

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSL-1.0
+# The test cases of the modules: Catch2, 3 where found, else 2.13.
+find_package(Catch2 3 CONFIG QUIET)
+if(NOT Catch2_FOUND)
+    find_package(Catch2 2.13 CONFIG QUIET)
+endif()
+if(NOT Catch2_FOUND)
+    ansatz_left_out("the tests of the modules" Catch2 catch2)
+    return()
+endif()
+include(${Catch2_DIR}/Catch.cmake)
+
+# What only some tests need: its name, its Debian package, its target, and the includes by which such a test is known.
+find_package(nlohmann_json 3 CONFIG QUIET)
+find_package(benchmark CONFIG QUIET)
+set(wanted
+    "nlohmann-json|nlohmann-json3-dev|nlohmann_json::nlohmann_json|<nlohmann/,\"tools/costs.hpp,\"tools/costs/json.hpp"
+    "Google Benchmark|libbenchmark-dev|benchmark::benchmark|<benchmark/,\"tools/costs.hpp,\"tools/costs/measure.hpp")
+
+# One main, compiled once: Debian's own has no benchmarks, and it must not see the precompiled header.
+add_library(test_main OBJECT main.cpp)
+target_link_libraries(test_main PRIVATE ansatz_development Catch2::Catch2)
+
+# What every test is compiled with.
+add_library(test_options INTERFACE)
+target_link_libraries(test_options INTERFACE ansatz_development Catch2::Catch2)
+
+# One precompiled header for all of them.
+add_library(test_precompiled OBJECT precompiled.cpp)
+target_link_libraries(test_precompiled PRIVATE test_options)
+set(precompiled ${CMAKE_CURRENT_SOURCE_DIR}/catch.hpp <Eigen/Core> <algorithm> <array> <cmath> <complex> <cstdint>
+    <functional> <iomanip> <iostream> <limits> <map> <memory> <numeric> <optional> <random> <span> <sstream> <string>
+    <string_view> <tuple> <type_traits> <utility> <variant> <vector>)
+target_precompile_headers(test_precompiled PRIVATE ${precompiled})
+
+# Takes out of a list of sources those that need what is not here, and reports each as a skipped test; for the others,
+# the libraries that they need.
+function(sort_out sources_variable libraries_variable module)
+    set(kept)
+    set(libraries)
+    foreach(source IN LISTS ${sources_variable})
+        set(missing)
+        foreach(entry IN LISTS wanted)
+            string(REPLACE "|" ";" entry "${entry}")
+            list(POP_FRONT entry name package target includes)
+            string(REPLACE "," "|" includes "${includes}")
+            string(REPLACE "." "\\." includes "${includes}")
+            file(STRINGS ${source} uses REGEX "^#include (${includes})" LIMIT_COUNT 1)
+            if(uses AND TARGET ${target})
+                list(APPEND libraries ${target})
+            elseif(uses)
+                set(missing "no ${name} (on Debian: apt install ${package})")
+            endif()
+        endforeach()
+        if(missing)
+            cmake_path(GET source STEM LAST_ONLY name)
+            add_test(NAME "${module}.${name}" COMMAND ${CMAKE_COMMAND} -E echo "skipped: ${missing}")
+            set_tests_properties("${module}.${name}" PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped: " LABELS ${module})
+        else()
+            list(APPEND kept ${source})
+        endif()
+    endforeach()
+    set(${sources_variable} ${kept} PARENT_SCOPE)
+    set(${libraries_variable} ${libraries} PARENT_SCOPE)
+endfunction()
+
+# A test that skips itself, and has failed nothing before, is reported as skipped: SKIP("reason") of Catch2 3, or ours
+# of catch.hpp.
+set(skipped "test cases: 1 \\| 1 skipped|test skipped: .*All tests passed")
+
+file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *)
+list(REMOVE_ITEM folders static archetypes must_not_compile package peers)
+set(modules)
+foreach(module IN LISTS folders)
+    if(NOT IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${module})
+        continue()
+    endif()
+
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${module}/*.cpp)
+    sort_out(sources libraries ${module})
+    set(measuring ${sources})
+    list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "\\.perf\\.cpp$")
+
+    if(sources)
+        list(APPEND modules ${module})
+        add_executable(test_${module} ${sources})
+        target_link_libraries(test_${module} PRIVATE test_main test_options ${libraries})
+        target_precompile_headers(test_${module} REUSE_FROM test_precompiled)
+        catch_discover_tests(test_${module} TEST_PREFIX "${module}."
+            PROPERTIES LABELS ${module} TIMEOUT 120 SKIP_REGULAR_EXPRESSION "${skipped}")
+    endif()
+    if(measuring)
+        add_executable(test_${module}_perf ${measuring})
+        target_link_libraries(test_${module}_perf PRIVATE test_main test_options ansatz_measured ${libraries})
+        catch_discover_tests(test_${module}_perf TEST_PREFIX "${module}.perf."
+            PROPERTIES LABELS perf RUN_SERIAL TRUE TIMEOUT 300 SKIP_REGULAR_EXPRESSION "${skipped}")
+    endif()
+
+    file(GLOB scripts CONFIGURE_DEPENDS ${module}/*.sh)
+    if(ANSATZ_BASH)
+        foreach(script IN LISTS scripts)
+            cmake_path(GET script STEM name)
+            add_test(NAME "${module}.${name}" COMMAND ${ANSATZ_BASH} ${script} ${PROJECT_SOURCE_DIR})
+            set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 300 ENVIRONMENT
+                "ANSATZ_SCRATCH=${PROJECT_BINARY_DIR}/scratch/${module}.${name};CXX=${CMAKE_CXX_COMPILER};CMAKE=${CMAKE_COMMAND}")
+        endforeach()
+    endif()
+endforeach()
+
+list(JOIN modules " " modules)
+ansatz_note("tests: ${modules} (Catch2 ${Catch2_VERSION})")
+foreach(entry IN LISTS wanted)
+    string(REPLACE "|" ";" entry "${entry}")
+    list(POP_FRONT entry name package target)
+    if(NOT TARGET ${target})
+        ansatz_left_out("tests" ${name} ${package})
+    endif()
+endforeach()

@@ -1,0 +1,22 @@
+// expect: this world does not store that column
+// SPDX-License-Identifier: BSL-1.0
+// A column that nobody needs.
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+struct Heat {
+    using Unit = unit::Energy;
+    static constexpr Shape shape = Shape::scalar;
+    static constexpr std::string_view name = "heat";
+};
+
+int main() {
+    World world{SemiImplicitEuler{}};
+#ifdef ANSATZ_MISTAKE
+    world.add(with<Heat>(1.0 * joule));
+#else
+    world.add();
+#endif
+}

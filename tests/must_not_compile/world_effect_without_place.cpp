@@ -1,0 +1,34 @@
+// expect: an effect without a place in the step
+// SPDX-License-Identifier: BSL-1.0
+// An effect that does not say when it acts.
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+#ifdef ANSATZ_MISTAKE
+struct Damp {
+    using role = roles::Effect;
+    using writes = Columns<Velocity>;
+    template <class S> struct In {
+        explicit In(const Damp&) {}
+        void apply(typename S::Velocity& v, const auto&) const { v *= 0.5; }
+    };
+};
+#else
+struct Damp {
+    using role = roles::Effect;
+    using writes = Columns<Velocity>;
+    static constexpr Place place = Place::after_integration;
+    template <class S> struct In {
+        explicit In(const Damp&) {}
+        void apply(typename S::Velocity& v, const auto&) const { v *= 0.5; }
+    };
+};
+#endif
+
+int main() {
+    World world{SemiImplicitEuler{}, Damp{}};
+    world.add(position(metres(0, 10, 0)));
+    world.step(0.1 * second);
+}

@@ -1,0 +1,32 @@
+// expect: an integrator with a wrong signature
+// SPDX-License-Identifier: BSL-1.0
+// advance without the step.
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+#ifdef ANSATZ_MISTAKE
+struct Mine {
+    using role = roles::Integrator;
+    using writes = Columns<Position, Velocity>;
+    static constexpr int stages = 1;
+    static void advance(Stage<0>, auto& x, auto& v, const auto& a) { x += v * a; }
+};
+#else
+struct Mine {
+    using role = roles::Integrator;
+    using writes = Columns<Position, Velocity>;
+    static constexpr int stages = 1;
+    static void advance(Stage<0>, auto& x, auto& v, const auto& a, const auto& dt) {
+        v += a * dt;
+        x += v * dt;
+    }
+};
+#endif
+
+int main() {
+    World world{Mine{}, Gravity{}};
+    world.add(position(metres(0, 10, 0)));
+    world.step(0.1 * second);
+}

@@ -1,0 +1,35 @@
+// expect: a policy whose prepare the world cannot call
+// SPDX-License-Identifier: BSL-1.0
+// A prepare that would silently never be called.
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+#ifdef ANSATZ_MISTAKE
+struct Wind {
+    using role = roles::Force;
+    using reads = Columns<>;
+    template <class S> struct In {
+        explicit In(const Wind&) {}
+        void prepare() {}
+        typename S::Acceleration acceleration(const auto&) const { return {}; }
+    };
+};
+#else
+struct Wind {
+    using role = roles::Force;
+    using reads = Columns<>;
+    template <class S> struct In {
+        explicit In(const Wind&) {}
+        void prepare(const auto&) {}
+        typename S::Acceleration acceleration(const auto&) const { return {}; }
+    };
+};
+#endif
+
+int main() {
+    World world{SemiImplicitEuler{}, Wind{}};
+    world.add(position(metres(0, 10, 0)));
+    world.step(0.1 * second);
+}

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSL-1.0
+# Ansatz used from outside: installed into a folder of this build and found by CMake and by pkg-config, and as a folder
+# of somebody's project. The consumer is the same program each time.
+set(package_prefix ${PROJECT_BINARY_DIR}/scratch/package/prefix)
+
+add_test(NAME package.install COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR}
+    -D PREFIX=${package_prefix} -P ${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+set_tests_properties(package.install PROPERTIES FIXTURES_SETUP installed LABELS package)
+
+foreach(way find_package add_subdirectory)
+    set(consumer_build ${PROJECT_BINARY_DIR}/scratch/package/${way})
+    add_test(NAME package.${way} COMMAND ${CMAKE_CTEST_COMMAND}
+        --build-and-test ${CMAKE_CURRENT_LIST_DIR}/${way} ${consumer_build}
+        --build-generator ${CMAKE_GENERATOR} --build-noclean
+        --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Debug
+            -DCMAKE_PREFIX_PATH=${package_prefix} -DANSATZ_SOURCE=${PROJECT_SOURCE_DIR}
+        --test-command ${consumer_build}/consumer)
+    set_tests_properties(package.${way} PROPERTIES FIXTURES_REQUIRED installed LABELS package TIMEOUT 300)
+endforeach()
+
+find_program(ANSATZ_PKG_CONFIG pkg-config)
+mark_as_advanced(ANSATZ_PKG_CONFIG)
+if(ANSATZ_PKG_CONFIG AND ANSATZ_BASH)
+    add_test(NAME package.pkg_config COMMAND ${ANSATZ_BASH} ${CMAKE_CURRENT_LIST_DIR}/pkg_config.sh
+        ${CMAKE_CXX_COMPILER} ${package_prefix} ${PROJECT_BINARY_DIR}/scratch/package)
+    set_tests_properties(package.pkg_config PROPERTIES FIXTURES_REQUIRED installed LABELS package TIMEOUT 300)
+else()
+    ansatz_left_out("test package.pkg_config" pkg-config pkg-config)
+endif()

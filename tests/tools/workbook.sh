@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# What ./workbook says without building anything: in a copy with made-up chapters, in a folder whose
+# name has a space, called from elsewhere. Prints one line for every check that fails.
+#
+#   workbook.sh <the project's folder>
+
+set -u
+project=${1:?the project folder}
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+tree="$scratch/a folder"
+mkdir -p "$tree/tools" "$tree/chapters/1-motion" "$tree/chapters/4-soft_bodies" || exit 1
+cp "$project/workbook" "$tree/" && cp -R "$project/tools/workbook.d" "$tree/tools/" || exit 1
+
+section() { printf '// SPDX-License-Identifier: BSL-1.0\n// %s\nint main() {}\n' "$2" > "$tree/chapters/$1"; }
+section 1-motion/1.10-a.cpp "1.10 Tenth"
+section 1-motion/1.1-b.cpp "1.1 Newton's first law: a body at rest costs nothing"
+section 1-motion/1.6-c.cpp "1.6 Numerical integration: a claim"
+section 1-motion/1.6.1-d.cpp "1.6.1 Explicit Euler: every step adds energy"
+section 1-motion/1.6.2-e.cpp "1.6.2 Implicit Euler: a colon: in the claim"
+section 4-soft_bodies/4.1-cloth_of_springs.cpp "A comment that names nothing"
+printf '// SPDX-License-Identifier: BSL-1.0\nint main() {}\n' > "$tree/chapters/1-motion/what_it_costs.cpp"
+
+failures=0
+passed=0
+unset COLUMNS NO_COLOR CI
+# expect <exit code> <text that must be there> <arguments...>
+expect() {
+    local code=$1 text=$2 output status
+    shift 2
+    output=$(cd / && "$tree/workbook" "$@" 2>&1 < /dev/null)
+    status=$?
+    if [ $status -eq "$code" ] && printf '%s\n' "$output" | grep -q -F -e "$text"; then
+        passed=$((passed + 1))
+    else
+        failures=$((failures + 1))
+        echo "FAILED: workbook $*: expected code $code and '$text', got code $status and:"
+        printf '%s\n' "$output" | sed 's/^/    /'
+    fi
+}
+
+expect 0 "take the tour" help
+expect 0 "./workbook section 1.6.2" help section
+expect 0 "The one command of Ansatz" --help
+expect 2 "did you mean list?" lsit
+expect 2 "there is no verb 'xyzzy'" xyzzy
+expect 2 "there is no verb '../lib/build'" ../lib/build
+expect 2 "did you mean costs?" help cost
+expect 0 "4 Soft bodies" list
+expect 0 "4.1    not built           Cloth of springs" list
+expect 0 "1.1    not built" list
+expect 0 "Costs: motion" list
+expect 0 "1.6.2" list 1.6
+expect 2 "did you mean 1.6.1" section 1.6.3
+expect 2 "by that name there is 1.6.1 (Explicit Euler), 1.6.2 (Implicit Euler)" section euler
+expect 2 "there is no section '9'" section 9
+expect 0 "./workbook section <number> runs one." section
+expect 2 "did you mean motion?" costs moton
+expect 2 "./workbook section 1.6 shows one section" tour 1.6
+
+# 1.1 is not 1.10, though they are the same number.
+lines=$(cd / && "$tree/workbook" list 1.1 | grep -c '^  1\.')
+if [ "$lines" -eq 1 ]; then passed=$((passed + 1)); else failures=$((failures + 1)); echo "FAILED: list 1.1 shows $lines sections"; fi
+# Sections stand in the order of their numbers: 1.6.2 before 1.10.
+order=$(cd / && "$tree/workbook" list | awk '/^  [0-9]/ { printf "%s ", $1 }')
+if [ "$order" = "1.1 1.6 1.6.1 1.6.2 1.10 4.1 " ]; then passed=$((passed + 1)); else failures=$((failures + 1)); echo "FAILED: the order is $order"; fi
+# Nothing but plain text where nobody watches.
+if (cd / && "$tree/workbook" list) | grep -q $'\033'; then failures=$((failures + 1)); echo "FAILED: colours in a pipe"; else passed=$((passed + 1)); fi
+# A verb is one file.
+# shellcheck disable=SC2016
+printf '# SPDX-License-Identifier: BSL-1.0\n#\n# say hello\nverb_hello() { echo "hello $1"; }\n' > "$tree/tools/workbook.d/verbs/hello.sh"
+expect 0 "hello world" hello world
+expect 0 "say hello" help
+
+echo "$passed passed, $failures failed"
+[ $failures -eq 0 ]

@@ -1,0 +1,129 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# Configure and build, quietly: one line of progress, the whole log in build/logs, and when something
+# fails its first error instead of its last.
+
+PRESET=release
+
+# The preset's folder, read from CMakePresets.json, where ${sourceDir} is this folder.
+build_folder() {
+    local folder
+    folder=$(sed -n 's/.*"binaryDir"[^"]*"\([^"]*\)".*/\1/p' CMakePresets.json 2>/dev/null | head -n 1)
+    # shellcheck disable=SC2016  # the names are CMake's, not the shell's
+    folder=$(printf '%s' "$folder" | sed -e 's|^\${sourceDir}/||' -e "s|\${presetName}|$PRESET|")
+    case $folder in '' | *'$'*) folder=build ;; esac
+    echo "$folder"
+}
+BUILD=$(build_folder)
+
+# As many jobs as there are cores, and memory: Boost.Units and Eigen take up to 1.5 GB a compiler.
+jobs_here() {
+    local cores memory
+    if [ -n "${CMAKE_BUILD_PARALLEL_LEVEL:-}" ]; then echo "$CMAKE_BUILD_PARALLEL_LEVEL"; return; fi
+    cores=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+    memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo 2>/dev/null)
+    if [ -n "$memory" ] && [ "$memory" -lt "$cores" ]; then cores=$memory; fi
+    [ "$cores" -lt 1 ] && cores=1
+    echo "$cores"
+}
+
+configure() {
+    local log=build/logs/configure.log start
+    mkdir -p build/logs
+    # ninja where it is: it knows better what is to be done, and says how far it is. An existing build keeps its own.
+    if [ ! -f "$BUILD/CMakeCache.txt" ] && [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja > /dev/null; then
+        export CMAKE_GENERATOR=Ninja
+    fi
+    start=$(now)
+    progress "configuring"
+    if cmake --preset "$PRESET" > "$log" 2>&1 < /dev/null; then
+        clear_progress
+        [ -z "$(last_duration configure)" ] && remember configure $(($(now) - start))
+        return 0
+    fi
+    complain "CMake could not configure the project:"
+    awk '/^CMake Error/ { on = 1 } on { print; if (++lines == 12) exit }' "$log" >&2
+    grep -q '^CMake Error' "$log" || tail -n 12 "$log" >&2
+    say "The whole log: $log. ./workbook doctor says what is missing; a folder $BUILD configured by other means may have to be moved away."
+    return 1
+}
+
+# A name for what the compiler works on, from a line of ninja's or make's.
+subject() {
+    local line=$1 name=''
+    if [[ $line =~ CMakeFiles/([^/]+)\.dir/ ]]; then name=${BASH_REMATCH[1]}
+    elif [[ $line =~ (Linking|target)\ .*[/\ ]([^/\ ]+)$ ]]; then name=${BASH_REMATCH[2]}; fi
+    echo "${name/_/ }"
+}
+
+# Reads a build's output and shows how far it is; the seconds go on where a long compilation says nothing.
+build_progress() {
+    local text=$1 start=$2 line status
+    if ! $LIVE; then cat > /dev/null; return 0; fi
+    while :; do
+        IFS= read -r -t 1 line
+        status=$?
+        if [ $status -eq 0 ]; then
+            if [[ $line =~ ^\[\ *([0-9]+)/([0-9]+)\] ]]; then text="building ${BASH_REMATCH[1]}/${BASH_REMATCH[2]} $(subject "$line")"
+            elif [[ $line =~ ^\[\ *([0-9]+)%\] ]]; then text="building ${BASH_REMATCH[1]} % $(subject "$line")"; fi
+        elif [ $status -le 128 ]; then break; fi
+        progress "$text  $((($(now) - start) / 1000)) s"
+    done
+}
+
+# build <what, for people> [targets...]
+build() {
+    local what=$1 start log=build/logs/build.log target targets=()
+    shift
+    mkdir -p build/logs
+    # KEEP_GOING=true builds what can be built, in the words of the tool at work.
+    local go_on=()
+    if [ "${KEEP_GOING:-}" = true ]; then
+        if [ -f "$BUILD/build.ninja" ]; then go_on=(-- -k 0); else go_on=(-- -k); fi
+    fi
+    for target in "$@"; do targets+=(--target "$target"); done
+    start=$(now)
+    $LIVE || echo "building $what (log: $log)"
+    progress "building $what"
+    cmake --build "$BUILD" -j "$(jobs_here)" ${targets[@]+"${targets[@]}"} ${go_on[@]+"${go_on[@]}"} 2>&1 < /dev/null | tee "$log" | build_progress "building $what" "$start"
+    local status=${PIPESTATUS[0]} took=$(($(now) - start))
+    clear_progress
+    if [ "$status" -ne 0 ]; then
+        first_error "$log"
+        return 1
+    fi
+    # A build that had nothing to do says nothing about how long one takes.
+    if grep -q -E '^\[ *[0-9]+(/[0-9]+|%)\] (Building|Linking)' "$log"; then
+        echo "built $what in $(duration $took)"
+        remember "build $what" "$took"
+    fi
+}
+
+# The first error of a log. A sentence of the library (static_assert) says more than where it was raised.
+first_error() {
+    local log=$1 width
+    # shellcheck disable=SC2153  # WIDTH comes from terminal.sh
+    width=$((WIDTH > 60 ? WIDTH : 60))
+    complain "the build failed; the first error:"
+    if grep -q -m 1 -E 'error: static assertion failed' "$log"; then
+        grep -m 1 -E 'error: static assertion failed' "$log" | fold -s -w "$width" >&2
+    elif grep -q -m 1 -E '(fatal )?error:|undefined reference|Error [0-9]' "$log"; then
+        awk '/error:|undefined reference|Error [0-9]/ { on = 1 } on { print; if (++lines == 8) exit }' "$log" | cut -c "1-$width" >&2
+    else
+        tail -n 8 "$log" | cut -c "1-$width" >&2
+    fi
+    if grep -q -E 'Killed|out of memory|cannot allocate memory' "$log"; then
+        say "The compiler ran out of memory: try again with one job, CMAKE_BUILD_PARALLEL_LEVEL=1 ./workbook ..."
+    fi
+    say "The whole log: $log. Mend it and give the same command again: what is built already is kept."
+}
+
+# Where a target's program is.
+program_of() {
+    local name=$1 place
+    for place in "$BUILD/$name" "$BUILD/bin/$name" "$BUILD"/chapters/*/"$name" "$BUILD/chapters/$name"; do
+        if [ -f "$place" ] && [ -x "$place" ]; then echo "$place"; return 0; fi
+    done
+    return 1
+}
