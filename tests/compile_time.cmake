@@ -42,21 +42,30 @@ foreach(compiler IN LISTS compilers)
     endif()
 endforeach()
 
-set(system_includes $<TARGET_PROPERTY:Boost::headers,INTERFACE_INCLUDE_DIRECTORIES>
-    $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
-file(GLOB_RECURSE mistakes CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile
-    ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/*.cpp)
-foreach(mistake IN LISTS mistakes)
-    string(REGEX REPLACE "\\.cpp$" "" name ${mistake})
-    foreach(compiler IN LISTS found)
-        string(MAKE_C_IDENTIFIER "ANSATZ_CHECK_${compiler}" variable)
-        add_test(NAME must_not_compile.${name}.${compiler} COMMAND ${CMAKE_COMMAND}
-            -D FILE=${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/${mistake}
-            -D COMPILER=${${variable}}
-            "-DINCLUDES=${PROJECT_SOURCE_DIR}/include|${PROJECT_SOURCE_DIR}"
-            "-DSYSTEM_INCLUDES=$<JOIN:${system_includes},|>"
-            -P ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile/check.cmake)
-        set_tests_properties(must_not_compile.${name}.${compiler} PROPERTIES LABELS must_not_compile TIMEOUT 120)
+set(boost $<JOIN:$<TARGET_PROPERTY:Boost::headers,INTERFACE_INCLUDE_DIRECTORIES>,|>)
+set(eigen $<JOIN:$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>,|>)
+set(folder ${CMAKE_CURRENT_SOURCE_DIR}/must_not_compile)
+file(GLOB_RECURSE mistakes CONFIGURE_DEPENDS RELATIVE ${folder} ${folder}/*.cpp)
+foreach(compiler IN LISTS found)
+    string(MAKE_C_IDENTIFIER "ANSATZ_CHECK_${compiler}" variable)
+    set(call ${CMAKE_COMMAND} -DCOMPILER=${${variable}}
+        "-DINCLUDES=${PROJECT_SOURCE_DIR}/include|${PROJECT_SOURCE_DIR}"
+        "-DSYSTEM_INCLUDES=${boost}|${eigen}"
+        "-DPRECOMPILED=${PROJECT_BINARY_DIR}/scratch/must_not_compile/${compiler}/ansatz.hpp")
+
+    set(fixture precompiled.${compiler})
+    if(mistakes)
+        add_test(NAME must_not_compile.${fixture}
+            COMMAND ${call} -DLIBRARY=${PROJECT_SOURCE_DIR}/include -P ${folder}/precompile.cmake)
+        set_tests_properties(must_not_compile.${fixture} PROPERTIES
+            FIXTURES_SETUP ${fixture} LABELS must_not_compile TIMEOUT 120)
+    endif()
+    foreach(mistake IN LISTS mistakes)
+        string(REGEX REPLACE "\\.cpp$" "" name ${mistake})
+        add_test(NAME must_not_compile.${name}.${compiler}
+            COMMAND ${call} -DFILE=${folder}/${mistake} -P ${folder}/check.cmake)
+        set_tests_properties(must_not_compile.${name}.${compiler} PROPERTIES
+            FIXTURES_REQUIRED ${fixture} LABELS must_not_compile TIMEOUT 120)
     endforeach()
 endforeach()
 list(LENGTH mistakes count)

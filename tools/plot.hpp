@@ -18,6 +18,7 @@
 /// Not provided: bars, surfaces, animation.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
@@ -26,6 +27,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -170,9 +172,10 @@ private:
     }
 
     [[nodiscard]] bool nothing_to_draw() const;
-    [[nodiscard]] std::pair<double, double> shown_x() const;
+    [[nodiscard]] std::pair<double, double> extent(char axis) const;
     [[nodiscard]] std::string colour_of(std::size_t curve) const;
     void axes(std::ostream&) const;
+    void logarithmic_axis(std::ostream&, char letter, const Axis& axis) const;
     void legend(std::ostream&, double width, double height) const;
     void marks(std::ostream&) const;
     void data(std::ostream&, std::size_t most) const;

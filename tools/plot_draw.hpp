@@ -35,16 +35,17 @@ inline bool Plot::nothing_to_draw() const {
     return true;
 }
 
-/// The first and the last x that the picture shows.
-inline std::pair<double, double> Plot::shown_x() const {
-    if (x_.range) return *x_.range;
+/// The smallest and the largest x or y of the data that its axis can show.
+inline std::pair<double, double> Plot::extent(char letter) const {
+    const bool positive = (letter == 'x' ? x_ : y_).logarithmic;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Curve& curve : curves_)
-        for (const auto& point : curve.points) {
-            if (!std::isfinite(point.first)) continue;
-            low = std::min(low, point.first);
-            high = std::max(high, point.first);
+        for (const auto& [x, y] : curve.points) {
+            const double value = letter == 'x' ? x : y;
+            if (!std::isfinite(value) || (positive && value <= 0)) continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
         }
     return {low, high};
 }
@@ -57,13 +58,53 @@ inline std::string Plot::colour_of(std::size_t curve) const {
     return colour(coloured);
 }
 
+/// "m^2/s^2" as it is printed in books: "m²/s²".
+inline std::string with_superscripts(const std::string& unit) {
+    static constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+        const auto is_digit = [&](std::size_t at) { return at < unit.size() && unit[at] >= '0' && unit[at] <= '9'; };
+        if (unit[i] != '^' || !is_digit(i + 1)) {
+            text += unit[i];
+            continue;
+        }
+        for (; is_digit(i + 1); ++i) text += digits[static_cast<std::size_t>(unit[i + 1] - '0')];
+    }
+    return text;
+}
+
+/// A logarithmic axis shows its data and a little room, not whole decades. Over few decades their powers would label it
+/// hardly at all, so 1, 2 and 5 of each decade do, and every digit where less than one decade is shown.
+inline void Plot::logarithmic_axis(std::ostream& s, char letter, const Axis& axis) const {
+    const auto [low, high] = axis.range ? *axis.range : extent(letter);
+    const double room = axis.range ? 1 : std::max(std::pow(high / low, 0.04), 1.1);
+    s << "set logscale " << letter << " 10\nset " << letter << "range [" << number(low / room) << ':' << number(high * room) << "]\n";
+    if (high / low > 100) {
+        s << "set format " << letter << " '10^{%L}'\n";
+        return;
+    }
+    s << "set " << letter << "tics (";
+    const char* separator = "";
+    for (int decade = static_cast<int>(std::floor(std::log10(low))); decade <= std::ceil(std::log10(high)); ++decade)
+        for (int digit = 1; digit < 10; ++digit) {
+            if (digit != 1 && digit != 2 && digit != 5 && high / low > 4) continue;
+            const std::string value = std::to_string(digit) + "e" + std::to_string(decade);
+            s << separator << value;
+            separator = ", ";
+        }
+    s << ")\nset format " << letter << " '%h'\n";
+}
+
 inline void Plot::axes(std::ostream& s) const {
     const auto one = [&](char letter, const Axis& axis) {
-        const std::string unit = axis.unit.value_or("");
+        const std::string unit = with_superscripts(axis.unit.value_or(""));
         s << "set " << letter << "label " << in_quotes(unit.empty() ? axis.what : axis.what + " (" + unit + ")")
           << " noenhanced textcolor rgb '#333333'\n";
-        if (axis.logarithmic) s << "set logscale " << letter << " 10\nset format " << letter << " '10^{%L}'\n";
-        else s << "set format " << letter << " '%h'\n";
+        if (axis.logarithmic) {
+            logarithmic_axis(s, letter, axis);
+            return;
+        }
+        s << "set format " << letter << " '%h'\n";
         if (axis.range) s << "set " << letter << "range [" << number(axis.range->first) << ':' << number(axis.range->second) << "]\n";
     };
     one('x', x_);
@@ -96,7 +137,7 @@ inline void Plot::legend(std::ostream& s, double width, double height) const {
 }
 
 inline void Plot::marks(std::ostream& s) const {
-    const auto [first, last] = shown_x();
+    const auto [first, last] = x_.range ? *x_.range : extent('x');
     for (const Mark& mark : marks_) {
         const bool in_the_right_part = x_.logarithmic ? mark.x * mark.x > first * last : mark.x > (first + last) / 2;
         const std::string text = " noenhanced front font ',13' textcolor rgb '#555555'\n";
@@ -169,7 +210,11 @@ inline bool Plot::terminal() const {
     std::ostringstream s;
     s << "set encoding utf8\nset terminal dumb size 78,20 noenhanced mono\nset key below\nset tics nomirror scale 0.5\nset border 3\n"
       << "set title " << in_quotes(title_) << "\n";
-    axes(s);
+    std::ostringstream described;
+    axes(described);
+    std::string text = described.str();      // letters cannot be raised: 1e-3 for 10^{-3}
+    for (auto at = text.find("10^{%L}"); at != std::string::npos; at = text.find("10^{%L}")) text.replace(at, 7, "1e%L");
+    s << text;
     data(s, 400);
     for (std::size_t i = 0; i < curves_.size(); ++i)
         s << (i == 0 ? "plot " : ", ") << "$curve" << i << " using 1:2 with "

@@ -233,6 +233,15 @@ struct HenonHeiles {
             a[1] = (-omega_squared * y - lambda * (x * x - y * y)).value();
             return S::Acceleration::from_value(a);
         }
+        Jacobian<S> jacobian(const typename S::Position& at, const auto&) const {
+            using Matrix = typename S::template MatrixOf<unit::FrequencySquared>::value_type;
+            Matrix m = Matrix::Zero();
+            const auto x = lambda * component(at, 0), y = lambda * component(at, 1);
+            m(0, 0) = (-omega_squared - 2.0 * y).value();
+            m(1, 1) = (-omega_squared + 2.0 * y).value();
+            m(0, 1) = m(1, 0) = (-2.0 * x).value();
+            return {S::template MatrixOf<unit::FrequencySquared>::from_value(m), {}};
+        }
         auto potential(const typename S::Position& at, const auto&) const {
             const auto x = component(at, 0), y = component(at, 1);
             return 0.5 * omega_squared * (x * x + y * y) + lambda * (x * x * y - y * y * y / 3.0);

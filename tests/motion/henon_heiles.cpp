@@ -10,7 +10,7 @@ using namespace motion_tests;
 namespace {
 
 struct Swing {
-    double to_1e2 = 0, to_1e3 = 0, to_1e4 = 0; // max |dE / E0| up to that time
+    double to_1e2 = 0, to_1e3 = 0, to_1e4 = 0; // max |dE| up to that time, in m^2/s^2
     double farthest = 0;                       // m
 };
 
@@ -27,7 +27,7 @@ template <class S, class I> Swing swing() {
     double most = 0;
     for (int i = 1; i <= 100000; ++i) {
         world.step(0.1 * second);
-        most = std::max(most, std::abs(E() / E0 - 1));
+        most = std::max(most, std::abs(E() - E0));
         const auto s = state(world, body);
         result.farthest = std::max(result.farthest, std::hypot(s[0], s[1]));
         if (!(result.farthest < 1e3)) break;
@@ -43,7 +43,7 @@ template <class S, class I> Swing swing() {
 TEST_CASE("I14 Henon-Heiles: velocity Verlet and Verlet keep the energy for ever", "[motion][I14]") {
     for_each_type(Types<VelocityVerlet, Verlet>{}, []<class I> {
         const auto s = swing<Space<double, 2>, I>();
-        INFO("max |dE/E| to 1e2 s " << s.to_1e2 << ", to 1e4 s " << s.to_1e4);
+        INFO("max |dE| to 1e2 s " << s.to_1e2 << ", to 1e4 s " << s.to_1e4);
         CHECK(s.to_1e4 <= 5e-4); // measured 3.77e-4
         CHECK(s.to_1e4 / s.to_1e2 <= 1.02);
     });
@@ -51,17 +51,19 @@ TEST_CASE("I14 Henon-Heiles: velocity Verlet and Verlet keep the energy for ever
 
 TEST_CASE("I14 Henon-Heiles: semi-implicit Euler too, twenty times coarser", "[motion][I14]") {
     const auto s = swing<Space<double, 2>, SemiImplicitEuler>();
-    INFO("max |dE/E| to 1e2 s " << s.to_1e2 << ", to 1e4 s " << s.to_1e4);
+    INFO("max |dE| to 1e2 s " << s.to_1e2 << ", to 1e4 s " << s.to_1e4);
     CHECK(s.to_1e4 <= 1e-2); // measured 7.89e-3
     CHECK(s.to_1e4 / s.to_1e2 <= 1.02);
 }
 
 TEST_CASE("I14 Henon-Heiles: Runge-Kutta's energy drifts, ten times as far in ten times the time", "[motion][I14]") {
     const auto s = swing<Space<double, 2>, RungeKutta4>();
-    INFO("max |dE/E| to 1e2, 1e3, 1e4 s: " << s.to_1e2 << ", " << s.to_1e3 << ", " << s.to_1e4);
+    INFO("max |dE| to 1e2, 1e3, 1e4 s: " << s.to_1e2 << ", " << s.to_1e3 << ", " << s.to_1e4);
     CHECK(s.to_1e2 <= 4e-6); // measured 2.9e-6
-    CHECK((s.to_1e3 / s.to_1e2 > 7 && s.to_1e3 / s.to_1e2 < 14));
-    CHECK((s.to_1e4 / s.to_1e3 > 7 && s.to_1e4 / s.to_1e3 < 14));
+    CHECK(s.to_1e3 / s.to_1e2 > 7);
+    CHECK(s.to_1e3 / s.to_1e2 < 14);
+    CHECK(s.to_1e4 / s.to_1e3 > 7);
+    CHECK(s.to_1e4 / s.to_1e3 < 14);
 }
 
 TEST_CASE("I14 Henon-Heiles: with explicit Euler the star escapes", "[motion][I14]") {
@@ -70,7 +72,7 @@ TEST_CASE("I14 Henon-Heiles: with explicit Euler the star escapes", "[motion][I1
 
 TEST_CASE("I14 Henon-Heiles: float and three dimensions", "[motion][I14]") {
     const auto narrow = swing<Space<float, 2>, VelocityVerlet>();
-    INFO("float: max |dE/E| to 1e4 s " << narrow.to_1e4);
+    INFO("float: max |dE| to 1e4 s " << narrow.to_1e4);
     CHECK(narrow.to_1e4 <= 5e-4);
     const auto deep = swing<Space<double, 3>, VelocityVerlet>();
     CHECK(deep.to_1e4 <= 5e-4);

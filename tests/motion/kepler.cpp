@@ -82,14 +82,13 @@ TEST_CASE("I13 Kepler: float", "[motion][I13]") {
     CHECK(d.angular_momentum <= 1e-4); // measured 4.8e-5
 }
 
-TEST_CASE("I13 Kepler: explicit Euler unbinds, implicit Euler falls in", "[motion][I13]") {
-    const auto out = drift<Space<double, 2>, ExplicitEuler>(100, 1000);
-    INFO("explicit Euler: max |dE/E| " << out.energy_all);
-    CHECK(out.energy_all > 0.9); // negative control: measured 0.99
+TEST_CASE("I13 Kepler: explicit Euler unbinds", "[motion][I13]") {
+    const auto d = drift<Space<double, 2>, ExplicitEuler>(100, 1000);
+    INFO("explicit Euler: max |dE/E| " << d.energy_all);
+    CHECK(d.energy_all > 0.9); // negative control: measured 0.99
 }
 
-TEST_CASE("I13 Kepler: neighbours, a circle and a needle", "[motion][I13]") {
-    // Half the step divides the energy's swing by four, whatever the eccentricity.
+TEST_CASE("I13 Kepler: half the step divides the swing of the energy by four", "[motion][I13]") {
     const auto coarse = drift<Space<double, 2>, VelocityVerlet>(3, 1000), fine = drift<Space<double, 2>, VelocityVerlet>(3, 2000);
     INFO("max |dE/E| " << coarse.energy_all << " and with half the step " << fine.energy_all);
     CHECK(std::abs(slope(coarse.energy_all, fine.energy_all) - 2) <= 0.05);

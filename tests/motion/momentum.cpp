@@ -87,7 +87,7 @@ TEST_CASE("Momentum: kinetic energy is that of the centre of mass and that of th
             about += kinetic_energy(body.mass, body.velocity - centre);
             seen_from_centre.push_back({body.mass, body.velocity - centre});
         }
-        CHECK(in(kinetic_energy(all, centre) + about, joule) == Approx(in(total, joule)).epsilon(1e-13));
+        CHECK(in(kinetic_energy(all, centre) + about, joule) == Catch::Approx(in(total, joule)).epsilon(1e-13));
         // Seen from the centre of mass there is no momentum.
         CHECK(norm(total_momentum(seen_from_centre)) <= 1e-14 * (all * 40 * metre_per_second));
     }
@@ -100,11 +100,13 @@ TEST_CASE("Momentum: an empty list has none, and no centre of mass", "[motion][m
           "mechanics::centre_of_mass_velocity: the sum of the masses is 0 kg; it must be finite and greater than zero");
 }
 
+// Measured, in epsilon: momentum 0.44 of the sum of m (|u| + |v|), the speed of parting 3.2 of |u1| + |u2|, energy 2.5 of the sum
+// of all energies; alike in double and float. Bounds 1, 4 and 4.
 TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a milliard apart", "[motion][momentum]", double, float) {
     using S = TestType;
     Numbers numbers;
     const double epsilon = double(std::numeric_limits<S>::epsilon());
-    double worst_momentum = 0, worst_speed = 0, worst_energy = 0, largest_ratio = 1;
+    double worst_momentum = 0, largest_ratio = 1;
     for (int i = 0; i < 2000; ++i) {
         const auto before = pair_along_a_line<S>(numbers);
         const S e = i % 4 == 0 ? S(i / 4 % 2) : S(numbers.between(0, 1)); // a quarter of them at 0 or 1 exactly
@@ -132,16 +134,13 @@ TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a mill
         const double speed_error = in(abs(parted + double(e) * met) / speed_scale, unit::Dimensionless{}) / epsilon;
         const double energy_error =
             in(abs(change + wide(energy_lost(before[0], before[1], e))) / (energy_before + energy_after), unit::Dimensionless{}) / epsilon;
-        CHECK(momentum_error <= 2);
+        CHECK(momentum_error <= 1);
         CHECK(speed_error <= 4);
         CHECK(energy_error <= 4);
         CHECK(energy_lost(before[0], before[1], e).value() >= S(0));
         worst_momentum = std::max(worst_momentum, momentum_error);
-        worst_speed = std::max(worst_speed, speed_error);
-        worst_energy = std::max(worst_energy, energy_error);
         largest_ratio = std::max(largest_ratio, double(before[0].mass.value() / before[1].mass.value()));
     }
-    WARN(worst_momentum << ' ' << worst_speed << ' ' << worst_energy << ' ' << largest_ratio);
     CHECK(largest_ratio > 1e8);
     CHECK(worst_momentum > 0); // exactly zero would mean that the reference is the thing itself
 }
@@ -158,7 +157,7 @@ TEST_CASE("Momentum: a collision is the same seen from a moving train", "[motion
         CHECK(norm(there.second.velocity - train - here.second.velocity) <= 1e-13 * metre_per_second);
         // What is lost does not depend on who looks; the energies themselves do.
         CHECK(in(energy_lost(PointMass{a.mass, a.velocity + train}, PointMass{b.mass, b.velocity + train}, e), joule) ==
-              Approx(in(energy_lost(a, b, e), joule)).epsilon(1e-12));
+              Catch::Approx(in(energy_lost(a, b, e), joule)).epsilon(1e-12));
     }
 }
 
@@ -202,11 +201,11 @@ TEST_CASE("Momentum: the two ends of restitution", "[motion][momentum]") {
 TEST_CASE("Momentum: against a very heavy body a ball bounces as from a wall", "[motion][momentum]") {
     const PointMass ball{0.1 * kilogram, 7 * metre_per_second}, wall{1e300 * kilogram, 0 * metre_per_second};
     const auto [after, still] = collide(ball, wall, 0.5);
-    CHECK(after.velocity == -3.5 * metre_per_second);
+    CHECK(in(after.velocity, metre_per_second) == Catch::Approx(-3.5).epsilon(1e-15));
     CHECK(still.velocity < 1e-299 * metre_per_second);
     CHECK(reduced_mass(ball.mass, wall.mass) == ball.mass);
     CHECK(in(reduced_mass(1e300 * kilogram, 1e300 * kilogram), kilogram) == 5e299); // the product would be infinite
-    CHECK(in(reduced_mass(3 * kilogram, 6 * kilogram), kilogram) == Approx(2).epsilon(1e-15));
+    CHECK(in(reduced_mass(3 * kilogram, 6 * kilogram), kilogram) == Catch::Approx(2).epsilon(1e-15));
 }
 
 TEST_CASE("Momentum: a high-precision scalar keeps its digits", "[motion][momentum]") {

@@ -198,8 +198,8 @@ TEST_CASE("SUVAT: a ball thrown up passes a height twice, by Vieta's rules", "[m
     const auto& down = passes.back();
     CHECK(up.t > 0 * second);
     CHECK(up.t < down.t);
-    CHECK(in(up.t + down.t, second) == Approx(1.6).epsilon(1e-15)); // -2 u / a
-    CHECK(in(up.t, second) * in(down.t, second) == Approx(0.2).epsilon(1e-15)); // -2 s / a
+    CHECK(in(up.t + down.t, second) == Catch::Approx(1.6).epsilon(1e-15)); // -2 u / a
+    CHECK(in(up.t, second) * in(down.t, second) == Catch::Approx(0.2).epsilon(1e-15)); // -2 s / a
     CHECK(up.v == -down.v);
     CHECK(up.v > 0 * metre_per_second);
 }
@@ -261,8 +261,8 @@ TEMPLATE_TEST_CASE("SUVAT: the height u^2 / 2 g is always reached, however it is
         const auto top = solve<TestType>("sua", {height, u, 0, -g, 0});
         // The root is as flat as a parabola: a height off by epsilon is a time off by its square root.
         const double root = std::sqrt(double(std::numeric_limits<TestType>::epsilon()));
-        CHECK(double(top.front().t.value()) == Approx(double(u / g)).epsilon(2 * root));
-        CHECK(double(top.back().t.value()) == Approx(double(u / g)).epsilon(2 * root));
+        CHECK(double(top.front().t.value()) == Catch::Approx(double(u / g)).epsilon(2 * root));
+        CHECK(double(top.back().t.value()) == Catch::Approx(double(u / g)).epsilon(2 * root));
     }
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # A mistake must not compile, and the compiler must say so in our sentence, first.
 #
-#   cmake -D FILE=<mistake.cpp> -D COMPILER=<g++ or clang++> -D INCLUDES=<dir>|... -D SYSTEM_INCLUDES=<dir>|... -P check.cmake
+#   cmake -D FILE=<mistake.cpp> -D COMPILER=<g++ or clang++> [what compiler.cmake reads] -P check.cmake
 #
 # A file holds the mistake and its mended form, and says what is expected, each line at most once an error:
 #
@@ -17,10 +17,8 @@
 # Checked: without ANSATZ_MISTAKE it compiles without a warning; with it, it does not compile, the first error of all
 # holds one of the expected sentences, each expected sentence stands in some error, and there are not too many errors.
 
-set(ENV{LC_ALL} C)    # the compilers' own words in English
+include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 cmake_path(GET FILE FILENAME name)
-cmake_path(GET COMPILER FILENAME compiler_name)
-string(REGEX MATCH "clang\\+\\+|g\\+\\+" family ${compiler_name})
 
 # A CMake list is split at semicolons that are not in brackets, so both are replaced wherever text becomes a list.
 function(to_lines text result)
@@ -61,28 +59,12 @@ if(NOT expected)
 endif()
 
 # ------------------------------------------------------------------ the two compilations
-set(flags -std=c++20 -fsyntax-only)
-string(REPLACE "|" ";" INCLUDES "${INCLUDES}")
-string(REPLACE "|" ";" SYSTEM_INCLUDES "${SYSTEM_INCLUDES}")
-foreach(directory IN LISTS INCLUDES)
-    list(APPEND flags -I ${directory})
-endforeach()
-list(REMOVE_DUPLICATES SYSTEM_INCLUDES)
-foreach(directory IN LISTS SYSTEM_INCLUDES)
-    if(NOT directory STREQUAL "/usr/include")    # the compiler's own; named again, it would be searched too early
-        list(APPEND flags -isystem ${directory})
-    endif()
-endforeach()
-
 execute_process(COMMAND ${COMPILER} ${flags} -Wall -Wextra -Werror ${FILE}
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(NOT status EQUAL 0)
     fail("the mended form (without ANSATZ_MISTAKE) does not compile cleanly")
 endif()
 
-if(family STREQUAL "clang++")
-    list(APPEND flags -ferror-limit=0)
-endif()
 execute_process(COMMAND ${COMPILER} ${flags} -DANSATZ_MISTAKE ${FILE}
     RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(status EQUAL 0)

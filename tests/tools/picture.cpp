@@ -106,6 +106,22 @@ TEST_CASE("a long curve is thinned without losing its peaks", "[plot]") {
     CHECK(high == 50);
 }
 
+TEST_CASE("units are printed as in books", "[plot]") {
+    CHECK(with_superscripts("kg m^2/s^2") == "kg m²/s²");
+    CHECK(with_superscripts("m^12") == "m¹²");
+    CHECK(with_superscripts("m^(1/2)") == "m^(1/2)");        // no such letter: left as it is
+    CHECK(with_superscripts("") == "");
+}
+
+TEST_CASE("a logarithmic axis shows what it can of its data, and labels it", "[plot]") {
+    const std::vector<double> steps{0.0125, 0.025, 0.05, 0.1}, errors{0.0, 1e-9, 1e-5, 1e-1};
+    const std::string script = Plot{"1.6", "t"}.log_x().log_y().linked_points("l", steps, errors).script();
+    CHECK(contains(script, "set xrange [0.011"));
+    CHECK(contains(script, "2e-2, 5e-2, 1e-1"));             // one decade: 1, 2, 5
+    CHECK(contains(script, "set format y '10^{%L}'"));       // eight decades: powers
+    CHECK_FALSE(contains(script, "set yrange [0:"));         // zero has no place on it
+}
+
 TEST_CASE("a diverged run is a cross in the strip, never dropped", "[costs][picture]") {
     Rows rows{point("Euler", 1e-1, 10), point("Euler", 1e-2, 100), point("Verlet", 1e-4, 100)};
     CHECK_FALSE(contains(work_precision_script(rows), "diverged"));

@@ -136,6 +136,10 @@ TEMPLATE_TEST_CASE("operators compute what plain numbers would", "[units]", ANSA
         CHECK(S(s * (t / t) - 1) == s - S(1));
         CHECK(S(s / (t / t)) == s);
         CHECK(S((t / t) / s) == S(1) / s);
+        CHECK(S(s - t / t) == s - S(1));
+        CHECK(S(t / t + s) == s + S(1));
+        CHECK((t / t == 1 && 1 == t / t && !(t / t != 1.0)));
+        CHECK((t / t < 2 && 0.5 < t / t && t / t <= S(1) && S(1) >= t / t && !(t / t > 1)));
         CHECK((1 + t / t).value() == S(2));
         CHECK((t / t + 1.0).value() == S(2));
     }

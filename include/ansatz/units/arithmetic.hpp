@@ -12,7 +12,19 @@
 #include <ansatz/units/quantity.hpp>
 #include <ansatz/units/unit.hpp>
 
+#include <compare>
 #include <type_traits>
+
+// A number of Boost.Multiprecision takes whatever converts to it for an operand, a dimensionless
+// quantity of itself too, and then cannot compute with it. Told that quantities are no such thing,
+// it leaves them to the operators below. (Declared here as Boost does, not included: most programs
+// never see a multiprecision number.)
+namespace boost::multiprecision::detail {
+template <class T, class Number>
+struct is_compatible_arithmetic_type;
+template <class Unit, class Value, class Number>
+struct is_compatible_arithmetic_type<boost::units::quantity<Unit, Value>, Number> : std::false_type {};
+} // namespace boost::multiprecision::detail
 
 namespace ansatz::detail {
 
@@ -26,6 +38,10 @@ concept Expression = decltype(is_expression_of(static_cast<const T*>(nullptr))):
 
 template <Expression E>
 using Plain = typename E::PlainObject;
+
+/// A number that takes the scalar Y: any built-in one, or a Y.
+template <class Y, class Number>
+concept NumberFor = ScalarValue<Y> && (Builtin<Number> || std::is_same_v<Number, Y>);
 
 template <class A, class B>
 using UnitProduct = typename boost::units::multiply_typeof_helper<A, B>::type;
@@ -115,22 +131,6 @@ struct divide_typeof_helper<X, quantity<Unit, Y>> {};
 template <class Unit, class System, class Dim, class X>
     requires ansatz::detail::is_matrix<X>
 struct divide_typeof_helper<unit<Dim, System>, quantity<Unit, X>> {};
-
-// A class scalar (Boost.Multiprecision) times a dimensionless quantity of itself: the number's own
-// operators accept whatever converts to it, so the call would be ambiguous. Theirs remains; the
-// result is a plain number.
-template <class System, class Y>
-    requires std::is_class_v<Y>
-struct multiply_typeof_helper<quantity<unit<dimensionless_type, System>, Y>, Y> {};
-template <class System, class Y>
-    requires std::is_class_v<Y>
-struct multiply_typeof_helper<Y, quantity<unit<dimensionless_type, System>, Y>> {};
-template <class System, class Y>
-    requires std::is_class_v<Y>
-struct divide_typeof_helper<quantity<unit<dimensionless_type, System>, Y>, Y> {};
-template <class System, class Y>
-    requires std::is_class_v<Y>
-struct divide_typeof_helper<Y, quantity<unit<dimensionless_type, System>, Y>> {};
 
 // An Eigen expression times a unit is evaluated at once.
 template <class System, class Dim, class X>
@@ -322,28 +322,47 @@ template <class Unit, class Y, ansatz::detail::Builtin Number>
     return Result::from_value(static_cast<Y>(s) / q.value());
 }
 /// A number plus a dimensionless quantity, whose scalar it takes: `1.0 + rate * dt`.
-template <class System, class Y, ansatz::detail::Builtin Number>
-    requires ansatz::detail::ScalarValue<Y>
+template <class System, class Y, class Number>
+    requires ansatz::detail::NumberFor<Y, Number>
 [[gnu::always_inline]] constexpr auto operator+(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) + q.value());
 }
 /// A dimensionless quantity plus a number.
-template <class System, class Y, ansatz::detail::Builtin Number>
-    requires ansatz::detail::ScalarValue<Y>
+template <class System, class Y, class Number>
+    requires ansatz::detail::NumberFor<Y, Number>
 [[gnu::always_inline]] constexpr auto operator+(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() + static_cast<Y>(s));
 }
 /// A number minus a dimensionless quantity: `1.0 - rate * dt`.
-template <class System, class Y, ansatz::detail::Builtin Number>
-    requires ansatz::detail::ScalarValue<Y>
+template <class System, class Y, class Number>
+    requires ansatz::detail::NumberFor<Y, Number>
 [[gnu::always_inline]] constexpr auto operator-(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) - q.value());
 }
 /// A dimensionless quantity minus a number.
-template <class System, class Y, ansatz::detail::Builtin Number>
-    requires ansatz::detail::ScalarValue<Y>
+template <class System, class Y, class Number>
+    requires ansatz::detail::NumberFor<Y, Number>
 [[gnu::always_inline]] constexpr auto operator-(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() - static_cast<Y>(s));
+}
+
+/// A dimensionless quantity of a class scalar against a number: ==, and by rewriting !=. Those of
+/// built-in scalars convert and compare as numbers.
+template <class System, class Y, class Number>
+    requires(std::is_class_v<Y> && ansatz::detail::NumberFor<Y, Number>)
+constexpr bool operator==(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
+    return q.value() == static_cast<Y>(s);
+}
+/// The same for <, <=, >, >= in either order.
+template <class System, class Y, class Number>
+    requires(std::is_class_v<Y> && ansatz::detail::NumberFor<Y, Number>)
+constexpr std::partial_ordering operator<=>(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
+    const Y number = static_cast<Y>(s);
+    if (q.value() < number)
+        return std::partial_ordering::less;
+    if (number < q.value())
+        return std::partial_ordering::greater;
+    return q.value() == number ? std::partial_ordering::equivalent : std::partial_ordering::unordered;
 }
 
 } // namespace boost::units

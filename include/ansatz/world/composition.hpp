@@ -44,6 +44,7 @@ template <class First, class... Rest> struct FirstOf<Types<First, Rest...>> {
 
 template <class P> constexpr bool couples_bodies = requires { requires P::couples_bodies; };
 template <class P> constexpr bool puts_to_rest = requires { requires P::puts_to_rest; };
+template <class P> constexpr bool is_datum = requires { typename P::datum_type; };
 
 template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
 template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};

@@ -11,6 +11,8 @@
 #include <ansatz/world/view.hpp>
 
 #include <concepts>
+#include <type_traits>
+#include <utility>
 
 namespace ansatz {
 
@@ -19,6 +21,27 @@ namespace detail {
 template <class P> concept DeclaresReads = requires { typename P::reads; } && is_columns<reads_of<P>>;
 template <class P> concept DeclaresWrites = requires { typename P::writes; } && is_columns<writes_of<P>>;
 template <class P, class S> concept Binds = requires { typename Bound<P, S>; } && std::constructible_from<Bound<P, S>, const P&>;
+
+template <class E> concept HasPlace = requires { { E::place } -> std::convertible_to<Place>; };
+template <class P> concept HasCheck = requires(const P& p) { p.check(); };
+
+/// The verbs that a policy may have or not. One that is there and cannot be called would be passed over in silence, so it
+/// is found by its name alone: beside this struct the name is ambiguous. (Nothing can be beside a final class.)
+struct OptionalVerbs {
+    int check, prepare, observe;
+};
+template <class P> struct Beside : P, OptionalVerbs {};
+template <class P> constexpr bool can_stand_beside = std::is_class_v<P> && !std::is_final_v<P>;
+template <class P> constexpr bool names_check = false;
+template <class P> requires can_stand_beside<P> constexpr bool names_check<P> = !requires { &Beside<P>::check; };
+template <class P> constexpr bool names_prepare = false;
+template <class P> requires can_stand_beside<P> constexpr bool names_prepare<P> = !requires { &Beside<P>::prepare; };
+template <class P> constexpr bool names_observe = false;
+template <class P> requires can_stand_beside<P> constexpr bool names_observe<P> = !requires { &Beside<P>::observe; };
+
+/// What a bound policy prepares once a step, it prepares from the context; it need not prepare anything.
+template <class P, class S>
+concept PreparesIn = !names_prepare<Bound<P, S>> || requires(Bound<P, S>& bound, const Context<S, reads_clock<P>>& c) { bound.prepare(c); };
 
 template <class P, class S, class... C> constexpr bool lawful(Columns<C...>) {
     if constexpr (Binds<P, S>) {
@@ -31,6 +54,18 @@ template <class P, class S, class... C> constexpr bool lawful(Columns<C...>) {
             return std::is_convertible_v<decltype(std::declval<L>().force(std::declval<const value_of<C, S>&>()..., std::declval<Ctx>())),
                                          typename S::Force>;
     }
+    return false;
+}
+
+/// It can be asked and answers with something else than it should.
+template <class P, class S> constexpr bool answers_wrongly() {
+    if constexpr (!couples_bodies<P> && Binds<P, S>)
+        return []<class... C>(Columns<C...>) {
+            using Asked = const Row<S, without_clock<P>>;
+            using Ctx = Context<S, reads_clock<P>>;
+            return (AnswersAcceleration<Bound<P, S>, Asked, Ctx, C...> || AnswersForce<Bound<P, S>, Asked, Ctx, C...>) &&
+                   !lawful<P, S>(Columns<C...>{});
+        }(without_clock<P>{});
     return false;
 }
 
@@ -48,6 +83,32 @@ template <class I, class S, class... W, class... X> constexpr bool advances(Colu
     }(std::make_integer_sequence<int, stage_count<I>() - first_stage<I>(true)>{});
 }
 
+/// The laws as a solving integrator sees them: a function of position, velocity and the fraction of the step.
+template <class S> struct LawsProbe {
+    typename S::Acceleration operator()(const typename S::Position&, const typename S::Velocity&, double) const;
+    Jacobian<S> jacobian(const typename S::Position&, const typename S::Velocity&, double) const;
+};
+
+/// The argument in the place of written column `C`: a value that nobody can change, if it is the one that is `Tried`.
+template <class C, class Tried, class S> using Written = std::conditional_t<std::same_as<C, Tried>, value_of<C, S>, value_of<C, S>&>;
+
+/// A column that no stage takes by reference would never change, and nothing would say so.
+template <class I, class S> constexpr bool copies_what_it_advances() {
+    auto copies = []<class Tried, class... W, class... X, int... K>(Columns<Tried>, Columns<W...>, Columns<X...>, std::integer_sequence<int, K...>) {
+        return (requires(value_of<X, S>&... x, const typename S::Acceleration& a, const TimeStep<S>& dt) {
+            I::advance(Stage<K + first_stage<I>(true)>{}, std::declval<Written<W, Tried, S>>()..., x..., a, dt);
+        } && ...);
+    };
+    auto one_of_them = [&]<class... W>(Columns<W...> written) {
+        if constexpr (is_staged<I>)
+            return (copies(Columns<W>{}, written, scratch_of<I>{}, std::make_integer_sequence<int, stage_count<I>() - first_stage<I>(true)>{}) || ...);
+        else
+            return requires(typename S::Velocity& v, const LawsProbe<S>& laws, const TimeStep<S>& dt) { I::solve(typename S::Position(), v, laws, dt); } ||
+                   requires(typename S::Position& x, const LawsProbe<S>& laws, const TimeStep<S>& dt) { I::solve(x, typename S::Velocity(), laws, dt); };
+    };
+    return one_of_them(writes_of<I>{});
+}
+
 template <class I, class S>
 concept KeepsHistory = contains<PreviousPosition, writes_of<I>> &&
     requires(const typename S::Position& x, const typename S::Velocity& v, const typename S::Acceleration& a, const typename S::Time& t) {
@@ -56,11 +117,6 @@ concept KeepsHistory = contains<PreviousPosition, writes_of<I>> &&
         { I::history(x, v, a, t) } -> std::convertible_to<typename S::Position>;
     };
 
-/// The laws as a solving integrator sees them: a function of position, velocity and the fraction of the step.
-template <class S> struct LawsProbe {
-    typename S::Acceleration operator()(const typename S::Position&, const typename S::Velocity&, double) const;
-    Jacobian<S> jacobian(const typename S::Position&, const typename S::Velocity&, double) const;
-};
 template <class I, class S>
 concept Solves = requires(typename S::Position& x, typename S::Velocity& v, const LawsProbe<S>& laws, const TimeStep<S>& dt) {
     { I::solve(x, v, laws, dt) } -> std::convertible_to<bool>;
@@ -74,18 +130,31 @@ template <class E, class S, class... W, class... C> constexpr bool applies(Colum
     return false;
 }
 
+template <class E, class S, class... W> constexpr bool copies_what_it_changes(Columns<W...>) {
+    if constexpr (Binds<E, S>) {
+        auto copies = []<class Tried, class... C>(Columns<Tried>, Columns<C...>) {
+            return requires(const Bound<E, S>& effect, const value_of<C, S>&... c, const Context<S, reads_clock<E>>& context) {
+                effect.apply(std::declval<Written<W, Tried, S>>()..., c..., context);
+            };
+        };
+        return (copies(Columns<W>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}) || ...);
+    }
+    return false;
+}
+
 } // namespace detail
 
 /// A force in space `S` that is a law of one body: declares `reads`, and `In<S>`, made from the policy, answers
 /// `acceleration(columns..., context)` or `force(columns..., context)` with exactly that quantity.
 template <class P, class S>
 concept LawIn = PlaysRole<P, roles::Force> && !detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::Binds<P, S> &&
-                detail::lawful<P, S>(detail::without_clock<P>{});
+                detail::PreparesIn<P, S> && detail::lawful<P, S>(detail::without_clock<P>{});
 
 /// A force in space `S` that couples bodies: `static constexpr bool couples_bodies = true;`, and `In<S>` has
 /// `couple(view, context)`, which adds forces through the view.
 template <class P, class S>
-concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>();
+concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>() &&
+                     detail::PreparesIn<P, S>;
 
 /// A force of either kind.
 template <class P, class S>
@@ -105,12 +174,14 @@ concept DifferentiableIn = LawIn<P, S> && (!detail::depends_on_motion<P> || []<c
 template <class I, class S>
 concept StagedIntegratorIn =
     PlaysRole<I, roles::Integrator> && detail::DeclaresWrites<I> && detail::contains<Position, writes_of<I>> && detail::is_staged<I> &&
-    detail::advances<I, S>(writes_of<I>{}, detail::scratch_of<I>{}) && (!detail::derives_velocity<I> || detail::KeepsHistory<I, S>);
+    detail::advances<I, S>(writes_of<I>{}, detail::scratch_of<I>{}) && !detail::copies_what_it_advances<I, S>() &&
+    (!detail::derives_velocity<I> || detail::KeepsHistory<I, S>);
 
 /// An integrator that solves for the next state: `solve(x, v, laws, dt)` answers whether it succeeded.
 template <class I, class S>
 concept SolvingIntegratorIn = PlaysRole<I, roles::Integrator> && !detail::is_staged<I> && detail::DeclaresWrites<I> &&
-                              detail::contains<Position, writes_of<I>> && detail::contains<Velocity, writes_of<I>> && detail::Solves<I, S>;
+                              detail::contains<Position, writes_of<I>> && detail::contains<Velocity, writes_of<I>> && detail::Solves<I, S> &&
+                              !detail::copies_what_it_advances<I, S>();
 
 /// An integrator of either kind.
 template <class I, class S>
@@ -119,11 +190,13 @@ concept IntegratorIn = StagedIntegratorIn<I, S> || SolvingIntegratorIn<I, S>;
 /// An effect in space `S`: declares `writes` (and `reads`), a `place`, and `In<S>` has
 /// `apply(written&..., read..., context)`.
 template <class E, class S>
-concept EffectIn = PlaysRole<E, roles::Effect> && detail::DeclaresWrites<E> && requires { { E::place } -> std::convertible_to<Place>; } &&
-                   detail::applies<E, S>(writes_of<E>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{});
+concept EffectIn = PlaysRole<E, roles::Effect> && detail::DeclaresWrites<E> && detail::HasPlace<E> &&
+                   detail::applies<E, S>(writes_of<E>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}) &&
+                   !detail::copies_what_it_changes<E, S>(writes_of<E>{}) && detail::PreparesIn<E, S>;
 
 /// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only.
 template <class O, class S>
-concept ObserverIn = PlaysRole<O, roles::Observer> && (writes_of<O>::size == 0);
+concept ObserverIn = PlaysRole<O, roles::Observer> && (writes_of<O>::size == 0) &&
+                     (!detail::names_observe<O> || requires(O& observer, const ObserverView<S, O>& view) { observer.observe(view); });
 
 } // namespace ansatz

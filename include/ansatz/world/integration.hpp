@@ -90,11 +90,11 @@ public:
 
     explicit Effects(const E&... policies) : effects_(detail::Bound<E, S>(policies)...) {}
 
-    void prepare(const Context<S>& context) {
-        auto one = [&](auto& effect) {
-            if constexpr (requires { effect.prepare(context); }) effect.prepare(context);
+    void prepare([[maybe_unused]] const Context<S>& context) {
+        [[maybe_unused]] auto one = [](auto& effect, const auto& limited) {
+            if constexpr (requires { effect.prepare(limited); }) effect.prepare(limited);
         };
-        std::apply([&](auto&... effect) { (one(effect), ...); }, effects_);
+        (one(std::get<detail::Bound<E, S>>(effects_), context.template restricted<detail::reads_clock<E>>()), ...);
     }
 
     /// Acts on one body. What an effect does to the velocity or the position of a body goes through the integrator:

@@ -70,7 +70,7 @@ template <class S, class... L, class... W, class... T> struct Sweep<S, Columns<L
 
     /// With everything inlined, also a policy's own functions: what a vector loop needs.
     template <class Kernel, std::size_t... K, class... Lane>
-    [[gnu::flatten]] static void run_inlined(std::size_t begin, std::size_t end, const Kernel& given, std::index_sequence<K...> lanes,
+    [[gnu::flatten, gnu::noinline]] static void run_inlined(std::size_t begin, std::size_t end, const Kernel& given, std::index_sequence<K...> lanes,
                                              Lane* __restrict... lane) {
         const Kernel kernel = given;
         for (std::size_t i = begin; i < end; ++i) one_body(i, kernel, lanes, lane...);

@@ -79,8 +79,8 @@ public:
     explicit Laws(const P&... policies) : laws_(detail::Bound<P, S>(policies)...) {}
 
     /// Lets laws that compute something once a step do it.
-    void prepare(const Context<S>& context) {
-        std::apply([&](auto&... law) { (prepare_one(law, context), ...); }, laws_);
+    void prepare([[maybe_unused]] const Context<S>& context) {
+        (prepare_one(std::get<detail::Bound<P, S>>(laws_), context.template restricted<detail::reads_clock<P>>()), ...);
     }
 
     /// The sum of the accelerations, as listed; without any law a zero that the compiler knows, so that no instruction and
@@ -103,7 +103,7 @@ public:
     template <class Policy> const detail::Bound<Policy, S>& get() const { return std::get<detail::Bound<Policy, S>>(laws_); }
 
 private:
-    template <class L> static void prepare_one(L& law, const Context<S>& context) {
+    template <class L> static void prepare_one([[maybe_unused]] L& law, [[maybe_unused]] const auto& context) {
         if constexpr (requires { law.prepare(context); }) law.prepare(context);
     }
 

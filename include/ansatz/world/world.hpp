@@ -33,7 +33,6 @@ template <class T> struct DataOfUser {
 };
 template <> struct DataOfUser<void> {};
 
-template <class P> constexpr bool is_datum = requires { typename P::datum_type; };
 template <class... P> struct DatumOf {
     using type = void;
 };
@@ -63,10 +62,10 @@ template <class Q> constexpr bool gives<InverseMass, GivenMass<Q>> = true;
 /// \tparam P policies in any order, each one type once: exactly one Integrator; any number of Force, Effect, Observer;
 ///           at most one Space (`Space<double, 3>` without it)
 template <class... P> class World {
-    static_assert(detail::CheckWorld<P...>::ok, "Ansatz: this list of policies is not a world; the sentence above says why");
+    static_assert(detail::is_world<P...>, "Ansatz: this list of policies is not a world; the sentence above says why");
 
 public:
-    using composition = Composition<P...>;
+    using composition = typename detail::ComposedOf<detail::is_world<P...>, P...>::type;
     using S = typename composition::S;
     using Integrator = typename composition::Integrator;
     using Scalar = typename S::Scalar;

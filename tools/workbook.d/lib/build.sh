@@ -37,7 +37,14 @@ configure() {
     fi
     start=$(now)
     progress "configuring"
-    if cmake --preset "$PRESET" > "$log" 2>&1 < /dev/null; then
+    # A folder that was moved or copied carries a cache that knows its old place.
+    local fresh=() home
+    home=$(sed -n "s/^CMAKE_HOME_DIRECTORY:INTERNAL=//p" "$BUILD/CMakeCache.txt" 2>/dev/null)
+    if [ -n "$home" ] && [ "$home" != "$ROOT" ]; then
+        echo "The project was in $home before; it is configured anew."
+        fresh=(--fresh)
+    fi
+    if cmake ${fresh[@]+"${fresh[@]}"} --preset "$PRESET" > "$log" 2>&1 < /dev/null; then
         clear_progress
         [ -z "$(last_duration configure)" ] && remember configure $(($(now) - start))
         return 0
@@ -107,9 +114,9 @@ first_error() {
     width=$((WIDTH > 60 ? WIDTH : 60))
     complain "the build failed; the first error:"
     if grep -q -m 1 -E 'error: static assertion failed' "$log"; then
-        grep -m 1 -E 'error: static assertion failed' "$log" | fold -s -w "$width" >&2
+        grep -m 1 -E 'error: static assertion failed' "$log" | sed "s|$ROOT/||g" | fold -s -w "$width" >&2
     elif grep -q -m 1 -E '(fatal )?error:|undefined reference|Error [0-9]' "$log"; then
-        awk '/error:|undefined reference|Error [0-9]/ { on = 1 } on { print; if (++lines == 8) exit }' "$log" | cut -c "1-$width" >&2
+        awk '/error:|undefined reference|Error [0-9]/ { on = 1 } on { print; if (++lines == 8) exit }' "$log" | sed "s|$ROOT/||g" | fold -w "$width" >&2
     else
         tail -n 8 "$log" | cut -c "1-$width" >&2
     fi

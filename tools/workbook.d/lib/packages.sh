@@ -120,7 +120,7 @@ install_packages() {
     clear_progress
     if [ "$status" -ne 0 ]; then
         complain "apt-get could not install everything:"
-        grep -E '^(E|W):' "$log" | head -n 5 >&2
+        { grep -E '^(E|W):' "$log" || tail -n 3 "$log"; } | head -n 5 >&2
         say "The whole log: $log. To try by hand:"
         printf '  %s\n' "$by_hand"
         return 1

@@ -95,7 +95,7 @@ run_section() {
         *) echo "-- it ended with code $status" >> "$log" ;;
     esac
     # What it managed to print helps to find out why; an output of an earlier run would be a lie now.
-    { echo "-- its output up to there:"; tail -n 20 "$output.part"; } >> "$log"
+    { echo "-- its output up to there:"; cat "$output.part"; } >> "$log"
     rm -f "$output.part" "$output"
     return "$status"
 }

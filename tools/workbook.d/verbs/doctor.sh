@@ -1,5 +1,4 @@
-    cmake_is_new_enough || missing=$((missing + 1))
-    compiler_is_new_enough || missing# shellcheck shell=bash
+# shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
 # what this machine has, what is missing, what to do about it
@@ -47,6 +46,7 @@ verb_doctor() {
             printf '  %s  %s%s%s  %s; on Debian: apt-get install %s\n' "$(fit "$name" 18)" "$RED" "missing" "$PLAIN" "$reason" "$package"
         fi
     done <<< "$(needs)"
+    cmake_is_new_enough || missing=$((missing + 1))
     compiler_is_new_enough || missing=$((missing + 1))
 
     echo

@@ -28,7 +28,7 @@ verb_tour() {
     if before=$(last_duration "build $count sections"); then
         say "A whole build took $(duration "$before") here; what has not changed is not built again."
     else
-        say "The first time everything is compiled: count on about ten seconds a section and core, $count sections. After that only what changed."
+        say "The first time everything is compiled: on an idle machine count on about ten seconds a section for each core, $count sections. After that only what changed."
     fi
     configure || return 1
     local number failed_build=false
@@ -78,7 +78,9 @@ run_all() {
             clear_progress
             failed=$((failed + 1))
             echo "$label ${RED}failed${PLAIN}"
-            grep -v '^picture: ' "build/logs/section-$number.log" | head -n 3 | sed 's/^/        /'
+            # A claim that does not hold says most; else what the program said before it stopped.
+            { grep -m 3 -F '[FAILS]' "build/logs/section-$number.log" ||
+                grep -v '^picture: ' "build/logs/section-$number.log" | head -n 3; } | sed 's/^ */        /'
             echo "        the whole log: build/logs/section-$number.log"
         fi
     done <<< "$index"

@@ -48,8 +48,8 @@ struct RungeKutta4 {
     }
     [[gnu::always_inline]] static void advance(Stage<3>, auto& x, auto& v, auto& x0, auto& v0, auto& sum_v, auto& sum_a,
                                                const auto& a, const auto& dt) {
-        x = x0 + (sum_v + v) * dt / 6.0;
-        v = v0 + (sum_a + a) * dt / 6.0;
+        x = x0 + (sum_v + v) * (dt / 6.0);
+        v = v0 + (sum_a + a) * (dt / 6.0);
     }
 };
 
