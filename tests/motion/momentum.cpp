@@ -61,6 +61,8 @@ PointMass<double, Vector<double, 3>> body_in_space(Numbers& numbers) {
 TEST_CASE("Momentum: p = m v, and an impulse is its change", "[motion][momentum]") {
     CHECK(momentum(2 * kilogram, 3 * metre_per_second) == 6 * kilogram_metre_per_second);
     CHECK(in(momentum(2 * kilogram, metres_per_second(1, -2, 3)), newton_second) == Eigen::Vector3d(2, -4, 6));
+    CHECK(kinetic_energy(2 * kilogram, 3 * metre_per_second) == 9 * joule);
+    CHECK(kinetic_energy(2 * kilogram, metres_per_second(1, -2, 3)) == 14 * joule);
     CHECK(in(impulse(newtons(0, 5, 0), 0.1 * second), newton_second) == Eigen::Vector3d(0, 0.5, 0));
     // A constant force through a time, by SUVAT: u = 1 m/s, a = F / m = 2.5 m/s^2, t = 4 s.
     const auto m = 2 * kilogram;
@@ -228,7 +230,8 @@ TEST_CASE("Momentum: what cannot be a collision is refused with its value", "[mo
     CHECK(refusal([&] { energy_lost(cart, other, 2); }).find("restitution is 2") != std::string::npos);
     CHECK(refusal([&] { collide(PointMass{0 * kilogram, 3 * metre_per_second}, other, 1); }) ==
           "mechanics::collide: mass is 0 kg; it must be finite and greater than zero");
-    CHECK(refusal([&] { collide(cart, PointMass{-1 * kilogram, 3 * metre_per_second}, 1); }).find("-1 kg") != std::string::npos);
+    CHECK(refusal([&] { collide(cart, PointMass{-1 * kilogram, 3 * metre_per_second}, 1); }) ==
+          "mechanics::collide: mass is -1 kg; it must be finite and greater than zero");
     CHECK(refusal([&] { collide(cart, PointMass{1 * kilogram, HUGE_VAL * metre_per_second}, 1); }) ==
           "mechanics::collide: velocity is inf m/s; it must be finite");
     CHECK(refusal([&] { momentum(-1 * kilogram, 3 * metre_per_second); }) ==

@@ -86,12 +86,12 @@ TEST_CASE("I17 stiff and soft: implicit Euler, both in one body, not along the a
         most_hard = 0;
         for (int i = 0; i < 600; ++i) {
             world.step(1.0 / 60 * second);
-            const auto& x = world.position(body).value();
-            most_hard = std::max(most_hard, std::abs(c * x[0] + s * x[1]));
+            const auto x = world.position(body);
+            most_hard = std::max(most_hard, std::abs(c * x.value()[0] + s * x.value()[1]));
         }
         CHECK(world.status().ok());
-        const auto& x = world.position(body).value();
-        return -s * x[0] + c * x[1];
+        const auto x = world.position(body);
+        return -s * x.value()[0] + c * x.value()[1];
     };
     double hard = 0, ignored = 0;
     const double exact = std::cos(10.0), both = soft_mode({}, hard), own = soft_mode({1, 1, 0.5}, ignored);
@@ -122,9 +122,9 @@ TEST_CASE("I17 stiff and soft: explicit schemes say that they diverged, and hold
 
 TEST_CASE("I18 implicit that is not: sweeps diverge, the solve does not", "[motion][I18]") {
     // omega h = 1.67: a sweep multiplies the error by 2.78. The exact solution shrinks by sqrt(1 + omega^2 h^2) a step.
-    CHECK(size_after_60<FixedPointEuler<2>>() > 1e30); // negative controls
-    CHECK(size_after_60<FixedPointEuler<5>>() > 1e30);
-    CHECK(size_after_60<FixedPointEuler<20>>() > 1e30);
+    CHECK_FALSE(size_after_60<FixedPointEuler<2>>() <= 1e30); // negative controls
+    CHECK_FALSE(size_after_60<FixedPointEuler<5>>() <= 1e30);
+    CHECK_FALSE(size_after_60<FixedPointEuler<20>>() <= 1e30);
     const double exact = std::pow(1 + 1e4 / 3600, -30.0), solved = size_after_60<ImplicitEuler>();
     INFO("solved " << solved << ", should be " << exact);
     CHECK(std::abs(solved / exact - 1) <= 1e-11); // 60 solves, each to a few roundings

@@ -9,6 +9,7 @@
 /// measured value stands beside it.
 
 #include <ansatz/motion/integrators/odeint.hpp>
+#include <ansatz/motion/energy.hpp>
 #include <ansatz/world.hpp>
 
 #include "chapters/1-motion/problems.hpp"

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# The program in README.md is the one that tests/package builds: no listing is pasted by hand.
+# The program in README.md is the one that this test compiles and runs: no listing is pasted by hand.
 #
 # usage: readme.sh <folder of the project>
 set -euo pipefail
 project=$1
 listing=$(awk '/^```cpp$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$project/README.md")
-program=$(tail -n +2 "$project/tests/package/consumer.cpp")    # without its licence line
+program=$(tail -n +2 "$project/tests/package/engine.cpp")    # without its licence line
 if [ "$listing" != "$program" ]; then
-    echo "The program in README.md is not tests/package/consumer.cpp; copy the latter (without its first line) into the former:"
+    echo "The program in README.md is not tests/package/engine.cpp; copy the latter (without its first line) into the former:"
     diff <(printf '%s\n' "$listing") <(printf '%s\n' "$program") || true
     exit 1
 fi

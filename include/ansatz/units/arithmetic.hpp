@@ -19,12 +19,12 @@
 // quantity of itself too, and then cannot compute with it. Told that quantities are no such thing,
 // it leaves them to the operators below. (Declared here as Boost does, not included: most programs
 // never see a multiprecision number.)
-namespace boost::multiprecision::detail {
+namespace boost::multiprecision {
 template <class T, class Number>
 struct is_compatible_arithmetic_type;
 template <class Unit, class Value, class Number>
 struct is_compatible_arithmetic_type<boost::units::quantity<Unit, Value>, Number> : std::false_type {};
-} // namespace boost::multiprecision::detail
+} // namespace boost::multiprecision
 
 namespace ansatz::detail {
 

@@ -88,6 +88,9 @@ public:
         free_.reserve(n);
     }
 
+    /// The id that the next `push_back` gives out.
+    std::uint32_t next_id() const { return free_.empty() ? std::uint32_t(slot_of_.size()) : free_.back(); }
+
     /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs.
     Handle push_back() {
         std::uint32_t id;

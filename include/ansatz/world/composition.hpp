@@ -60,6 +60,9 @@ template <Place At> struct EffectAt {
     template <class P> struct Is : std::bool_constant<here<P>()> {};
 };
 
+/// An effect that also acts on bodies that are `moving`; the others act on awake bodies only.
+template <class P> struct IsOnPlatforms : std::bool_constant<EffectAt<Place::before_forces>::here<P>() && requires { requires P::on_platforms; }> {};
+
 /// What evaluating policy `P` needs: what it declared, and the mass where a force must become an acceleration.
 template <class P, class S> constexpr auto needs() {
     if constexpr (IsCoupling<P>::value)
@@ -97,8 +100,11 @@ template <class... P> struct Composition {
     using resters = detail::filter<detail::IsRester, P...>;
     template <Place At> using effects = detail::filter<detail::EffectAt<At>::template Is, P...>;
 
+    using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
+
     using Laws = typename detail::LawsFrom<S, laws>::type;
     template <Place At> using Effects = typename detail::EffectsFrom<S, effects<At>>::type;
+    using PlatformEffects = typename detail::EffectsFrom<S, platform_effects>::type;
 
     static constexpr bool coupled = couplings::size > 0;
     static constexpr bool rests = resters::size > 0;

@@ -13,36 +13,43 @@ namespace ansatz {
 
 namespace detail {
 
-/// The unit, the shape and the dimension of a value at the door, each with its sentence.
-template <class S, class Unit, class Q> constexpr void check_vector() {
-    using Bare = stripped<Q>;
-    static_assert(has_unit<Unit, Bare> && vector_valued<Bare>,
-                  "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
-                  "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
-    if constexpr (has_unit<Unit, Bare> && vector_valued<Bare>)
-        static_assert(Bare::value_type::RowsAtCompileTime == S::dimension,
-                      "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes metres(x, y), one of "
-                      "three dimensions metres(x, y, z)");
-}
+// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function that
+// is called last of all, and whatever follows from the mistake would be read before the sentence.
+
+template <class Unit, class Q> constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
+template <class Unit, class Q> constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
+template <class Q> constexpr int dimension_of = [] {
+    if constexpr (vector_valued<stripped<Q>>) return int(stripped<Q>::value_type::RowsAtCompileTime);
+    return 1;
+}();
 
 /// A vector from outside, in the world's scalar.
 template <class S, class Unit, class Q>
-typename S::template VectorOf<Unit> finite_vector(std::string_view where, std::string_view what, const Q& q) {
-    check_vector<S, Unit, Q>();
+typename S::template VectorOf<Unit> finite_vector([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
+    constexpr bool fits = fits_vector<Unit, Q>;
+    static_assert(fits, "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
+                        "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
+    constexpr bool same_dimension = !fits || dimension_of<Q> == S::dimension;
+    static_assert(same_dimension, "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes "
+                                  "metres(x, y), one of three dimensions metres(x, y, z)");
     typename S::template VectorOf<Unit> result;
-    if constexpr (has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>) result = scalar_cast<typename S::Scalar>(q);
-    if (!is_finite(result)) refuse_value(where, what, describe(q), "every component is a finite number that the world's scalar can hold");
+    if constexpr (fits && same_dimension) {
+        result = scalar_cast<typename S::Scalar>(q);
+        if (!is_finite(result)) refuse_value(where, what, describe(q), "every component is a finite number that the world's scalar can hold");
+    }
     return result;
 }
 
 /// A scalar from outside, in the world's scalar.
 template <class S, class Unit, class Q>
-typename S::template ScalarOf<Unit> finite_scalar(std::string_view where, std::string_view what, const Q& q) {
-    static_assert(has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>,
-                  "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, e.g. 1.0 / 60 * second");
+typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
+    constexpr bool fits = fits_scalar<Unit, Q>;
+    static_assert(fits, "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, e.g. 1.0 / 60 * second");
     typename S::template ScalarOf<Unit> result{};
-    if constexpr (has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>) result = scalar_cast<typename S::Scalar>(q);
-    if (!is_finite(result)) refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
+    if constexpr (fits) {
+        result = scalar_cast<typename S::Scalar>(q);
+        if (!is_finite(result)) refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
+    }
     return result;
 }
 
@@ -57,27 +64,72 @@ template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_
     return inverse;
 }
 
-template <class World_, class... Property> struct CheckAdd {
-    using C = typename World_::composition;
+/// The datum among the properties, or a new one.
+template <class DatumT, class... Property> auto given_datum([[maybe_unused]] const Property&... property) {
+    if constexpr (std::is_void_v<DatumT>)
+        return Absent{};
+    else {
+        DatumT datum{};
+        [[maybe_unused]] auto take = [&](const auto& given) {
+            if constexpr (is_given_datum<std::remove_cvref_t<decltype(given)>>) datum = given.value;
+        };
+        (take(property), ...);
+        return datum;
+    }
+}
+
+template <class C, class T> constexpr bool gives_column = false;
+template <class C, class Q> constexpr bool gives_column<C, Given<C, Q>> = true;
+template <class DatumT, class T> constexpr bool fits_datum = true;
+template <class DatumT, class T>
+    requires(!std::is_void_v<DatumT>)
+constexpr bool fits_datum<DatumT, GivenDatum<T>> = std::is_convertible_v<const T&, DatumT>;
+
+/// \tparam DatumT the datum that the world keeps, or void
+template <class C, class DatumT, class... Property> struct AddFacts {
     template <class Column_> static constexpr int given = (0 + ... + int(gives<Column_, Property>));
-    static constexpr int kinds = (0 + ... + int(is_kind<Property>));
-    static constexpr bool immovable = ((std::same_as<Property, Fixed> || std::same_as<Property, Moving>) || ...);
-    static_assert((is_property<Property> && ...), "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
-                                                  "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
-    static_assert(kinds <= 1, "Ansatz: add: a body is one of fixed, moving or resting");
-    static_assert(given<Position> <= 1 && given<Velocity> <= 1 && given<InverseMass> <= 1, "Ansatz: add: a property is given twice");
-    static_assert(given<InverseMass> == 0 || C::has_mass,
-                  "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity accelerates every mass "
-                  "alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
-    static_assert(given<InverseMass> == 1 || !C::has_mass || immovable,
+    template <class T> static constexpr bool given_twice() {
+        if constexpr (is_given<T>) return given<typename T::column> > 1;
+        return false;
+    }
+
+    static constexpr bool properties = (is_property<Property> && ...);
+    static constexpr bool one_kind = (0 + ... + int(is_kind<Property>)) <= 1;
+    static constexpr bool once = !(given_twice<Property>() || ...) && (0 + ... + int(is_given_datum<Property>)) <= 1;
+    static constexpr bool mass_by_name = !(gives_column<InverseMass, Property> || ...);
+    static constexpr bool no_history = !(gives_column<PreviousPosition, Property> || ...);
+    static constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
+    static constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
+    static constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
+    static constexpr bool immovable = is_fixed || is_moving;
+    static constexpr bool mass_wanted = given<InverseMass> == 0 || C::has_mass;
+    static constexpr bool mass_there = given<InverseMass> == 1 || !C::has_mass || immovable;
+    static constexpr bool infinite_mass = given<InverseMass> == 0 || !immovable;
+    static constexpr bool fixed_stands = given<Velocity> == 0 || !is_fixed;
+    static constexpr bool resting_stands = given<Velocity> == 0 || !is_resting;
+    static constexpr bool can_rest = C::rests || !is_resting;
+    static constexpr bool datum_kept = !std::is_void_v<DatumT> || !(is_given_datum<Property> || ...);
+    static constexpr bool datum_fits = (fits_datum<DatumT, Property> && ...);
+    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && mass_wanted && mass_there && infinite_mass &&
+                               fixed_stands && resting_stands && can_rest && datum_kept && datum_fits;
+};
+template <class Facts> struct CheckAdd {
+    static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
+                                     "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
+    static_assert(Facts::one_kind, "Ansatz: add: a body is one of fixed, moving or resting");
+    static_assert(Facts::once, "Ansatz: add: a property is given twice");
+    static_assert(Facts::mass_by_name, "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
+    static_assert(Facts::no_history, "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
+    static_assert(Facts::mass_wanted, "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
+                                      "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
+    static_assert(Facts::mass_there || !Facts::mass_by_name,
                   "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
-    static_assert(given<InverseMass> == 0 || !immovable, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
-    static_assert(given<Velocity> == 0 || !(std::same_as<Property, Fixed> || ...),
-                  "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
-    static_assert(given<Velocity> == 0 || !(std::same_as<Property, Resting> || ...), "Ansatz: add: a resting body has no velocity");
-    static_assert(C::rests || !(std::same_as<Property, Resting> || ...),
-                  "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
-    static constexpr bool ok = true;
+    static_assert(Facts::infinite_mass, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
+    static_assert(Facts::fixed_stands, "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
+    static_assert(Facts::resting_stands, "Ansatz: add: a resting body has no velocity");
+    static_assert(Facts::can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
+    static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    static_assert(Facts::datum_fits, "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
 };
 
 } // namespace detail
@@ -106,35 +158,34 @@ template <class... P> void World<P...>::grow() {
 template <class... P>
 template <class... Property>
 Handle World<P...>::add(const Property&... property) {
-    static_assert(detail::CheckAdd<World, Property...>::ok);
-    using Row_ = Row<S, union_of<typename composition::stored, Columns<ansatz::Position, ansatz::Velocity>>>;
-    Row_ row{};
-    (take(row, property), ...);
-    constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
-    constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
-    constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
-    grow();
-    Slot slot = Slot(size());
-    data_.lanes.push_back();
-    const Handle body = data_.bodies.push_back();
-    [&]<class... C>(Columns<C...>) {
-        (data_.lanes.template set<C>(slot, row.template get<C>()), ...);
-    }(typename composition::stored{});
-    slot = data_.move(slot, is_fixed ? Motion::fixed : is_moving ? Motion::moving : is_resting ? Motion::resting : Motion::awake);
-    if constexpr (is_fixed || is_resting)
-        data_.stop(slot);
-    else
-        data_.set_velocity(slot, row.template get<ansatz::Velocity>());
-    if constexpr (has_datum) {
-        if (user_.by_id.size() <= body.id) user_.by_id.resize(body.id + 1);
-        user_.by_id[body.id] = Datum{};
-        auto keep = [&](const auto& given) {
-            if constexpr (detail::is_given_datum<std::remove_cvref_t<decltype(given)>>) user_.by_id[body.id] = given.value;
-        };
-        (keep(property), ...);
-    } else
-        static_assert(!(detail::is_given_datum<Property> || ...), "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to "
-                                                                  "its policies");
+    using Facts = detail::AddFacts<composition, Datum, Property...>;
+    static_assert(sizeof(detail::CheckAdd<Facts>) > 0);
+    Handle body;
+    if constexpr (Facts::ok) {
+        using Row_ = Row<S, union_of<typename composition::stored, Columns<ansatz::Position, ansatz::Velocity>>>;
+        Row_ row{};
+        (take(row, property), ...);
+        auto datum = detail::given_datum<Datum>(property...); // copied now, because a copy may throw
+        grow();
+        if constexpr (has_datum) user_.make_room(data_.bodies.next_id());
+        Slot slot = Slot(size());
+        data_.lanes.push_back();
+        body = data_.bodies.push_back();
+        [&]<class... C>(Columns<C...>) {
+            (data_.lanes.template set<C>(slot, row.template get<C>()), ...);
+        }(typename composition::stored{});
+        if constexpr (composition::template stores<DrawnPosition>)
+            data_.lanes.template set<DrawnPosition>(slot, row.template get<ansatz::Position>());
+        slot = data_.move(slot, Facts::is_fixed     ? Motion::fixed
+                                : Facts::is_moving  ? Motion::moving
+                                : Facts::is_resting ? Motion::resting
+                                                    : Motion::awake);
+        if constexpr (Facts::is_fixed || Facts::is_resting)
+            data_.stop(slot);
+        else
+            data_.set_velocity(slot, row.template get<ansatz::Velocity>());
+        if constexpr (has_datum) user_.at(body.id) = std::move(datum);
+    }
     return body;
 }
 
@@ -214,6 +265,7 @@ void World<P...>::write(Handle body, const Q& value) {
     need_column<C>();
     static_assert(!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity> && !std::same_as<C, PreviousPosition>,
                   "Ansatz: position and velocity are changed by set_position and set_velocity, because the integrator owns what they mean");
+    static_assert(!std::same_as<C, ansatz::InverseMass>, "Ansatz: a mass is changed by set_mass, which holds it to be positive");
     const auto slot = data_.bodies.slot(body, "World::write");
     if constexpr (C::shape == Shape::vector)
         data_.lanes.template set<C>(slot, detail::finite_vector<S, typename C::Unit>("World::write", C::name, value));
@@ -225,31 +277,37 @@ void World<P...>::write(Handle body, const Q& value) {
 template <class... P>
 template <class Policy>
 void World<P...>::set(const Policy& policy) {
-    static_assert((std::same_as<Policy, P> || ...), "Ansatz: set: this world has no such policy; see the list in its type");
-    auto changed = policies_;
-    std::get<Policy>(changed) = policy;
-    auto bound = BoundPolicies<composition>::from(checked(changed));
-    if constexpr (composition::history && PlaysRole<Policy, roles::Force>) {
-        // The velocity now is what the old forces made it; only from here on the new ones act.
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) data_.set_velocity(Slot(slot), velocity_at(Slot(slot)));
+    constexpr bool there = (std::same_as<Policy, P> || ...);
+    static_assert(there, "Ansatz: set: this world has no such policy; see the list in its type");
+    if constexpr (there) {
+        auto changed = policies_;
+        std::get<Policy>(changed) = policy;
+        auto bound = BoundPolicies<composition>::from(checked(changed));
+        if constexpr (composition::history && PlaysRole<Policy, roles::Force>) {
+            // The velocity now is what the old forces made it; only from here on the new ones act.
+            for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
+                data_.set_velocity(Slot(slot), velocity_at(Slot(slot)));
+        }
+        policies_ = std::move(changed);
+        bound_ = std::move(bound);
+        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect>) wake_all();
     }
-    policies_ = std::move(changed);
-    bound_ = std::move(bound);
-    if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect>) wake_all();
 }
 
 template <class... P>
 template <class T>
 void World<P...>::step(const T& dt) {
     const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
-    if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
-    if (h.value() == Scalar(0)) {
-        if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
-        return;
+    if constexpr (detail::fits_scalar<unit::Time, T>) {
+        if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
+        if (h.value() == Scalar(0)) {
+            if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
+            return;
+        }
+        const bool first = tick() == 0;
+        Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
+            .run(scalar_cast<typename S::ClockScalar>(dt));
     }
-    const bool first = tick() == 0;
-    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
-        .run(scalar_cast<typename S::ClockScalar>(dt));
 }
 
 template <class... P> Status World<P...>::status() const {
@@ -276,12 +334,18 @@ template <class... P> std::uint64_t World<P...>::hash() const {
         hash.add(h.generation);
         hash.add(std::uint64_t(data_.bodies.motion(slot)));
         hash.add(data_.waiting(slot));
+        // A sum, because the order of the policies, and with it that of the columns, means nothing.
+        std::uint64_t columns = 0;
         [&]<class... C>(Columns<C...>) {
             auto column = [&]<class One>(Columns<One>) {
-                for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) hash.add_number(data_.lanes.template lane<One>(int(k))[slot]);
+                StateHash values;
+                for (const char letter : std::string_view(One::name)) values.add(std::uint64_t(letter));
+                for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) values.add_number(data_.lanes.template lane<One>(int(k))[slot]);
+                columns += values.value();
             };
             (column(Columns<C>{}), ...);
         }(typename composition::state{});
+        hash.add(columns);
     });
     return hash.value();
 }

@@ -25,9 +25,10 @@ class Events {
 public:
     std::span<const Event> now() const { return now_; }
 
+    /// Between two steps a body can wake once; within a step it can wake and fall asleep.
     void reserve(std::size_t bodies) {
-        now_.reserve(2 * bodies);
-        next_.reserve(2 * bodies);
+        now_.reserve(3 * bodies);
+        next_.reserve(3 * bodies);
     }
     /// Between steps: shown together with those of the next step.
     void between_steps(Event e) { next_.push_back(e); }

@@ -8,6 +8,7 @@
 /// somewhere else with `set_position` is drawn there at once, never on the way. Do not compute with the interpolated
 /// position; it is up to one step old.
 
+#include <ansatz/world/bodies.hpp>
 #include <ansatz/world/integration.hpp>
 #include <ansatz/world/roles.hpp>
 
@@ -19,6 +20,7 @@ struct Interpolation {
     using reads = Columns<Position>;
     using writes = Columns<DrawnPosition>;
     static constexpr Place place = Place::before_forces;
+    static constexpr bool on_platforms = true; ///< bodies that are `moving` are drawn in between as well
 
     template <class S> struct In {
         explicit In(const Interpolation&) {}
@@ -29,13 +31,14 @@ struct Interpolation {
 /// Where to draw a body, `alpha` of the way from the state before the last step (0) to the present one (1).
 /// \param alpha from 0 to 1, usually FixedStep::alpha()
 /// \throws std::out_of_range for a stale handle
-template <class World_, class HandleT> auto interpolated_position(const World_& world, HandleT body, double alpha) {
+template <class World_> auto interpolated_position(const World_& world, Handle body, double alpha) {
     static_assert(World_::composition::template stores<DrawnPosition>,
                   "Ansatz: this world does not remember where its bodies were; add Interpolation{} to its policies");
     using Scalar = typename World_::Scalar;
     const auto now = world.position(body);
-    // The step copies awake bodies only; whoever rests or is fixed is where it is.
-    if (world.motion(body) != decltype(world.motion(body))::awake) return now;
+    // The step copies what moves; whoever rests or is fixed is where it is.
+    const auto kind = world.motion(body);
+    if (kind == Motion::resting || kind == Motion::fixed) return now;
     const auto before = world.template read<DrawnPosition>(body);
     return before + Scalar(alpha) * (now - before);
 }

@@ -9,6 +9,10 @@
 /// accuracy is measured against. Policies know no Space: their parameters are double quantities in three components,
 /// and the world converts them here, once, when it is made.
 
+#if defined(__FAST_MATH__)
+#error "Ansatz: -ffast-math is refused: it lets the compiler reorder sums and forget NaN, and equal worlds would differ; use -O3"
+#endif
+
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
 #include <ansatz/world/roles.hpp>

@@ -110,11 +110,12 @@ private:
         walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws>{bound_.laws, context_});
     }
 
-    template <class Transient, class EffectsT> void effects_only(const EffectsT& effects, const typename S::Time& over) {
+    template <class Transient, class EffectsT>
+    void effects_only(const EffectsT& effects, const typename S::Time& over, Motion range = Motion::awake) {
         using Written = std::conditional_t<C::history, union_of<typename EffectsT::writes, Transient, writes_of<I>>,
                                            union_of<typename EffectsT::writes, Transient>>;
         using Needs = union_of<Written, typename EffectsT::reads, derived>;
-        walk<Needs, Written>(Motion::awake, EffectsOnly<S, I, EffectsT, Transient>{effects, context_, over});
+        walk<Needs, Written>(range, EffectsOnly<S, I, EffectsT, Transient>{effects, context_, over});
     }
 
     /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
@@ -170,6 +171,10 @@ private:
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.
     void advance_platforms() {
         if (data_.bodies.count(Motion::moving) == 0) return;
+        [&]<class... E>(Types<E...>) {
+            if constexpr (sizeof...(E) > 0)
+                effects_only<Columns<>>(typename C::PlatformEffects(std::get<E>(policies_)...), context_.dt().previous, Motion::moving);
+        }(typename C::platform_effects{});
         using Coast = WholeStep<S, std::conditional_t<detail::is_staged<I>, I, detail::NoIntegrator>, Laws<S>, Effects<S>, Effects<S>, Columns<>>;
         if constexpr (!detail::is_staged<I>) {
             for (auto slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot)

@@ -27,11 +27,24 @@ struct Archive; // save.hpp reads and writes the parts of a world
 
 namespace detail {
 
-/// The user's own datum for each body, by id.
+/// The user's own datum for each body, by id; in a struct, because a vector of bool has no elements.
 template <class T> struct DataOfUser {
-    std::vector<T> by_id;
+    struct Kept {
+        T datum{};
+    };
+    std::vector<Kept> by_id;
+
+    void make_room(std::uint32_t id) {
+        if (by_id.size() <= id) by_id.resize(id + 1);
+    }
+    T& at(std::uint32_t id) { return by_id[id].datum; }
+    const T& at(std::uint32_t id) const { return by_id[id].datum; }
 };
-template <> struct DataOfUser<void> {};
+template <> struct DataOfUser<void> {
+    Absent& at(std::uint32_t) const; // never defined: who asks has read a sentence
+};
+/// Never defined either.
+template <class T> const T& nowhere();
 
 template <class... P> struct DatumOf {
     using type = void;
@@ -95,6 +108,7 @@ public:
         if constexpr (composition::history) data_.starts.forget(body.id);
         data_.bodies.erase(slot, [&](std::size_t i, std::size_t j) { data_.lanes.swap(i, j); });
         data_.lanes.pop_back();
+        if constexpr (has_datum) user_.at(body.id) = Datum{};
     }
     bool contains(Handle body) const { return data_.bodies.contains(body); }
     std::size_t size() const { return data_.bodies.size(); }
@@ -149,12 +163,12 @@ public:
     auto& datum(Handle body) {
         need_datum();
         data_.bodies.slot(body, "World::datum");
-        return user_.by_id[body.id];
+        return user_.at(body.id);
     }
     const auto& datum(Handle body) const {
         need_datum();
         data_.bodies.slot(body, "World::datum");
-        return user_.by_id[body.id];
+        return user_.at(body.id);
     }
     /// A lane of a stored column: raw SI scalars of one component, slot by slot; for plotting and other libraries. The
     /// body of slot i is `body_at(i)`; slots change when bodies are added, removed, fall asleep or wake.
@@ -188,8 +202,12 @@ public:
     /// \name Policies
     /// @{
     template <class Policy> const Policy& get() const {
-        static_assert((std::same_as<Policy, P> || ...), "Ansatz: get: this world has no such policy; see the list in its type");
-        return std::get<Policy>(policies_);
+        constexpr bool there = (std::same_as<Policy, P> || ...);
+        static_assert(there, "Ansatz: get: this world has no such policy; see the list in its type");
+        if constexpr (there)
+            return std::get<Policy>(policies_);
+        else
+            return detail::nowhere<Policy>();
     }
     /// Replaces a policy's parameters. A force or effect that changes wakes every resting body.
     /// \throws std::invalid_argument if a parameter is not acceptable; the world is then as it was

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSL-1.0
+
+// Rest: slow for long enough, and nothing pulls. (Islands, waking through contacts and support are tests/world's and
+// chapter 2's.)
+
+#include "tests/motion/support.hpp"
+
+using namespace motion_tests;
+
+TEST_CASE("rest: a slow body sleeps after its time and not before, exactly at zero", "[motion][rest]") {
+    for_each_type(AllIntegrators{}, []<class I> {
+        World world{I{}, Rest{0.1 * metre_per_second, 0.5 * second}};
+        const auto slow = world.add(velocity(metres_per_second(0.05, 0, 0))), fast = world.add(velocity(metres_per_second(0.2, 0, 0)));
+        run(world, 29, 1.0 / 60);
+        CHECK(world.motion(slow) == Motion::awake);
+        run(world, 1, 1.0 / 60);
+        CHECK(world.motion(slow) == Motion::resting);
+        CHECK(world.velocity(slow).value() == Eigen::Vector3d::Zero());
+        CHECK(world.acceleration(slow).value() == Eigen::Vector3d::Zero());
+        const auto where = world.position(slow);
+        run(world, 100, 1.0 / 60);
+        CHECK(world.position(slow).value() == where.value());
+        CHECK(world.motion(fast) == Motion::awake);
+    });
+}
+
+TEST_CASE("R9 rest: a thrown body never sleeps unsupported, on whatever moon", "[motion][R9][rest]") {
+    for_each_type(Types<SemiImplicitEuler, Verlet>{}, []<class I> {
+        for (const double g : {0.01, 0.1, 1.62, 9.81}) {
+            World world{Space<float, 2>{}, I{}, Gravity{metres_per_second_squared(0, -g, 0)}, Rest{}};
+            using S = Space<float, 2>;
+            const auto thrown = world.add(going<S>(0, 0.1 * g)), released = world.add();
+            bool slept = false;
+            for (int i = 0; i < 600; ++i) {
+                world.step(1.0 / 60 * second);
+                slept = slept || world.motion(thrown) != Motion::awake || world.motion(released) != Motion::awake;
+            }
+            INFO("g = " << g << " m/s^2");
+            CHECK_FALSE(slept);
+        }
+    });
+}
+
+TEST_CASE("rest: the speed must be low for the whole time, a faster moment begins it anew", "[motion][rest]") {
+    World world{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, 0.5 * second}};
+    const auto body = world.add(velocity(metres_per_second(0.05, 0, 0)));
+    run(world, 20, 1.0 / 60);
+    world.set_velocity(body, metres_per_second(0.2, 0, 0));
+    run(world, 1, 1.0 / 60);
+    world.set_velocity(body, metres_per_second(0.05, 0, 0));
+    run(world, 29, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::awake);
+    run(world, 1, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::resting);
+}
+
+TEST_CASE("rest: the same time at every step, and none where the time is zero", "[motion][rest]") {
+    for (const int rate : {10, 60, 240}) {
+        World world{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, 0.5 * second}};
+        const auto body = world.add();
+        int steps = 0;
+        while (world.motion(body) == Motion::awake && steps < 1000) {
+            world.step(1.0 / rate * second);
+            ++steps;
+        }
+        INFO(rate << " Hz");
+        CHECK(steps == rate / 2);
+    }
+    World at_once{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, 0.0 * second}};
+    const auto body = at_once.add(velocity(metres_per_second(0.05, 0, 0)));
+    at_once.step(1.0 / 60 * second);
+    CHECK(at_once.motion(body) == Motion::resting);
+}
+
+TEST_CASE("rest: what pulls at a resting body wakes it in the next step", "[motion][rest]") {
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, AppliedForces{}, Rest{}};
+    const auto body = world.add(mass(2.0 * kilogram), resting);
+    run(world, 10, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::resting);
+    SECTION("a force") { world.apply_force(body, newtons(0, 1e-9, 0)); }
+    SECTION("an impulse") { world.apply_impulse(body, newton_seconds(1e-9, 0, 0)); }
+    SECTION("a velocity") { world.set_velocity(body, metres_per_second(0, 0, 1)); }
+    SECTION("a position") { world.set_position(body, metres(0, 0, 1)); }
+    SECTION("gravity") { world.set(Gravity{}); }
+    run(world, 1, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::awake);
+}
+
+TEST_CASE("rest: a force that begins later wakes it when it begins", "[motion][rest]") {
+    // Forcing is zero at first: cos(omega t) with an amplitude of 0, then set.
+    World world{SemiImplicitEuler{}, Forcing{metres_per_second_squared(0, 0, 0), 1.0 / second}, Rest{}};
+    const auto body = world.add(resting);
+    run(world, 100, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::resting);
+    world.set(Forcing{metres_per_second_squared(1, 0, 0), 1.0 / second});
+    run(world, 1, 1.0 / 60);
+    CHECK(world.motion(body) == Motion::awake);
+}
+
+TEST_CASE("rest refuses a threshold that nothing is below, and a negative time", "[motion][rest]") {
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.0 * metre_per_second, 0.5 * second}}), std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, -0.5 * second}}), std::invalid_argument);
+}
