@@ -17,6 +17,9 @@
 #include <ansatz/motion/integrators/semi_implicit_euler.hpp>
 #include <ansatz/motion/integrators/velocity_verlet.hpp>
 #include <ansatz/motion/integrators/verlet.hpp>
+#include <ansatz/motion/momentum.hpp>
+#include <ansatz/motion/newton.hpp>
 #include <ansatz/motion/quadratic_drag.hpp>
 #include <ansatz/motion/rest.hpp>
 #include <ansatz/motion/stop_below.hpp>
+#include <ansatz/motion/suvat.hpp>

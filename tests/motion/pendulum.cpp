@@ -98,3 +98,15 @@ TEST_CASE("I10 reversibility: what is not reversible", "[motion][I10]") {
     CHECK(there_and_back<Space<double, 2>, SemiImplicitEuler>(10000, 0.01) > 1e-4);
     CHECK(there_and_back<Space<double, 2>, RungeKutta4>(10000, 0.01) > 1e-10);
 }
+
+TEST_CASE("I10 reversibility: a world says whether it is", "[motion][I10]") {
+    STATIC_REQUIRE(decltype(World{VelocityVerlet{}, Pendulum{}})::composition::reversible);
+    STATIC_REQUIRE(decltype(World{Verlet{}, Pendulum{}, Gravity{}, Interpolation{}})::composition::reversible);
+    STATIC_REQUIRE(decltype(World{VelocityVerlet{}, Attraction{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{SemiImplicitEuler{}, Pendulum{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{RungeKutta4{}, Pendulum{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{VelocityVerlet{}, Pendulum{}, FrameDrag{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{VelocityVerlet{}, Pendulum{}, Drag{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{VelocityVerlet{}, QuadraticDrag{}})::composition::reversible);
+    STATIC_REQUIRE_FALSE(decltype(World{Verlet{}, Rest{}})::composition::reversible);
+}

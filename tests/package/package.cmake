@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Ansatz used from outside: installed into a folder of this build and found by CMake and by pkg-config, and as a folder
-# of somebody's project. The consumer is the same program each time.
+# of somebody's project. The consumer is the same program each time: the engine of the README (tests/tools/readme.sh holds
+# the two against each other).
 set(package_prefix ${PROJECT_BINARY_DIR}/scratch/package/prefix)
 
 add_test(NAME package.install COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR}
@@ -15,7 +16,9 @@ foreach(way find_package add_subdirectory)
         --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Debug
             -DCMAKE_PREFIX_PATH=${package_prefix} -DANSATZ_SOURCE=${PROJECT_SOURCE_DIR}
         --test-command ${consumer_build}/consumer)
-    set_tests_properties(package.${way} PROPERTIES FIXTURES_REQUIRED installed LABELS package TIMEOUT 300)
+    set_tests_properties(package.${way} PROPERTIES FIXTURES_REQUIRED installed LABELS package TIMEOUT 300
+        # It must have run to its end, and after a second on the moon still be in flight.
+        PASS_REGULAR_EXPRESSION "2 s: \\([0-9.]+, -?[0-9.]+, 0\\) m, [0-9.]+ J")
 endforeach()
 
 find_program(ANSATZ_PKG_CONFIG pkg-config)

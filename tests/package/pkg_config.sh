@@ -11,5 +11,5 @@ for flag in -ffp-contract=off -fno-math-errno; do
 done
 
 # shellcheck disable=SC2086  (the flags are words)
-"$compiler" -std=c++20 $flags "$here/consumer.cpp" -o "$folder/consumer_of_pkg_config"
+"$compiler" -std=c++20 $flags "$here/engine.cpp" -o "$folder/consumer_of_pkg_config"
 "$folder/consumer_of_pkg_config"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# The program in README.md is the one that this test compiles and runs: no listing is pasted by hand.
+# The program in README.md is tests/package/engine.cpp, which the tests package.* compile and run.
 #
 # usage: readme.sh <folder of the project>
 set -euo pipefail

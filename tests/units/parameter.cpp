@@ -29,7 +29,7 @@ static_assert(sizeof(VectorParameter<unit::Length>) == sizeof(Eigen::Vector3d));
 constexpr Drag some_drag{0.1 / second};
 static_assert(some_drag.rate.value() == 0.1);
 static_assert(Drag{}.rate.value() == 0.05);
-static_assert(Rest{}.speed.value() == 0.0 && Rest{.share = 0.5}.share.value() == 0.5);
+static_assert(Rest{}.speed.value() == 0.0 && Rest{.speed = {}, .after = {}, .share = 0.5}.share.value() == 0.5);
 
 // It is a quantity in every expression.
 static_assert(same<decltype(2.0 * some_drag.rate), Quantity<unit::Frequency>>);

@@ -76,6 +76,14 @@ struct Later {
     };
 };
 
+/// A vector of as many components as the world has, from up to three.
+template <class World_, class Unit> auto vec(const Unit& unit, double x, double y, double z = 0) {
+    if constexpr (World_::S::dimension == 2)
+        return vector_of(unit, x, y);
+    else
+        return vector_of(unit, x, y, z);
+}
+
 /// Two quantities, equal to the last bit; +0 and -0 differ.
 template <class Q> bool same_bits(const Q& a, const Q& b) {
     const auto x = a.value();

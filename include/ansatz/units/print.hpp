@@ -4,8 +4,9 @@
 /// \file
 /// Printing of quantities to streams: `std::cout << ball_position` writes "(0, 9.5, 0) m". The
 /// stream's precision, format and width are honoured; a width applies to every number, so that
-/// vectors stand in columns. Not part of <ansatz/units.hpp>, for the sake of programs that never
-/// print. For text without a stream use describe().
+/// vectors stand in columns. For text without a stream use describe().
+
+// not in the umbrella: programs that never print should not pay for <ostream>
 
 #include <ansatz/units/quantity.hpp>
 #include <ansatz/units/symbol.hpp>

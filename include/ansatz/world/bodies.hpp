@@ -91,6 +91,15 @@ public:
     /// The id that the next `push_back` gives out.
     std::uint32_t next_id() const { return free_.empty() ? std::uint32_t(slot_of_.size()) : free_.back(); }
 
+    /// Adds to a hash which handles the next bodies will get; those of living bodies are the owner's to add.
+    template <class Hash> void add_free_to(Hash& hash) const {
+        hash.add(free_.size());
+        for (const auto id : free_) {
+            hash.add(id);
+            hash.add(generation_[id]);
+        }
+    }
+
     /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs.
     Handle push_back() {
         std::uint32_t id;

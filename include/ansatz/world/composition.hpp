@@ -73,6 +73,17 @@ template <class P, class S> constexpr auto needs() {
         return union_of<writes_of<P>, reads_of<P>>{};
 }
 
+/// Whether a policy leaves a motion that can be run backwards: an integrator says so itself; a force must depend neither on
+/// the velocity nor on the time; an effect must not touch the state of motion.
+template <class P> constexpr bool keeps_reversible() {
+    if constexpr (PlaysRole<P, roles::Integrator>)
+        return requires { requires P::reversible; };
+    else if constexpr (PlaysRole<P, roles::Force>)
+        return intersection_of<reads_of<P>, Columns<Velocity, Clock>>::size == 0;
+    else
+        return difference_of<writes_of<P>, Columns<DrawnPosition>>::size == 0;
+}
+
 template <class C> constexpr bool is_transient = requires { requires C::transient; };
 template <class List> struct Transient;
 template <class... C> struct Transient<Columns<C...>> {
@@ -128,6 +139,10 @@ template <class... P> struct Composition {
 
     template <class C> static constexpr bool stores = detail::contains<C, stored>;
     static constexpr bool has_mass = stores<InverseMass>;
+
+    /// Whether the motion runs back to its start, but for rounding, when every velocity is negated and the same steps are
+    /// made again (hard case I10). Any damping, with whatever factor, and Rest make it false.
+    static constexpr bool reversible = (detail::keeps_reversible<P>() && ...);
 };
 
 } // namespace ansatz

@@ -128,6 +128,11 @@ template <class C> struct WorldData {
             lanes.template set<Velocity>(slot, S::template zero_vector<unit::Velocity>());
     }
 
+    /// A resting body that wakes: its history begins anew, or waking would be a push of half a step of acceleration.
+    void begin_again(Slot slot) {
+        if constexpr (C::history) set_velocity(slot, S::template zero_vector<unit::Velocity>());
+    }
+
 private:
     template <class... Stored, class... All>
     void load_columns(Body& row, Slot slot, Columns<Stored...>, Columns<All...>) const {

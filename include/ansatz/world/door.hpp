@@ -255,6 +255,8 @@ void World<P...>::apply_force(Handle body, const Q& f) {
     if (!(data_.lanes.template get<ansatz::InverseMass>(slot).value() > Scalar(0))) return;
     const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
     if (!is_finite(total)) refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
+    // The velocity now is what it was before the force; the history begins anew with both.
+    if constexpr (composition::history) data_.set_velocity(slot, velocity_at(slot));
     data_.lanes.template set<AppliedForce>(slot, total);
     wake_slot(slot);
 }
@@ -328,6 +330,7 @@ template <class... P> std::uint64_t World<P...>::hash() const {
     hash.add(data_.clock.tick());
     hash.add_number(data_.clock.now().value());
     hash.add_number(data_.clock.last().value());
+    data_.bodies.add_free_to(hash);
     for_each([&](Handle h) {
         const auto slot = data_.bodies.slot_of_id(h.id);
         hash.add(h.id);

@@ -71,6 +71,19 @@ template <class I, class R, class T> [[gnu::always_inline]] inline void derive_v
         row.template get<Velocity>() = I::mean_velocity(row.template get<Position>(), row.template get<PreviousPosition>(), over);
 }
 
+/// A force from outside ends with its step. Where velocity is derived from history, the next step would see half of its
+/// impulse only, since each step contributes half of the acceleration at its beginning and half of that at its end; the
+/// history takes the other half before the force is gone.
+template <class I, class Transient, class R, class T> [[gnu::always_inline]] inline void release_applied_force(R& row, const T& dt) {
+    if constexpr (derives_velocity<I> && contains<AppliedForce, Transient>) {
+        auto& previous = row.template get<PreviousPosition>();
+        using X = std::remove_cvref_t<decltype(previous)>;
+        using V = std::remove_cvref_t<decltype(row.template get<Velocity>())>;
+        const auto a = row.template get<InverseMass>() * row.template get<AppliedForce>();
+        previous += I::history(zero<X>(), zero<V>(), -a, dt);
+    }
+}
+
 /// Calls a per-body effect with what it declared: references to what it writes, values of what it reads.
 template <class E, class S, class R, class... W, class... C>
 [[gnu::always_inline]] inline void apply_one(const Bound<E, S>& effect, R& row, Columns<W...>, Columns<C...>,
@@ -177,6 +190,7 @@ template <class S, class I, class LawsT, class Before, class After, class Transi
             stages(row, std::make_integer_sequence<int, detail::stage_count<I>() - detail::first_stage<I>(velocity_read)>{});
         else
             solve(row);
+        detail::release_applied_force<I, Transient>(row, context.dt());
         after.template apply<I>(row, context, context.dt());
         clear(row, Transient{});
     }
@@ -223,6 +237,7 @@ template <class S, class I, class EffectsT, class Transient> struct EffectsOnly 
     typename S::Time over;
 
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
+        detail::release_applied_force<I, Transient>(row, over);
         effects.template apply<I>(row, context, over);
         clear(row, Transient{});
     }

@@ -104,7 +104,14 @@ private:
     template <int K> void stage() {
         if constexpr (K == first_stage) derive_velocities();
         sum_coupled_forces(context_.later(detail::node<I>(K)));
-        if constexpr (K == first_stage && C::rests) wake_the_pulled();
+        if constexpr (K == first_stage && C::rests) {
+            wake_the_pulled();
+            if constexpr (C::history)
+                if (!data_.starts.list.empty()) {
+                    complete_starts();
+                    derive_velocities();
+                }
+        }
         using Written = union_of<writes_of<I>, typename C::scratch>;
         using Needs = union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>>;
         walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws>{bound_.laws, context_});
@@ -114,7 +121,7 @@ private:
     void effects_only(const EffectsT& effects, const typename S::Time& over, Motion range = Motion::awake) {
         using Written = std::conditional_t<C::history, union_of<typename EffectsT::writes, Transient, writes_of<I>>,
                                            union_of<typename EffectsT::writes, Transient>>;
-        using Needs = union_of<Written, typename EffectsT::reads, derived>;
+        using Needs = union_of<Written, typename EffectsT::reads, derived, std::conditional_t<Transient::size != 0, Columns<InverseMass>, Columns<>>>;
         walk<Needs, Written>(range, EffectsOnly<S, I, EffectsT, Transient>{effects, context_, over});
     }
 
@@ -221,6 +228,7 @@ public:
     static Slot wake_resting(Data& data, Slot slot) {
         data.events.in_step({Event::Kind::woke, data.bodies.handle(slot)});
         data.lanes.template set<RestTime>(slot, S::Time::from_value(typename S::Scalar(0)));
+        data.begin_again(slot);
         return data.move(slot, Motion::awake);
     }
 

@@ -191,7 +191,8 @@ public:
     template <class Q> void set_mass(Handle body, const Q& m);
     /// Changes the momentum at once by `j` (in N s). A body of infinite mass does not notice.
     template <class Q> void apply_impulse(Handle body, const Q& j);
-    /// Adds to the force that acts during the next step, in every stage of it. Needs the policy AppliedForces.
+    /// Adds to the force (in N) that acts during the next step, in every stage of it. Needs the policy AppliedForces. A
+    /// body of infinite mass does not notice.
     template <class Q> void apply_force(Handle body, const Q& f);
     /// Gives a stored column a value.
     template <class C, class Q> void write(Handle body, const Q& value);
@@ -302,6 +303,7 @@ private:
             data_.lanes.template set<RestTime>(slot, typename S::Time());
             if (data_.bodies.motion(slot) != Motion::resting) return;
             data_.events.between_steps({Event::Kind::woke, data_.bodies.handle(slot)});
+            if (!data_.waiting(slot)) data_.begin_again(slot);
             data_.move(slot, Motion::awake);
         }
     }

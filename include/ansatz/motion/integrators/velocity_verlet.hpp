@@ -24,6 +24,7 @@ struct VelocityVerlet {
     static constexpr int stages = 2;
     static constexpr double nodes[] = {0, 1};
     static constexpr int order = 2;
+    static constexpr bool reversible = true;
 
     [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, auto& half, const auto& a, const auto& dt) {
         half = v + 0.5 * a * dt;

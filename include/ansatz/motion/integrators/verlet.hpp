@@ -27,6 +27,7 @@ struct Verlet {
     using writes = Columns<Position, PreviousPosition>;
     using scratch = Columns<Velocity>;
     static constexpr int order = 2;
+    static constexpr bool reversible = true;
 
     /// Stage 0 brings the velocity to the present, for forces that ask for it; without such forces it is left out.
     static constexpr int stages = 2;

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSL-1.0
+# What the scripts of this folder share; they read it with `source`.
+
+# Not an error: something that the test needs is not on this machine. ctest reports the test as skipped.
+skip() {
+    echo "skipped: $*"
+    exit 0
+}
+
+# The compilers to look at, each once: g++ and clang++ where they are installed, and the one of the build.
+found_compilers() {
+    local name path
+    local -A seen=()
+    for name in g++ clang++ "${CXX:-c++}"; do
+        path=$(command -v "$name") || continue
+        if [ -z "${seen[$(readlink -f "$path")]:-}" ]; then
+            seen[$(readlink -f "$path")]=yes
+            echo "$path"
+        fi
+    done
+}
+
+# A program of the library with the options of its exported target; what comes behind is added.
+#   compile <compiler> <source> <output> [options...]
+compile() {
+    local compiler=$1 source=$2 output=$3
+    shift 3
+    # shellcheck disable=SC2046  (the flags are words)
+    "$compiler" -std=c++20 -ffp-contract=off -fno-math-errno -I "$project" -I "$project/include" $(eigen_flags) "$@" \
+        "$source" -o "$output"
+}
+eigen_flags() {
+    if [ -n "${EIGEN3_INCLUDE_DIR:-}" ]; then
+        echo "-isystem $EIGEN3_INCLUDE_DIR"
+    elif ! pkg-config --cflags-only-I eigen3 2> /dev/null | sed 's/-I */-isystem /g'; then
+        echo "-isystem /usr/include/eigen3"
+    fi
+}
+
+# Jobs in the background, at most as many as processors; `all_done` ends the script if one of them failed.
+jobs_started=()
+start() {
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+    "$@" &
+    jobs_started+=($!)
+}
+all_done() {
+    local job
+    for job in "${jobs_started[@]}"; do wait "$job" || { echo "a job failed; its output is above"; exit 1; }; done
+    jobs_started=()
+}

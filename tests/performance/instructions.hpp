@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// The same steps of the same bodies, as a World (`by_world`) and as the loop over lanes that somebody writes by hand who
+// wants the fewest instructions (`by_hand`). instructions.sh compiles this file and counts with callgrind what each of
+// the two executes, callees included; what goes before the steps is outside of both and not counted.
+
+#include <ansatz/world.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace ansatz::counted {
+
+constexpr std::size_t bodies = 10'000;
+constexpr int steps = 100;
+inline volatile double unknown_to_the_compiler = 1.0;
+
+template <class T> void free_flight(T* __restrict x, T* __restrict y, const T* __restrict vx, const T* __restrict vy, T dt) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+        x[i] += vx[i] * dt;
+        y[i] += vy[i] * dt;
+    }
+}
+template <class T>
+void free_flight(T* __restrict x, T* __restrict y, T* __restrict z, const T* __restrict vx, const T* __restrict vy, const T* __restrict vz, T dt) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+        x[i] += vx[i] * dt;
+        y[i] += vy[i] * dt;
+        z[i] += vz[i] * dt;
+    }
+}
+template <class T>
+void fall(T* __restrict x, T* __restrict y, T* __restrict vx, T* __restrict vy, T gx, T gy, T dt) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+        vx[i] += gx * dt;
+        vy[i] += gy * dt;
+        x[i] += vx[i] * dt;
+        y[i] += vy[i] * dt;
+    }
+}
+template <class T>
+void fall(T* __restrict x, T* __restrict y, T* __restrict z, T* __restrict vx, T* __restrict vy, T* __restrict vz, T gx, T gy, T gz, T dt) {
+    for (std::size_t i = 0; i < bodies; ++i) {
+        vx[i] += gx * dt;
+        vy[i] += gy * dt;
+        vz[i] += gz * dt;
+        x[i] += vx[i] * dt;
+        y[i] += vy[i] * dt;
+        z[i] += vz[i] * dt;
+    }
+}
+
+// The lanes: all positions, then all velocities.
+template <class T, int Dim> using Hand = std::array<std::vector<T>, 2 * Dim>;
+
+template <class T, int Dim, bool Falling> [[gnu::noinline]] void by_hand(Hand<T, Dim>& lane, T g, T dt) {
+    for (int s = 0; s < steps; ++s) {
+        if constexpr (Dim == 2 && Falling)
+            fall(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), T(0), g, dt);
+        else if constexpr (Dim == 2)
+            free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), dt);
+        else if constexpr (Falling)
+            fall(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(), T(0), g, T(0), dt);
+        else
+            free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(), dt);
+    }
+}
+
+template <class T, int Dim, bool Falling, class World> [[gnu::noinline]] void by_world(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+
+template <class T, int Dim, bool Falling> void fly_both() {
+    const double h = 0.01 * unknown_to_the_compiler;
+    Hand<T, Dim> hand;
+    for (auto& lane : hand) lane.assign(bodies, T(1));
+    by_hand<T, Dim, Falling>(hand, T(-9.81 * unknown_to_the_compiler), T(h));
+
+    auto world = [] {
+        if constexpr (Falling)
+            return World{Space<T, Dim>{}, SemiImplicitEuler{}, Gravity{}};
+        else
+            return World{Space<T, Dim>{}, SemiImplicitEuler{}};
+    }();
+    for (std::size_t i = 0; i < bodies; ++i) {
+        if constexpr (Dim == 2)
+            world.add(position(metres(1, 1)), velocity(metres_per_second(1, 1)));
+        else
+            world.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)));
+    }
+    by_world<T, Dim, Falling>(world, h * second);
+
+    // Both must have done the same work, to the bit.
+    for (int k = 0; k < Dim; ++k)
+        for (std::size_t i = 0; i < bodies; ++i)
+            if (world.template lane<Position>(k)[i] != hand[std::size_t(k)][i]) {
+                std::puts("the world and the loop written by hand came to different positions");
+                std::exit(1);
+            }
+}
+
+// ---------------------------------------------------------------- bodies that rest
+// The same awake bodies, alone (`awake_alone`) and with as many that rest beside them (`awake_beside_resting`).
+
+template <class World> [[gnu::noinline]] void awake_alone(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void awake_beside_resting(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+
+template <class World> void rest_both(World alone) {
+    const auto h = 0.01 * unknown_to_the_compiler * second;
+    for (std::size_t i = 0; i < bodies; ++i) alone.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)), mass(1.0 * kilogram));
+    World both = alone;
+    for (std::size_t i = 0; i < bodies; ++i) both.add(position(metres(1, 1, 1)), mass(1.0 * kilogram), resting);
+    awake_alone(alone, h);
+    awake_beside_resting(both, h);
+    if (alone.count(Motion::awake) != bodies || both.count(Motion::awake) != bodies || both.count(Motion::resting) != bodies) {
+        std::puts("some body fell asleep or woke, so that there is nothing to compare");
+        std::exit(1);
+    }
+}
+
+inline void count_all() {
+    fly_both<float, 2, false>();
+    fly_both<float, 2, true>();
+    fly_both<float, 3, false>();
+    fly_both<float, 3, true>();
+    fly_both<double, 2, false>();
+    fly_both<double, 2, true>();
+    fly_both<double, 3, false>();
+    fly_both<double, 3, true>();
+    rest_both(World{SemiImplicitEuler{}, Rest{}, AppliedForces{}});
+}
+
+} // namespace ansatz::counted
