@@ -7,6 +7,7 @@
 #
 #   // expect: World has no integrator; add one, e.g. SemiImplicitEuler
 #   // expect(g++): words of g++ alone; expect(clang++): of any clang
+#   // expect note: words that may stand anywhere in the output, where a compiler has no better place for them
 #   // at most: 3 errors
 #   #ifdef ANSATZ_MISTAKE
 #   ...
@@ -44,12 +45,15 @@ if(NOT text MATCHES "ANSATZ_MISTAKE")
 endif()
 to_lines("${text}" lines)
 set(expected)
+set(noted)
 set(at_most)
 foreach(line IN LISTS lines)
     if(line MATCHES "^// expect(\\((.+)\\))?: *(.*[^ ]) *$")
         if("${CMAKE_MATCH_2}" STREQUAL "" OR "${CMAKE_MATCH_2}" STREQUAL "${family}")
             list(APPEND expected "${CMAKE_MATCH_3}")
         endif()
+    elseif(line MATCHES "^// expect note: *(.*[^ ]) *$")
+        list(APPEND noted "${CMAKE_MATCH_1}")
     elseif(line MATCHES "^// at most: *([0-9]+) errors?")
         set(at_most ${CMAKE_MATCH_1})
     endif()
@@ -88,6 +92,12 @@ foreach(sentence IN LISTS expected)
     string(FIND "${errors}" "${sentence}" position)
     if(position EQUAL -1)
         fail("no error says \"${sentence}\"")
+    endif()
+endforeach()
+foreach(words IN LISTS noted)
+    string(FIND "${output}" "${words}" position)
+    if(position EQUAL -1)
+        fail("nothing in the output says \"${words}\"")
     endif()
 endforeach()
 set(before 0)

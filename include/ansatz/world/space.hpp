@@ -57,11 +57,12 @@ template <class ScalarT = double, int Dim = 3> struct Space {
     using Momentum = VectorOf<unit::Momentum>;
 
     /// A scalar parameter of a policy, in this space's number type.
-    template <class Unit, class From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
+    template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
         return ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
     }
 
     /// A three-component parameter of a policy, in this space's number type and dimension.
+    /// \param what the parameter's name for the sentence, e.g. "Gravity::acceleration"
     /// \throws std::invalid_argument if a component that this space does not have is not zero
     template <class Unit, class From>
     static VectorOf<Unit> convert(std::string_view what, const VectorQuantity<Unit, 3, From>& q) {
@@ -71,6 +72,9 @@ template <class ScalarT = double, int Dim = 3> struct Space {
         Vector<Scalar, Dim> v;
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
         return VectorOf<Unit>::from_value(v);
+    }
+    template <class Unit, class From> static VectorOf<Unit> convert(const VectorQuantity<Unit, 3, From>& q) {
+        return convert("a vector parameter", q);
     }
 
     template <class Unit> static VectorOf<Unit> zero_vector() {
