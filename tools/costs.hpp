@@ -24,6 +24,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -98,6 +99,9 @@ public:
         axes_.push_back(axis);
         cases_.push_back(std::move(measurement));
     }
+
+    /// Adds something to be printed below the table: what costs no time, such as bytes.
+    void add_below(std::function<void(std::ostream&)> print) { below_.push_back(std::move(print)); }
 
     /// Measures everything and reports; the result is the program's exit code.
     int run(std::ostream& out = std::cout) {
@@ -190,6 +194,7 @@ private:
         write_json(json, machine, rows);
         draw_pictures(options.out, module_, rows);
         out << "table: " << json.string() << '\n';
+        for (const auto& print : below_) print(out);
 
         bool off = false;
         for (const Row& row : rows) off = off || order_is_off(row);
@@ -204,6 +209,7 @@ private:
     std::vector<std::string> arguments_;
     std::vector<Axis> axes_;
     std::vector<Case> cases_;
+    std::vector<std::function<void(std::ostream&)>> below_;
 };
 
 }  // namespace ansatz::workbook
