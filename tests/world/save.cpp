@@ -30,9 +30,8 @@ template <class W> void load_text(W& world, const std::string& text) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a world saved at step 30, loaded and run to 60 is the world run to 60, to the bit", "[world][save][I19]",
-                   (Eventful<Space<double, 3>, Verlet>), (Eventful<Space<float, 2>, SemiImplicitEuler>)) {
-    auto make = [] { return eventful<typename TestType::S, typename TestType::Integrator>(); };
+TEST_CASE("a world saved at step 30, loaded and run to 60 is the world run to 60, to the bit", "[world][save][I19]") {
+    auto make = [] { return eventful<Space<float, 2>, Verlet>(); };
     auto world = make();
     live(world, 0, 30);
     const auto text = text_of(world);
@@ -41,7 +40,7 @@ TEMPLATE_TEST_CASE("a world saved at step 30, loaded and run to 60 is the world 
     loaded.set(Drag{7.0 / second});
     load_text(loaded, text);
     CHECK(same_to_the_bit(loaded, world));
-    CHECK(loaded.template get<Drag>().rate == world.template get<Drag>().rate);
+    CHECK(loaded.get<Drag>().rate == world.get<Drag>().rate);
     CHECK(text_of(loaded) == text);
 
     auto used = make(); // a world in the middle of another life
@@ -58,7 +57,7 @@ TEMPLATE_TEST_CASE("a world saved at step 30, loaded and run to 60 is the world 
 }
 
 TEST_CASE("a world whose bodies couple, by an integrator of history, is saved whole", "[world][save][I19]") {
-    World world{Space<float, 3>{}, Verlet{}, Attraction{1.0 * (cubic_metre / (kilogram * second * second)), 0.1 * metre}, QuadraticDrag{}};
+    World world{Verlet{}, Attraction{1.0 * (cubic_metre / (kilogram * second * second)), 0.1 * metre}, QuadraticDrag{}};
     auto empty = world;
     for (int i = 0; i < 4; ++i) world.add(position(metres(i, i * i, 1)), velocity(metres_per_second(0, 1, -i)), mass((1.0 + i) * kilogram));
     auto run = [](auto& w, int steps) {
@@ -103,6 +102,8 @@ TEST_CASE("handles of the saved world name its bodies in the loaded one, and sta
     world.remove(b);
     world.remove(a);
     const auto heir = world.add(position(metres(2, 0, 0))); // of a
+    const auto e = world.add(), f = world.add(), g = world.add();
+    for (const auto h : {f, g, e}) world.remove(h); // the order in which ids become free is that in which they are used again
     World loaded{SemiImplicitEuler{}, Rest{}};
     load_text(loaded, text_of(world));
     CHECK_FALSE(loaded.contains(a));
@@ -110,7 +111,7 @@ TEST_CASE("handles of the saved world name its bodies in the loaded one, and sta
     CHECK(loaded.position(heir) == metres(2, 0, 0));
     CHECK(loaded.motion(c) == Motion::resting);
     CHECK(loaded.motion(d) == Motion::fixed);
-    CHECK(loaded.add() == world.add()); // and the next one gets the same handle in both
+    for (int i = 0; i < 5; ++i) CHECK(loaded.add() == world.add()); // and the next ones get the same handles in both
     CHECK(loaded.hash() == world.hash());
 }
 
@@ -142,18 +143,6 @@ TEST_CASE("a datum is not saved: a new world has new ones, one that had them kee
     world.step(1.0 / 60 * second);
     load_text(world, text); // back to the saved moment
     CHECK(world.datum(body) == "ball");
-}
-
-TEST_CASE("what an implicit integrator could not solve is counted on after loading", "[world][save]") {
-    World world{ImplicitEuler{}, ToOrigin{}};
-    const auto body = world.add(position(metres(1, 2, 3)));
-    world.step(1.0 / 60 * second);
-    World loaded{ImplicitEuler{}, ToOrigin{}};
-    load_text(loaded, text_of(world));
-    CHECK(loaded.status().unsolved == world.status().unsolved);
-    world.step(1.0 / 60 * second);
-    loaded.step(1.0 / 60 * second);
-    CHECK(same_bits(loaded.position(body), world.position(body)));
 }
 
 TEST_CASE("a world goes through a file on disk, and a path that cannot be opened is named", "[world][save]") {

@@ -16,7 +16,7 @@ namespace ansatz {
 namespace detail {
 
 template <class S>
-inline void append_number(std::string& text, const S& value) {
+[[gnu::cold]] inline void append_number(std::string& text, const S& value) {
     if constexpr (std::is_arithmetic_v<S>) {
         if constexpr (std::is_floating_point_v<S>)
             if (value != value) { // to_chars shows the sign of a NaN, which means nothing to a reader
@@ -31,7 +31,7 @@ inline void append_number(std::string& text, const S& value) {
 }
 
 template <class S, int R, int C, int O>
-inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
+[[gnu::cold]] inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
         text += i == 0 ? "(" : ", ";
         if constexpr (C != 1)
@@ -50,7 +50,7 @@ inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
 
 /// Text of a quantity: value and symbol, "2 kg", "(0, 9.5, 0) m"; a dimensionless one is its number.
 template <class Unit, class Value>
-std::string describe(const boost::units::quantity<Unit, Value>& q) {
+[[gnu::cold]] std::string describe(const boost::units::quantity<Unit, Value>& q) {
     std::string text;
     detail::append_number(text, q.value());
     if (constexpr auto unit_symbol = symbol<Unit>(); !unit_symbol.empty()) {
@@ -61,14 +61,14 @@ std::string describe(const boost::units::quantity<Unit, Value>& q) {
 }
 /// Text of a plain number, "0.5", "nan", "inf".
 template <detail::Builtin Number>
-std::string describe(const Number& value) {
+[[gnu::cold]] std::string describe(const Number& value) {
     std::string text;
     detail::append_number(text, value);
     return text;
 }
 /// Text of a plain vector, "(0, 1, 0)".
 template <class S, int R, int C, int O>
-std::string describe(const detail::Dense<S, R, C, O>& value) {
+[[gnu::cold]] std::string describe(const detail::Dense<S, R, C, O>& value) {
     std::string text;
     detail::append_number(text, value);
     return text;

@@ -9,6 +9,7 @@
 /// is an id with a generation, so that it survives the removal of other bodies and a stale one is known as stale.
 /// Everything here is a value: a copy of a world answers to the same handles.
 
+#include <ansatz/units/describe.hpp>
 #include <ansatz/world/error.hpp>
 
 #include <array>
@@ -55,16 +56,7 @@ public:
     /// \throws std::out_of_range for a handle whose body was removed, or that no body ever had
     Slot slot(Handle h, const char* where) const {
         if (contains(h)) return slot_of_[h.id];
-        std::string sentence = std::string(where) + ": ";
-        if (h == Handle{})
-            sentence += "the handle is empty; use one that World::add returned";
-        else if (h.id < slot_of_.size())
-            sentence += "the handle is stale: body " + std::to_string(h.id) + " of generation " + std::to_string(h.generation) +
-                        " was removed; ask contains(handle) first";
-        else
-            sentence += "the handle names body " + std::to_string(h.id) + ", but this world has given out only " +
-                        std::to_string(slot_of_.size()) + "; use a handle of this world or of the one it was copied from";
-        refuse(Refusal::out_of_range, sentence);
+        refuse_handle(h, where);
     }
 
     Motion motion(std::size_t slot) const {
@@ -154,6 +146,20 @@ public:
 private:
     friend struct Archive;
     static constexpr Slot none = 0xffffffffu;
+
+    [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(Handle h, const char* where) const {
+        std::string sentence(where);
+        if (h == Handle{})
+            sentence.append(": the handle is empty; use one that World::add returned");
+        else if (h.id < slot_of_.size()) {
+            sentence.append(": the handle is stale: body ").append(describe(h.id)).append(" of generation ").append(describe(h.generation));
+            sentence.append(" was removed; ask contains(handle) first");
+        } else {
+            sentence.append(": the handle names body ").append(describe(h.id)).append(", but this world has given out only ");
+            sentence.append(describe(slot_of_.size())).append("; use a handle of this world or of the one it was copied from");
+        }
+        refuse(Refusal::out_of_range, sentence);
+    }
 
     template <class Swap> void exchange(Slot i, Slot j, Swap& swap) {
         if (i == j) return;

@@ -14,7 +14,7 @@
 namespace ansatz::detail {
 
 /// Makes the compiler look at the sentences of `Check...`.
-template <class... Check> constexpr bool read_sentences = ((sizeof(Check) > 0) && ... && true);
+template <class... Check> inline constexpr bool read_sentences = ((sizeof(Check) > 0) && ... && true);
 
 template <class P> struct RoleFacts {
     static constexpr bool named = !std::is_void_v<role_of<P>>;
@@ -129,7 +129,7 @@ template <class P, class S> using FactsFor = typename decltype(check_for<P, S>()
 template <class P, class S> using CheckFor = typename decltype(check_for<P, S>())::type::Sentences;
 
 /// A force under an integrator that solves with derivatives.
-template <class P, class S> constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S>;
+template <class P, class S> inline constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S>;
 template <class P, class S> struct CheckJacobian {
     static_assert(has_jacobian<P, S>, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none; give its "
                                       "In<S> jacobian(columns..., context), or take an explicit integrator, e.g. SemiImplicitEuler");
@@ -167,7 +167,7 @@ template <class... P> struct CheckCounts {
     static_assert(Facts::data <= 1, "Ansatz: World has more than one Datum; keep one, e.g. of a struct that holds them all");
 };
 
-template <class P, class... All> constexpr bool stands_once = (0 + ... + int(std::same_as<P, All>)) == 1;
+template <class P, class... All> inline constexpr bool stands_once = (0 + ... + int(std::same_as<P, All>)) == 1;
 template <class P, class... All> struct CheckOnce {
     static_assert(stands_once<P, All...>, "Ansatz: World has the same policy twice; each type of policy stands once in the list");
 };
@@ -203,7 +203,7 @@ template <class... P> constexpr bool check_world() {
     else
         return true;
 }
-template <class... P> constexpr bool is_world = check_world<P...>();
+template <class... P> inline constexpr bool is_world = check_world<P...>();
 
 /// A list that is no world is taken for an empty one, so that only the sentence is read.
 template <bool IsWorld, class... P> struct ComposedOf {

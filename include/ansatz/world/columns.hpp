@@ -95,11 +95,11 @@ template <class... C> struct Columns {
 
 namespace detail {
 
-template <class T> constexpr bool is_columns = false;
-template <class... C> constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>) && ...);
+template <class T> inline constexpr bool is_columns = false;
+template <class... C> inline constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>) && ...);
 
-template <class C, class List> constexpr bool contains = false;
-template <class C, class... In> constexpr bool contains<C, Columns<In...>> = (std::same_as<C, In> || ...);
+template <class C, class List> inline constexpr bool contains = false;
+template <class C, class... In> inline constexpr bool contains<C, Columns<In...>> = (std::same_as<C, In> || ...);
 
 // The union keeps the order of first mention, so that the layout of a world follows its list of policies.
 template <class Done, class... Lists> struct Union {

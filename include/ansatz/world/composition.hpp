@@ -42,9 +42,9 @@ template <class First, class... Rest> struct FirstOf<Types<First, Rest...>> {
     using type = First;
 };
 
-template <class P> constexpr bool couples_bodies = requires { requires P::couples_bodies; };
-template <class P> constexpr bool puts_to_rest = requires { requires P::puts_to_rest; };
-template <class P> constexpr bool is_datum = requires { typename P::datum_type; };
+template <class P> inline constexpr bool couples_bodies = requires { requires P::couples_bodies; };
+template <class P> inline constexpr bool puts_to_rest = requires { requires P::puts_to_rest; };
+template <class P> inline constexpr bool is_datum = requires { typename P::datum_type; };
 
 template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
 template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};
@@ -84,7 +84,7 @@ template <class P> constexpr bool keeps_reversible() {
         return difference_of<writes_of<P>, Columns<DrawnPosition>>::size == 0;
 }
 
-template <class C> constexpr bool is_transient = requires { requires C::transient; };
+template <class C> inline constexpr bool is_transient = requires { requires C::transient; };
 template <class List> struct Transient;
 template <class... C> struct Transient<Columns<C...>> {
     using type = union_of<std::conditional_t<is_transient<C>, Columns<C>, Columns<>>...>;
@@ -124,7 +124,9 @@ template <class... P> struct Composition {
 
     /// Everything that some policy needs.
     using needed = union_of<writes_of<Integrator>, decltype(detail::needs<P, S>())...>;
-    static constexpr bool velocity_read = detail::contains<Velocity, needed>;
+    /// Whether a force asks for the velocity. An effect that does needs no evaluation of the forces for it.
+    static constexpr bool velocity_read =
+        detail::contains<Velocity, union_of<std::conditional_t<PlaysRole<P, roles::Force>, reads_of<P>, Columns<>>...>>;
     /// The scratch that the integrator really has use for.
     using scratch = std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
                                        difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>;

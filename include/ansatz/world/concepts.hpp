@@ -31,13 +31,13 @@ struct OptionalVerbs {
     int check, prepare, observe;
 };
 template <class P> struct Beside : P, OptionalVerbs {};
-template <class P> constexpr bool can_stand_beside = std::is_class_v<P> && !std::is_final_v<P>;
-template <class P> constexpr bool names_check = false;
-template <class P> requires can_stand_beside<P> constexpr bool names_check<P> = !requires { &Beside<P>::check; };
-template <class P> constexpr bool names_prepare = false;
-template <class P> requires can_stand_beside<P> constexpr bool names_prepare<P> = !requires { &Beside<P>::prepare; };
-template <class P> constexpr bool names_observe = false;
-template <class P> requires can_stand_beside<P> constexpr bool names_observe<P> = !requires { &Beside<P>::observe; };
+template <class P> inline constexpr bool can_stand_beside = std::is_class_v<P> && !std::is_final_v<P>;
+template <class P> inline constexpr bool names_check = false;
+template <class P> requires can_stand_beside<P> inline constexpr bool names_check<P> = !requires { &Beside<P>::check; };
+template <class P> inline constexpr bool names_prepare = false;
+template <class P> requires can_stand_beside<P> inline constexpr bool names_prepare<P> = !requires { &Beside<P>::prepare; };
+template <class P> inline constexpr bool names_observe = false;
+template <class P> requires can_stand_beside<P> inline constexpr bool names_observe<P> = !requires { &Beside<P>::observe; };
 
 /// What a bound policy prepares once a step, it prepares from the context; it need not prepare anything.
 template <class P, class S>

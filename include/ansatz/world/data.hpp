@@ -91,14 +91,16 @@ template <class C> struct WorldData {
     }
 
     /// The values of one body. Where the velocity is derived, it is the mean over the last step.
-    Body load(Slot slot) const {
+    Body load(Slot slot) const { return load(slot, last_dt()); }
+    /// The same, where the last step's length is known better: in the first step, when there is none yet.
+    Body load(Slot slot, [[maybe_unused]] const typename S::Time& last) const {
         Body row;
         load_columns(row, slot, typename C::stored{}, AllColumns{});
         if constexpr (C::history) {
             if (waiting(slot))
                 row.template get<Velocity>() = raw_velocity(slot);
             else
-                detail::derive_velocity<Integrator>(row, last_dt());
+                detail::derive_velocity<Integrator>(row, last);
         }
         return row;
     }
@@ -121,6 +123,8 @@ template <class C> struct WorldData {
 
     /// Stops a body exactly.
     void stop(Slot slot) {
+        // Drawn where it lies from now on: the step no longer looks at it, and it may wake at any time.
+        if constexpr (C::template stores<DrawnPosition>) lanes.template set<DrawnPosition>(slot, lanes.template get<Position>(slot));
         if constexpr (C::history) {
             starts.forget(bodies.id(slot));
             lanes.template set<PreviousPosition>(slot, lanes.template get<Position>(slot));

@@ -16,8 +16,8 @@ namespace detail {
 // Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function that
 // is called last of all, and whatever follows from the mistake would be read before the sentence.
 
-template <class Unit, class Q> constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
-template <class Unit, class Q> constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
+template <class Unit, class Q> inline constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
+template <class Unit, class Q> inline constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
 template <class Q> constexpr int dimension_of = [] {
     if constexpr (vector_valued<stripped<Q>>) return int(stripped<Q>::value_type::RowsAtCompileTime);
     return 1;
@@ -78,12 +78,12 @@ template <class DatumT, class... Property> auto given_datum([[maybe_unused]] con
     }
 }
 
-template <class C, class T> constexpr bool gives_column = false;
-template <class C, class Q> constexpr bool gives_column<C, Given<C, Q>> = true;
-template <class DatumT, class T> constexpr bool fits_datum = true;
+template <class C, class T> inline constexpr bool gives_column = false;
+template <class C, class Q> inline constexpr bool gives_column<C, Given<C, Q>> = true;
+template <class DatumT, class T> inline constexpr bool fits_datum = true;
 template <class DatumT, class T>
     requires(!std::is_void_v<DatumT>)
-constexpr bool fits_datum<DatumT, GivenDatum<T>> = std::is_convertible_v<const T&, DatumT>;
+inline constexpr bool fits_datum<DatumT, GivenDatum<T>> = std::is_convertible_v<const T&, DatumT>;
 
 /// \tparam DatumT the datum that the world keeps, or void
 template <class C, class DatumT, class... Property> struct AddFacts {
@@ -306,6 +306,7 @@ void World<P...>::step(const T& dt) {
             if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
             return;
         }
+        data_.reserve(data_.bodies.ids()); // a copy has no room for events yet; its first step makes it, and no later one
         const bool first = tick() == 0;
         Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
             .run(scalar_cast<typename S::ClockScalar>(dt));

@@ -12,8 +12,10 @@
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace ansatz {
 
@@ -28,7 +30,7 @@ public:
             refuse_value("FixedStep", "longest", describe(longest), "the clamp is finite and at least one step, " + describe(dt));
         // The clamp is a whole number of steps, so that it cannot lose part of one; 0.25 s is 15 steps of 1/60 s, although
         // 0.25 / (1/60) may round below 15.
-        most_ = std::uint64_t(std::floor(longest.value() / dt.value() * (1 + 1e-12)));
+        most_ = std::uint64_t(std::min(std::floor(longest.value() / dt.value() * (1 + 1e-12)), 0x1p53));
     }
 
     Quantity<unit::Time> dt() const { return dt_; }
@@ -46,7 +48,7 @@ public:
         if (!is_finite(frame_time) || frame_time.value() < 0)
             refuse_value("FixedStep::advance", "frame_time", describe(frame_time), "a frame's time is finite and not negative");
         // Counted in steps: the fraction of a step that is left never mixes with large sums.
-        double owed = left_ + frame_time.value() / dt_.value();
+        double owed = std::min(left_ + frame_time.value() / dt_.value(), std::numeric_limits<double>::max());
         // A spike of exactly n steps is n steps, whichever way the division was rounded.
         const double nearest = std::round(owed);
         if (std::abs(owed - nearest) <= 1e-12 * (1 + nearest)) owed = nearest;

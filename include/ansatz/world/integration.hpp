@@ -41,10 +41,10 @@ struct Scratch<I> {
 template <class I> using scratch_of = typename Scratch<I>::type;
 
 /// An integrator that keeps no Velocity column derives the velocity from what it keeps.
-template <class I> constexpr bool derives_velocity = !contains<Velocity, writes_of<I>>;
+template <class I> inline constexpr bool derives_velocity = !contains<Velocity, writes_of<I>>;
 
 /// An integrator of stages has `advance`; one that solves (implicit, foreign steppers) has `solve`.
-template <class I> constexpr bool is_staged = requires { I::stages; };
+template <class I> inline constexpr bool is_staged = requires { I::stages; };
 
 template <class I> constexpr int stage_count() {
     if constexpr (is_staged<I>) return I::stages;

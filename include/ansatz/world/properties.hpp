@@ -45,14 +45,14 @@ template <class T> struct GivenDatum {
 };
 
 namespace detail {
-template <class T> constexpr bool is_given_mass = false;
-template <class Q> constexpr bool is_given_mass<GivenMass<Q>> = true;
+template <class T> inline constexpr bool is_given_mass = false;
+template <class Q> inline constexpr bool is_given_mass<GivenMass<Q>> = true;
 
 // One sentence for each property that is given something without a unit, or with another one.
-template <class Unit, class Q> constexpr bool has_unit = false;
-template <class Unit, class V> constexpr bool has_unit<Unit, boost::units::quantity<Unit, V>> = true;
-template <class Q> constexpr bool vector_valued = false;
-template <class U, class V> constexpr bool vector_valued<boost::units::quantity<U, V>> = is_matrix<V>;
+template <class Unit, class Q> inline constexpr bool has_unit = false;
+template <class Unit, class V> inline constexpr bool has_unit<Unit, boost::units::quantity<Unit, V>> = true;
+template <class Q> inline constexpr bool vector_valued = false;
+template <class U, class V> inline constexpr bool vector_valued<boost::units::quantity<U, V>> = is_matrix<V>;
 
 template <class Q> struct Stripped {
     using type = Q;

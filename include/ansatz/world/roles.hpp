@@ -35,10 +35,10 @@ struct RoleOf<P> {
     using type = typename P::role;
 };
 
-template <class R, class... Known> constexpr bool one_of = (std::same_as<R, Known> || ...);
+template <class R, class... Known> inline constexpr bool one_of = (std::same_as<R, Known> || ...);
 
 template <class R>
-constexpr bool known_role = one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase,
+inline constexpr bool known_role = one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase,
                                    roles::Filter, roles::Narrowphase, roles::Response, roles::Observer>;
 
 } // namespace detail

@@ -152,7 +152,14 @@ struct Archive {
 
         auto policies = world.policies_;
         (read_policy(std::get<P>(policies), file.at("policies")), ...);
-        auto bound = BoundPolicies<C>::from(W::checked(policies));
+        refuse_others<P...>(file.at("policies"));
+        auto bound = [&] {
+            try {
+                return BoundPolicies<C>::from(W::checked(policies));
+            } catch (const std::invalid_argument& e) {
+                refuse(Refusal::invalid_argument, file.place + ": policies: " + e.what());
+            }
+        }();
 
         typename W::Data data;
         read_clock(data.clock, file.at("clock"));
@@ -206,6 +213,18 @@ private:
         }
     }
 
+    /// A policy that only the file has would be forgotten without a word.
+    template <class... P> static void refuse_others(const FileValue& policies) {
+        if (!policies.json.is_object()) policies.refuse_here("an object of policies");
+        auto is_name_of = []<class One>(std::type_identity<One>, const std::string& name) {
+            if constexpr (detail::Named<One>) return name == One::name;
+            return false;
+        };
+        for (const auto& [name, parameters] : policies.json.items())
+            if (!(is_name_of(std::type_identity<P>{}, name) || ...))
+                policies.at(name.c_str()).refuse_here("no such policy, because this world has none");
+    }
+
     template <class S> static void read_clock(StepClock<S>& clock, const FileValue& json) {
         using Time = typename S::ClockTime;
         constexpr auto most = std::numeric_limits<std::uint64_t>::max();
@@ -214,6 +233,9 @@ private:
         if (clock.dt_.value() < 0) json.at("dt").refuse_here("a time step that is not negative");
         clock.tick_ = json.at("tick").whole(most);
         clock.steps_ = json.at("steps").whole(clock.tick_);
+        using Scalar = typename S::Scalar;
+        if (clock.tick_ > 0 && !(static_cast<Scalar>(clock.dt_.value()) > Scalar(0)))
+            json.at("dt").refuse_here("a time step greater than 0 that the world's scalar can hold");
     }
 
     template <class C, class Data> static void read_bodies(Data& data, const FileValue& file) {

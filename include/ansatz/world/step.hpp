@@ -129,7 +129,7 @@ private:
     void derive_velocities() {
         if constexpr (C::history && C::template stores<Velocity>)
             for (std::size_t slot = 0; slot < data_.bodies.size(); ++slot)
-                data_.lanes.template set<Velocity>(slot, data_.load(Slot(slot)).template get<Velocity>());
+                data_.lanes.template set<Velocity>(slot, data_.load(Slot(slot), context_.dt().previous).template get<Velocity>());
     }
 
     void sum_coupled_forces(const Context<S>& context) {

@@ -58,17 +58,17 @@ struct DatumOf<First, Rest...> {
     using type = typename First::datum_type;
 };
 
-template <class T> constexpr bool is_given = false;
-template <class C, class Q> constexpr bool is_given<Given<C, Q>> = true;
-template <class Q> constexpr bool is_given<GivenMass<Q>> = true;
-template <class T> constexpr bool is_given_datum = false;
-template <class T> constexpr bool is_given_datum<GivenDatum<T>> = true;
-template <class T> constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
-template <class T> constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T>;
+template <class T> inline constexpr bool is_given = false;
+template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
+template <class Q> inline constexpr bool is_given<GivenMass<Q>> = true;
+template <class T> inline constexpr bool is_given_datum = false;
+template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
+template <class T> inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
+template <class T> inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T>;
 
-template <class C, class T> constexpr bool gives = false;
-template <class C, class Q> constexpr bool gives<C, Given<C, Q>> = true;
-template <class Q> constexpr bool gives<InverseMass, GivenMass<Q>> = true;
+template <class C, class T> inline constexpr bool gives = false;
+template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
+template <class Q> inline constexpr bool gives<InverseMass, GivenMass<Q>> = true;
 
 } // namespace detail
 
