@@ -102,8 +102,16 @@ foreach(module IN LISTS folders)
         foreach(script IN LISTS scripts)
             cmake_path(GET script STEM name)
             add_test(NAME "${module}.${name}" COMMAND ${ANSATZ_BASH} ${script} ${PROJECT_SOURCE_DIR})
-            set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 300 ENVIRONMENT
+            set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 300
+                SKIP_REGULAR_EXPRESSION "^skipped: " ENVIRONMENT
                 "ANSATZ_SCRATCH=${PROJECT_BINARY_DIR}/scratch/${module}.${name};CXX=${CMAKE_CXX_COMPILER};CMAKE=${CMAKE_COMMAND}")
+            # A script may say so in a line of its own: then one build on a machine is enough, or it measures time.
+            file(STRINGS ${script} said REGEX "^# (Looks at every compiler|Measures time)")
+            if(said MATCHES "Looks at every compiler")
+                set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};every_compiler" RUN_SERIAL TRUE)
+            elseif(said MATCHES "Measures time")
+                set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};perf" RUN_SERIAL TRUE)
+            endif()
         endforeach()
     endif()
 endforeach()

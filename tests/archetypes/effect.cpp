@@ -32,7 +32,8 @@ struct ActsOnMore : NothingMore {
 };
 static_assert(EffectIn<Acts<Place::before_forces>, S> && EffectIn<Acts<Place::end_of_step>, S> && EffectIn<ActsOnMore, S>);
 auto of_effects() {
-    return use(World{SemiImplicitEuler{}, Acts<Place::before_forces>(1), Acts<Place::after_integration>(1), Acts<Place::end_of_step>(1), ActsOnMore(1)});
+    return use(World{SemiImplicitEuler{}, Acts<Place::before_forces>(1), Acts<Place::after_integration>(1), Acts<Place::end_of_step>(1),
+                     ActsOnMore(1)});
 }
 auto of_effects_on_history() { return use(World{Verlet{}, Attraction{}, Acts<Place::end_of_step>(1), ActsOnMore(1)}); }
 
@@ -75,7 +76,8 @@ struct NotConst {
     };
 };
 static_assert(EffectIn<Takes<S::Velocity&>, S>); // what the others below just miss
-static_assert(!EffectIn<NoPlace, S> && !EffectIn<Takes<S::Velocity>, S> && !EffectIn<Takes<const S::Velocity&>, S> && !EffectIn<Takes<S::Position&>, S>);
+static_assert(!EffectIn<NoPlace, S> && !EffectIn<Takes<S::Velocity>, S> && !EffectIn<Takes<const S::Velocity&>, S>);
+static_assert(!EffectIn<Takes<S::Position&>, S>);
 static_assert(!EffectIn<NoWrites, S> && !EffectIn<NotConst, S> && !EffectIn<Gravity, S>);
 static_assert(!EffectIn<Takes<S::Velocity&>, Space<float, 2>>); // another space is another velocity
 

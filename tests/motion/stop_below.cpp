@@ -23,7 +23,9 @@ TEST_CASE("stop below: slower than the threshold is set to zero, at it is not", 
 
 TEST_CASE("stop below: the notes' rule stops a thrown ball at its apex where g is small", "[motion][stop_below]") {
     // One step adds g h to the velocity. Where that is less than the threshold the ball never leaves the apex again:
-    // 0.05 m/s at 60 Hz holds it up to g = 3 m/s^2, so on the moon and not on earth. Rest does not do this.
+    // 0.05 m/s at 60 Hz holds it up to g = 3 m/s^2, so on the moon and not on earth. Rest does not do this. Held, it creeps:
+    // each step moves it by g h^2 before its velocity is set to zero, so 2 v0 h in the time of twice the way up. Beside that
+    // the scheme is v0 h / 2 low, and the last v^2 / 2g below the threshold is missing, found within a step.
     auto height_after = []<class Stop>(Stop stop, double gravity) {
         World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -gravity, 0)}, stop};
         const auto ball = world.add(velocity(metres_per_second(0, 1, 0)));
@@ -34,7 +36,8 @@ TEST_CASE("stop below: the notes' rule stops a thrown ball at its apex where g i
     for (const double gravity : {0.1, 1.62, 2.9}) {
         const double h = 1.0 / 60, apex = 0.5 / gravity;
         INFO("g = " << gravity << " m/s^2: the apex is at " << apex << " m, and after three times the way up the ball is at " << height_after(stop, gravity) << " m");
-        CHECK(std::abs(height_after(stop, gravity) - apex) <= h + 0.05 * 0.05 / gravity); // held
+        const double low = h / 2 + 0.05 * 0.05 / (2 * gravity) + 2 * h;
+        CHECK(std::abs(apex - low - height_after(stop, gravity)) <= 0.05 * h + 2 * gravity * h * h); // held
         CHECK(height_after(Rest{}, gravity) < -apex);                                     // falls on
     }
     CHECK(height_after(stop, 9.81) < 0); // g h = 0.16 m/s

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
+# Looks at every compiler that is here.
 #
 # The same worlds come to the same state, to the last bit, in every build (hard case I20): g++ and clang++, each with -O0,
 # -O2, -O3 and -O3 -march=native, all with -ffp-contract=off as the library's exported target asks. What is compared is

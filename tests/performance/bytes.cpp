@@ -13,34 +13,31 @@
 
 namespace {
 
-std::size_t bytes_in_use = 0;
+std::size_t bytes_taken = 0; // from the heap, since the program began
 std::size_t allocations = 0;
 
-// The size stands in front of each block, because not every operator delete is told it.
-void* take(std::size_t bytes, std::size_t alignment) {
-    const std::size_t front = alignment < 16 ? 16 : alignment;
-    char* block = static_cast<char*>(std::aligned_alloc(front, (front + bytes + front - 1) / front * front));
-    if (block == nullptr) throw std::bad_alloc();
-    *reinterpret_cast<std::size_t*>(block) = bytes;
-    bytes_in_use += bytes;
+void* take(std::size_t bytes, std::size_t alignment) noexcept {
+    bytes_taken += bytes;
     ++allocations;
-    return block + front;
+    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 }
-void give_back(void* pointer, std::size_t alignment) {
-    if (pointer == nullptr) return;
-    char* block = static_cast<char*>(pointer) - (alignment < 16 ? 16 : alignment);
-    bytes_in_use -= *reinterpret_cast<std::size_t*>(block);
-    std::free(block);
+void* take_or_throw(std::size_t bytes, std::size_t alignment) {
+    void* const block = take(bytes == 0 ? 1 : bytes, alignment);
+    if (block == nullptr) throw std::bad_alloc();
+    return block;
 }
 
 } // namespace
 
-void* operator new(std::size_t bytes) { return take(bytes, 16); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) { return take(bytes, std::size_t(alignment)); }
-void operator delete(void* pointer) noexcept { give_back(pointer, 16); }
-void operator delete(void* pointer, std::size_t) noexcept { give_back(pointer, 16); }
-void operator delete(void* pointer, std::align_val_t alignment) noexcept { give_back(pointer, std::size_t(alignment)); }
-void operator delete(void* pointer, std::size_t, std::align_val_t alignment) noexcept { give_back(pointer, std::size_t(alignment)); }
+// Those without `nothrow` would be enough, if the address sanitizer did not bring its own of the others.
+void* operator new(std::size_t bytes) { return take_or_throw(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) { return take_or_throw(bytes, std::size_t(alignment)); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return take(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept { return take(bytes, std::size_t(alignment)); }
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
 
 using namespace ansatz;
 
@@ -55,9 +52,9 @@ constexpr std::size_t events = 2 * 3 * sizeof(Event); // Rest: two buffers of wh
 /// different places of a page, which is less than a byte a body here and rounded away.
 template <class W> std::size_t taken_per_body(W world) {
     constexpr std::size_t bodies = 200'000;
-    const std::size_t before = bytes_in_use;
-    world.reserve(bodies);
-    return (bytes_in_use - before) / bodies;
+    const std::size_t before = bytes_taken;
+    world.reserve(bodies); // of an empty world: nothing is given back meanwhile
+    return (bytes_taken - before) / bodies;
 }
 
 template <class W> void costs(const std::string& what, const W& world, std::size_t lanes, std::size_t beside) {

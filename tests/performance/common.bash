@@ -25,7 +25,7 @@ found_compilers() {
 compile() {
     local compiler=$1 source=$2 output=$3
     shift 3
-    # shellcheck disable=SC2046  (the flags are words)
+    # shellcheck disable=SC2046,SC2154 # the flags are words; the script that reads this sets project
     "$compiler" -std=c++20 -ffp-contract=off -fno-math-errno -I "$project" -I "$project/include" $(eigen_flags) "$@" \
         "$source" -o "$output"
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
+# Measures time.
 #
 # A program with one world costs at most 2 times what including Eigen/Core and Boost.Units SI alone costs, with the
-# compiler of the build. tools/compile_time measures it, as the compiler's own CPU time, in turn, the smallest of at least
-# three repeats, and of more while the bound does not hold.
+# compiler of the build. tools/compile_time measures it, as the compiler's own CPU time, in turn, three times, and more
+# often while the bound does not hold.
 #
 # usage: compile_time.sh <folder of the project>       with CXX in the environment, as ctest sets it
 set -euo pipefail

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
+# Looks at every compiler that is here.
 #
 # How many instructions a step executes, counted exactly by callgrind:
 #
@@ -61,13 +62,14 @@ row() {    # compiler, what, the reference's function, ours, the limit of ours t
 
 echo "instructions for each body and step (callgrind), -O3 -DNDEBUG -march=x86-64-v3 -ffp-contract=off -fno-math-errno"
 head="%-12s %-24s %9s %9s %8s %7s\n"
-# shellcheck disable=SC2059  (the format is a variable on purpose)
+# shellcheck disable=SC2059 # the format is a variable on purpose
 printf "\n$head" compiler "" "by hand" World ratio limit
 for compiler in "${compilers[@]}"; do
     for scalar in float double; do
         for dimension in 2 3; do
-            row "$compiler" "free flight, $scalar, $dimension-D" "by_hand<$scalar, $dimension, false" "by_world<$scalar, $dimension, false" "$flight_limit"
-            row "$compiler" "fall, $scalar, $dimension-D" "by_hand<$scalar, $dimension, true" "by_world<$scalar, $dimension, true" "$flight_limit"
+            kind="$scalar, $dimension" name="$scalar, $dimension-D"
+            row "$compiler" "free flight, $name" "by_hand<$kind, false" "by_world<$kind, false" "$flight_limit"
+            row "$compiler" "fall, $name" "by_hand<$kind, true" "by_world<$kind, true" "$flight_limit"
         done
     done
 done

@@ -72,8 +72,9 @@ public:
         return subjects_.emplace_back(Subject{std::move(name), bodies, std::move(run)});
     }
     /// `ours` takes at most `limit` times what the fastest of `others` takes.
-    void bound(std::string what, Competitor ours, std::vector<const Subject*> others, double limit) {
-        bounds_.push_back({std::move(what), &ours, std::move(others), limit});
+    /// \param known_miss where the limit cannot be met: the table says MISSED, and what was measured must not become worse
+    void bound(std::string what, Competitor ours, std::vector<const Subject*> others, double limit, double known_miss = 0) {
+        bounds_.push_back({std::move(what), &ours, std::move(others), limit, known_miss});
     }
 
     void run() {
@@ -83,7 +84,7 @@ public:
             for (int repeat = 0; repeat < repeats_a_round; ++repeat)
                 for (Subject& s : subjects_) one(s);
             ++rounds;
-        } while (rounds < fewest_rounds || (rounds < most_rounds && !std::all_of(bounds_.begin(), bounds_.end(), [](const Bound& b) { return b.holds(); })));
+        } while (rounds < fewest_rounds || (rounds < most_rounds && !all_hold()));
 
         std::printf("\n%s\nsmallest of %d repeats, taken in turn; spread: how far their median lies above it\n\n", ANSATZ_FLAGS,
                     rounds * repeats_a_round);
@@ -92,7 +93,7 @@ public:
             std::printf("%-46s %8zu %14.3f %6.0f %%\n", s.name.c_str(), s.bodies, s.best(), 100 * s.spread());
         std::printf("\n%-70s %8s %8s\n", "", "ratio", "at most");
         for (const Bound& b : bounds_)
-            std::printf("%-70s %8.3f %8.3f  %s\n", b.what.c_str(), b.ratio(), b.limit, b.holds() ? "PASS" : "FAIL");
+            std::printf("%-70s %8.3f %8.3f  %s\n", b.what.c_str(), b.ratio(), b.limit, b.ratio() <= b.limit ? "PASS" : b.holds() ? "MISSED" : "FAIL");
         std::fflush(stdout);
         for (const Bound& b : bounds_) {
             INFO(b.what << ": " << b.ratio() << " times, at most " << b.limit << ", after " << rounds * repeats_a_round << " repeats");
@@ -105,15 +106,18 @@ private:
         std::string what;
         const Subject* ours;
         std::vector<const Subject*> others;
-        double limit;
+        double limit, known_miss;
         double ratio() const {
             double fastest = std::numeric_limits<double>::infinity();
             for (const Subject* other : others) fastest = std::min(fastest, other->best());
             return ours->best() / fastest;
         }
-        bool holds() const { return ratio() <= limit; }
+        bool holds() const { return ratio() <= std::max(limit, known_miss); }
     };
 
+    bool all_hold() const {
+        return std::all_of(bounds_.begin(), bounds_.end(), [](const Bound& b) { return b.holds(); });
+    }
     static double seconds_of(const Subject& s) {
         const double start = thread_seconds();
         s.run(s.steps);
@@ -219,13 +223,14 @@ template <template <class...> class Stepper, class Slope> std::function<void(int
             }
     };
 }
-// What clang makes of odeint's arrays keeps the processor's arithmetic busy without a gap (8.5 ns a body for 110 operations
-// and four roots; g++: 35). Vectors of eight floats win only a factor of two over that, by hand no more than here: the four
-// roots wait for each other, and one body's chain of operations is as long as what the processor looks ahead.
+// The bound that clang misses. What it makes of odeint's arrays keeps the processor's arithmetic busy without a gap (8.5 ns a
+// body for 110 operations and four roots; g++: 33). Vectors of eight floats win a factor of two over that (4.2 ns; 3.9 in a
+// loop by hand): the four roots wait for each other, and one body's chain of operations is as long as what the processor
+// looks ahead. Two bodies at a time would be 3.3 ns, still not four times.
 #ifdef __clang__
-constexpr double times_faster_than_rk4 = 1.8;
+constexpr double missed_by_clang = 1 / 1.8;
 #else
-constexpr double times_faster_than_rk4 = 4;
+constexpr double missed_by_clang = 0;
 #endif
 
 constexpr auto fall = [](const std::array<float, 6>& y, std::array<float, 6>& to, float) { to = {y[3], y[4], y[5], 0, g, 0}; };
@@ -258,7 +263,8 @@ TEST_CASE("A step is as fast as the memory, and faster than odeint") {
         auto& generic = race.add("odeint runge_kutta4, an array for each body", n, body_after_body<odeint::runge_kutta4>(n, fall_in_air));
         auto& classic =
             race.add("odeint runge_kutta4_classic, the same", n, body_after_body<odeint::runge_kutta4_classic>(n, fall_in_air));
-        race.bound("Runge-Kutta with quadratic drag, beside odeint's for each body" + many, rk4, {&generic, &classic}, 1 / times_faster_than_rk4);
+        race.bound("Runge-Kutta with quadratic drag: 4 times faster than odeint's" + many, rk4, {&generic, &classic}, 1 / 4.0,
+                   missed_by_clang);
     }
     race.run();
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSL-1.0
+# Looks at every compiler that is here.
 #
 # No symbol of a policy that nobody called for is in the object file of a world (hard case N5): neither its name nor that
 # of the column it would have stored, although <ansatz/world.hpp> includes them all. With every compiler found, without

@@ -83,8 +83,7 @@ template <class W> std::size_t allocations_of_a_while(W& world, int steps) {
 } // namespace
 
 TEST_CASE("allocations are counted here", "[world][step]") {
-    CHECK(allocations_of([] { delete new int(1); }) == 1);
-    CHECK(allocations_of([] { std::vector<double> v(10); }) == 1);
+    CHECK(allocations_of([] { ::operator delete(::operator new(8)); }) == 1); // by name: a compiler may leave out `delete new int`
     CHECK(allocations_of([] { World world{SemiImplicitEuler{}}; world.add(); }) > 0);
 }
 

@@ -114,7 +114,9 @@ TEST_CASE("a body that is added, removed, moved or put to sleep takes nothing fr
         if (alive.empty() || what < 3) {
             const auto heat = with<Heat>(next * joule);
             const auto heavy = mass(next * kilogram);
-            alive[next] = what == 0 ? world.add(heat, fixed, datum(next)) : what == 1 ? world.add(heat, heavy, resting, datum(next)) : world.add(heat, heavy, datum(next));
+            alive[next] = what == 0   ? world.add(heat, fixed, datum(next))
+                          : what == 1 ? world.add(heat, heavy, resting, datum(next))
+                                      : world.add(heat, heavy, datum(next));
             ++next;
         } else {
             auto it = alive.begin();

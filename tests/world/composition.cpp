@@ -17,7 +17,7 @@ namespace {
 template <class... P> std::uint64_t hash_of(const P&... policies) {
     World world{policies...};
     for (int i = 0; i < 5; ++i)
-        world.add(position(metres(i, -i, 1)), velocity(metres_per_second(1, i, 0.5)), mass((1.0 + i) * kilogram), with<Heat>(i * joule));
+        world.add(position(metres(i, -i, 1)), velocity(metres_per_second(1, i, 0.5)), with<Heat>(i * joule));
     for (int i = 0; i < 100; ++i) world.step((i % 9 == 8 ? 1.0 / 120 : 1.0 / 60) * second);
     return world.hash();
 }
@@ -53,10 +53,10 @@ TEST_CASE("all twenty-four orders of four policies are one world after a hundred
         seen.insert(hash_of(policies...));
     };
     // Two forces, whose sum does not depend on the order to the last bit, and columns whose order does follow the list.
-    every_order(run, std::tuple<>(), std::tuple(Verlet{}, ToOrigin{}, QuadraticDrag{}, Keep<Heat>{}));
+    every_order(run, std::tuple<>(), std::tuple(SemiImplicitEuler{}, ToOrigin{}, Gravity{}, Keep<Heat, Position>{}));
     CHECK(orders == 24);
     CHECK(seen.size() == 1);
-    CHECK(seen.count(hash_of(Verlet{}, ToOrigin{}, QuadraticDrag{0.2 * kilogram_per_metre}, Keep<Heat>{})) == 0);
+    CHECK(seen.count(hash_of(SemiImplicitEuler{}, ToOrigin{}, Gravity{metres_per_second_squared(0, -1, 0)}, Keep<Heat, Position>{})) == 0);
 }
 
 namespace {

@@ -34,6 +34,20 @@ TEST_CASE("a frame of a quarter of a second is exactly fifteen steps of a sixtie
     CHECK(clock.dropped() == 0.0 * second);
 }
 
+TEST_CASE("a spike of a whole number of steps is that number, however the division rounds", "[world][fixed_step][I24]") {
+    Counter counter;
+    bool all = true;
+    for (const int rate : {10, 24, 25, 30, 50, 60, 75, 90, 100, 120, 144, 240})
+        for (int n = 1; n <= 100; ++n) {
+            FixedStep clock(1.0 / rate * second, 100.0 / rate * second); // and the clamp is a hundred steps
+            all = all && clock.advance(counter, double(n) / rate * second) == std::uint64_t(n) && clock.alpha() == 0;
+        }
+    CHECK(all);
+    CHECK(0.3 / 0.1 < 3); // as it does here, for one
+    FixedStep clock(0.1 * second, 0.3 * second);
+    CHECK(clock.advance(counter, 0.3 * second) == 3);
+}
+
 TEST_CASE("a frame of ten seconds is clamped, what was dropped is told, and the next frame owes nothing", "[world][fixed_step][I24]") {
     Counter counter;
     FixedStep clock(1.0 / 60 * second);
@@ -100,7 +114,7 @@ TEST_CASE("a step, a clamp or a frame that cannot be is refused, and nothing mov
     for (const double dt : {nan, inf, -inf, -1.0, 0.0})
         CHECK(text([&] { FixedStep clock(dt * second); }).find("FixedStep: dt is " + describe(dt * second) + "; ") == 0);
     for (const double longest : {nan, inf, -1.0, 0.0, 0.01})
-        CHECK(text([&] { FixedStep clock(0.02 * second, longest * second); }).find("FixedStep: longest is " + describe(longest * second) + "; ") == 0);
+        CHECK(text([&] { FixedStep clock(0.02 * second, longest * second); }).find("FixedStep: longest is " + describe(longest * second)) == 0);
     World world{SemiImplicitEuler{}, Gravity{}};
     const auto body = world.add();
     FixedStep clock(1.0 / 64 * second);

@@ -99,7 +99,8 @@ TEST_CASE("Verlet asks once more only where a law reads the velocity", "[world][
     CHECK(of_velocity == 10 * 3 * 2);
 }
 
-TEMPLATE_TEST_CASE("where bodies couple, law and coupling are asked once a stage as well", "[world][laws][N3]", SemiImplicitEuler, Verlet, RungeKutta4) {
+TEMPLATE_TEST_CASE("where bodies couple, law and coupling are asked once a stage as well", "[world][laws][N3]", SemiImplicitEuler, Verlet,
+                   RungeKutta4) {
     std::uint64_t asked = 0, coupled = 0;
     World world{TestType{}, Counted<>{&asked}, CountedCoupling{&coupled}, Drag{}, Keep<Heat>{}};
     populate(world, 5);

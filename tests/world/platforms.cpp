@@ -7,7 +7,8 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a platform goes where its velocity takes it, and nothing pulls, slows or stops it", "[world]", SemiImplicitEuler, Verlet, ImplicitEuler) {
+TEMPLATE_TEST_CASE("a platform goes where its velocity takes it, and nothing pulls, slows or stops it", "[world]", SemiImplicitEuler, Verlet,
+                   ImplicitEuler) {
     World world{TestType{}, Gravity{}, Drag{0.5 / second}, AppliedForces{}, Rest{}};
     const auto lift = world.add(position(metres(0, 1, 0)), velocity(metres_per_second(0, 0.5, 0)), moving);
     const auto still = world.add(position(metres(3, 1, 0)), moving); // slower than the threshold of Rest, and a platform all the same

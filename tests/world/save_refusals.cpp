@@ -119,7 +119,7 @@ TEST_CASE("numbers in a file are held to what the world would take at its door",
     refused([](Json& f) { f["clock"]["dt"] = -1.0; }, "clock.dt is -1.0; expected a time step", "not negative");
     refused([](Json& f) { f["clock"]["steps"] = 99; }, "clock.steps is 99; expected a whole number from 0 to 3", "");
     refused([](Json& f) { f["policies"]["Drag"]["rate"] = -1.0; }, "policies: Drag: rate is -1 1/s; it must be finite and not negative", "");
-    refused([](Json& f) { f["policies"]["Gravity"]["acceleration"] = 9.81; }, "policies.Gravity.acceleration is 9.81; expected a list of numbers", "");
+    refused([](Json& f) { f["policies"]["Gravity"]["acceleration"] = 9.81; }, "policies.Gravity.acceleration is 9.81; ", "a list of numbers");
 }
 
 TEST_CASE("a clock whose steps have no length is refused, because history is divided by it", "[world][save]") {
@@ -132,7 +132,8 @@ TEST_CASE("a directory of bodies that contradicts itself is refused", "[world][s
     refused([](Json& f) { f["bodies"][1]["id"] = 77; }, "bodies[1].id is 77; expected a whole number from 0 to 4", "");
     refused([](Json& f) { f["bodies"][1]["id"] = "ball"; }, "bodies[1].id is \"ball\"; expected a whole number", "");
     refused([](Json& f) { f["bodies"][1]["motion"] = "flying"; }, "bodies[1].motion is \"flying\"; expected \"awake\", \"resting\"", "");
-    refused([](Json& f) { std::swap(f["bodies"][0], f["bodies"][3]); }, "bodies[1].motion is ", "expected bodies in the order awake, resting, moving, fixed");
+    refused([](Json& f) { std::swap(f["bodies"][0], f["bodies"][3]); }, "bodies[1].motion is ",
+            "expected bodies in the order awake, resting, moving, fixed");
     refused([](Json& f) { f["free"] = Json::array(); }, "free is []; expected a list of 1 free ids", "");
     refused([](Json& f) { f["free"][0] = 3; }, "free[0] is 3; expected an id that is free, once", "");
     refused([](Json& f) { f["generations"].erase(0); }, "bodies[", "");

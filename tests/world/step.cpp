@@ -41,7 +41,8 @@ template <Place At> struct Note {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("effects act at the place that they name, in whatever order they are listed", "[world][step]", SemiImplicitEuler, Verlet, ImplicitEuler) {
+TEMPLATE_TEST_CASE("effects act at the place that they name, in whatever order they are listed", "[world][step]", SemiImplicitEuler, Verlet,
+                   ImplicitEuler) {
     using I = TestType;
     auto digits = [](auto world) {
         const auto body = world.add(velocity(metres_per_second(1, 0, 0)));

@@ -57,7 +57,8 @@ struct Rope {
 TEST_CASE("an observer sees every body by id after each step, with the time that it is then", "[world][view]") {
     std::vector<Recorder::Seen> seen;
     World world{SemiImplicitEuler{}, Rest{}, Keep<Heat>{}, Recorder{&seen}};
-    const auto fixed_one = world.add(fixed, with<Heat>(1.0 * joule)), mover = world.add(velocity(metres_per_second(64, 0, 0)), with<Heat>(2.0 * joule));
+    const auto fixed_one = world.add(fixed, with<Heat>(1.0 * joule));
+    const auto mover = world.add(velocity(metres_per_second(64, 0, 0)), with<Heat>(2.0 * joule));
     const auto sleeper = world.add(resting, with<Heat>(3.0 * joule));
     CHECK(seen.empty());
     world.step(0.0 * second);

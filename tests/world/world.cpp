@@ -27,9 +27,9 @@ TEMPLATE_TEST_CASE("a world copied at step 30 and run to 60 is the world run to 
     CHECK(first.status().ok());
     CHECK(world.tick() == 60);
 
-    auto second = world; // assigned over, moved, returned
-    second = copy_of_30;
-    auto third = std::move(second);
+    auto assigned = world; // assigned over, moved, returned
+    assigned = copy_of_30;
+    auto third = std::move(assigned);
     live(third, 30, 60);
     CHECK(same_to_the_bit(third, world));
 }

@@ -20,7 +20,8 @@
 
 #include <ansatz/motion/newton.hpp>
 
-#include <ranges>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 
 namespace ansatz::mechanics {
@@ -72,14 +73,21 @@ template <class Mass, class Velocity> auto kinetic_energy(const Mass& mass, cons
     }
 }
 
-/// A range of point masses: a vector, an array, a view.
+namespace detail {
+template <class R> using ElementOf = std::remove_cvref_t<decltype(*std::begin(std::declval<R&>()))>;
+}
+/// A range of point masses: a vector, an array, a view. (By hand, because <ranges> would be a tenth of what a small
+/// program takes to compile.)
 template <class R>
-concept PointMasses = std::ranges::input_range<R> && requires(const std::ranges::range_value_t<R>& one) { one.mass * one.velocity; };
+concept PointMasses = requires(R& bodies, const detail::ElementOf<R>& one) {
+    std::begin(bodies) != std::end(bodies);
+    one.mass * one.velocity;
+};
 
 /// \f$ \sum m \mathbf v \f$ of a list, in kg m/s; zero for an empty one. In a closed system it is constant (notes 1.4).
 /// \throws std::invalid_argument for a mass that is not finite and greater than zero
 template <PointMasses R> auto total_momentum(R&& bodies) {
-    using Body = std::ranges::range_value_t<R>;
+    using Body = detail::ElementOf<R>;
     auto sum = decltype(std::declval<const Body&>().mass * std::declval<const Body&>().velocity)();
     for (const auto& body : bodies) sum += momentum(body.mass, body.velocity);
     return sum;
@@ -88,7 +96,7 @@ template <PointMasses R> auto total_momentum(R&& bodies) {
 /// \f$ \sum m \mathbf v / \sum m \f$: how fast the centre of mass moves. Seen from there the total momentum is zero.
 /// \throws std::invalid_argument for an empty list, and for a mass that is not finite and greater than zero
 template <PointMasses R> auto centre_of_mass_velocity(const R& bodies) {
-    using Body = std::ranges::range_value_t<R>;
+    using Body = detail::ElementOf<R>;
     decltype(Body::mass) all{};
     for (const auto& body : bodies) all += body.mass;
     require_positive("mechanics::centre_of_mass_velocity", "the sum of the masses", all);

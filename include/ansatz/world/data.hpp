@@ -75,6 +75,11 @@ template <class C> struct WorldData {
     void reserve(std::size_t n) {
         lanes.reserve(n);
         bodies.reserve(n);
+        reserve_notes(n);
+    }
+    /// Room for what a step may note about each body. A copied vector has no more room than it needs, so the first step of
+    /// a copy makes it, and no later one.
+    void reserve_notes([[maybe_unused]] std::size_t n) {
         if constexpr (C::history) starts.reserve(n);
         if constexpr (C::rests) events.reserve(n);
     }

@@ -306,7 +306,7 @@ void World<P...>::step(const T& dt) {
             if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
             return;
         }
-        data_.reserve(data_.bodies.ids()); // a copy has no room for events yet; its first step makes it, and no later one
+        data_.reserve_notes(data_.bodies.ids());
         const bool first = tick() == 0;
         Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
             .run(scalar_cast<typename S::ClockScalar>(dt));

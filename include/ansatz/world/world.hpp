@@ -87,7 +87,7 @@ public:
     using Acceleration = typename S::Acceleration;
     using ClockTime = typename S::ClockTime;
 
-    /// What a body takes in the lanes; the directory adds 16 bytes.
+    /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 9, Rest's events 72.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
 
     /// \throws std::invalid_argument if a policy's parameter is not acceptable
