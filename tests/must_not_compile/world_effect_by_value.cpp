@@ -1,4 +1,4 @@
-// expect: takes by value what it declares to change
+// expect: because it takes it by value
 // SPDX-License-Identifier: BSL-1.0
 // An effect that changes a copy.
 

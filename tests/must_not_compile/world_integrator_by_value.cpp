@@ -1,4 +1,4 @@
-// expect: takes by value what it declares to change
+// expect: because it takes it by value
 // SPDX-License-Identifier: BSL-1.0
 // A world that would stand still in silence.
 

@@ -59,7 +59,7 @@ template <class P, class S, class... C> constexpr bool lawful(Columns<C...>) {
 
 /// It can be asked and answers with something else than it should.
 template <class P, class S> constexpr bool answers_wrongly() {
-    if constexpr (!couples_bodies<P> && Binds<P, S>)
+    if constexpr (DeclaresReads<P> && !couples_bodies<P> && Binds<P, S>)
         return []<class... C>(Columns<C...>) {
             using Asked = const Row<S, without_clock<P>>;
             using Ctx = Context<S, reads_clock<P>>;
