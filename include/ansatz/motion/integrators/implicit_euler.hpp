@@ -16,6 +16,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ansatz {
@@ -47,7 +48,7 @@ struct ImplicitEuler {
             const Scalar h = dt.value();
             const Eigen::Matrix<Scalar, dimension, dimension> matrix =
                 Eigen::Matrix<Scalar, dimension, dimension>::Identity() - h * j.velocity.value() - h * h * j.position.value();
-            const Vec correction = matrix.partialPivLu().solve(r.value());
+            const Vec correction = solve_rows(matrix, r.value());
             V step = V::from_value(correction);
             if (!is_finite(step)) break;
             V next = u - step;
@@ -71,6 +72,24 @@ struct ImplicitEuler {
         if (is_finite(u)) v = u;
         x += v * dt;
         return converged;
+    }
+
+private:
+    /// Solves two or three linear equations by Eigen's closed form of the inverse. Each row is divided by its largest
+    /// coefficient first, so that the determinant neither overflows nor vanishes with the stiffness; what rounding leaves,
+    /// Newton's next correction removes. (Eigen's pivoting LU is as good, and takes three seconds to compile in every world.)
+    template <class Matrix, class Vec> static Vec solve_rows(Matrix matrix, Vec right) {
+        using std::abs;
+        using Scalar = typename Vec::Scalar;
+        constexpr int n = Vec::RowsAtCompileTime;
+        for (int i = 0; i < n; ++i) {
+            Scalar largest(0);
+            for (int k = 0; k < n; ++k)
+                if (largest < abs(matrix(i, k))) largest = abs(matrix(i, k));
+            for (int k = 0; k < n; ++k) matrix(i, k) /= largest;
+            right[i] /= largest;
+        }
+        return matrix.inverse() * right;
     }
 };
 
