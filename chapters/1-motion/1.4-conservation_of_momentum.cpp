@@ -34,14 +34,14 @@ int main() {
     std::vector<Quantity<unit::Energy>> energies;
     bool conserved = true, parted = true;
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const auto [first, second] = mechanics::collide(cart, wagon, e);
-        const auto after = mechanics::momentum(first.mass, first.velocity) + mechanics::momentum(second.mass, second.velocity);
-        std::cout << std::setw(5) << e << std::setw(8) << first.velocity << std::setw(8) << second.velocity << "   " << after << "   "
-                  << energy(first, second) << '\n';
+        const auto [one, other] = mechanics::collide(cart, wagon, e);
+        const auto after = mechanics::momentum(one.mass, one.velocity) + mechanics::momentum(other.mass, other.velocity);
+        std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   " << after << "   "
+                  << energy(one, other) << '\n';
         conserved = conserved && abs(after - before) < 1e-14 * kilogram_metre_per_second;
-        parted = parted && abs((second.velocity - first.velocity) - e * closing) < 1e-14 * metre_per_second;
+        parted = parted && abs((other.velocity - one.velocity) - e * closing) < 1e-14 * metre_per_second;
         restitutions.push_back(e);
-        energies.push_back(energy(first, second));
+        energies.push_back(energy(one, other));
     }
     claim("momentum is the same before and after, at every e", conserved);
     claim("they part with e times the speed at which they met", parted);

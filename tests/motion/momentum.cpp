@@ -112,8 +112,8 @@ TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a mill
     for (int i = 0; i < 2000; ++i) {
         const auto before = pair_along_a_line<S>(numbers);
         const S e = i % 4 == 0 ? S(i / 4 % 2) : S(numbers.between(0, 1)); // a quarter of them at 0 or 1 exactly
-        const auto [first, second] = collide(before[0], before[1], e);
-        const std::array after{first, second};
+        const auto [one, other] = collide(before[0], before[1], e);
+        const std::array after{one, other};
         CAPTURE(i, e, before[0].mass, before[0].velocity, before[1].mass, before[1].velocity);
 
         const auto wide = [](auto q) { return scalar_cast<double>(q); };
@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a mill
             change += 0.5 * m * (v - u) * (v + u);
         }
         const double momentum_error = in(abs(p) / momentum_scale, unit::Dimensionless{}) / epsilon;
-        const auto met = wide(before[0].velocity) - wide(before[1].velocity), parted = wide(first.velocity) - wide(second.velocity);
+        const auto met = wide(before[0].velocity) - wide(before[1].velocity), parted = wide(one.velocity) - wide(other.velocity);
         const auto speed_scale = abs(wide(before[0].velocity)) + abs(wide(before[1].velocity));
         const double speed_error = in(abs(parted + double(e) * met) / speed_scale, unit::Dimensionless{}) / epsilon;
         const double energy_error =
