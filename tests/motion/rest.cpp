@@ -101,3 +101,24 @@ TEST_CASE("rest refuses a threshold that nothing is below, and a negative time",
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.0 * metre_per_second, 0.5 * second}}), std::invalid_argument);
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, -0.5 * second}}), std::invalid_argument);
 }
+
+TEST_CASE("rest: the order of the list means nothing, also among effects of one place", "[motion][rest]") {
+    // Damping first, then what stops, then the look at the velocity that is left, however they are listed.
+    const FrameDrag half{0.5};
+    const StopBelow stop{0.03 * metre_per_second};
+    const Rest rest{0.05 * metre_per_second, 0.0 * second};
+    auto after_a_step = [](auto world, double speed) {
+        const auto body = world.add(velocity(metres_per_second(speed, 0, 0)));
+        world.step(0.01 * second);
+        return std::pair(world.motion(body), world.velocity(body).value()[0]);
+    };
+    for (const double speed : {0.05, 0.08, 0.2}) {
+        const auto expected = after_a_step(World{SemiImplicitEuler{}, half, stop, rest}, speed);
+        CHECK((expected.first == Motion::resting) == (speed < 0.1));
+        CHECK(after_a_step(World{SemiImplicitEuler{}, half, rest, stop}, speed) == expected);
+        CHECK(after_a_step(World{SemiImplicitEuler{}, stop, half, rest}, speed) == expected);
+        CHECK(after_a_step(World{SemiImplicitEuler{}, stop, rest, half}, speed) == expected);
+        CHECK(after_a_step(World{rest, half, stop, SemiImplicitEuler{}}, speed) == expected);
+        CHECK(after_a_step(World{rest, stop, half, SemiImplicitEuler{}}, speed) == expected);
+    }
+}

@@ -23,6 +23,7 @@ struct Rest {
     using reads = Columns<Velocity>;
     using writes = Columns<RestTime>;
     static constexpr Place place = Place::after_integration;
+    static constexpr int turn = 2; ///< looks at the velocity that is left
     static constexpr bool puts_to_rest = true;
 
     /// m/s, finite, greater than zero; it says nothing about mass, so that a heavy body rests like a light one

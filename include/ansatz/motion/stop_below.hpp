@@ -20,6 +20,7 @@ struct StopBelow {
     using role = roles::Effect;
     using writes = Columns<Velocity>;
     static constexpr Place place = Place::after_integration;
+    static constexpr int turn = 1; ///< after all damping
 
     /// m/s, finite, not negative; zero stops nothing
     Parameter<unit::Velocity> threshold = 0.05 * metre_per_second;

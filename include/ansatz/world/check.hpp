@@ -11,6 +11,8 @@
 
 #include <ansatz/world/concepts.hpp>
 
+#include <string_view>
+
 namespace ansatz::detail {
 
 /// Makes the compiler look at the sentences of `Check...`.
@@ -172,17 +174,32 @@ template <class P, class... All> struct CheckOnce {
     static_assert(stands_once<P, All...>, "Ansatz: World has the same policy twice; each type of policy stands once in the list");
 };
 
+template <class... C> constexpr bool names_differ(Columns<C...>) {
+    auto times = [](std::string_view name) { return (0 + ... + int(C::name == name)); };
+    return ((times(C::name) == 1) && ...);
+}
+
 template <class... P> struct TogetherFacts {
     using S = space_of<P...>;
     using I = typename Composition<P...>::Integrator;
     static constexpr bool implicit = requires { requires I::needs_jacobian; };
     static constexpr bool differentiable = !implicit || (has_jacobian<P, S> && ...);
     static constexpr bool apart = implicit || is_staged<I> || !Composition<P...>::coupled;
-    static constexpr bool ok = differentiable && apart;
+    static constexpr bool named = names_differ(typename Composition<P...>::needed{});
+    static constexpr bool ok = differentiable && apart && named;
 };
 template <class... P> struct CheckTogether {
     static_assert(TogetherFacts<P...>::apart, "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; "
                                               "take an integrator of stages, e.g. RungeKutta4");
+    static_assert(TogetherFacts<P...>::named, "Ansatz: two columns of this world have the same name, by which they are saved and hashed; give "
+                                              "each its own `static constexpr std::string_view name`");
+};
+
+/// An observer that asks for the velocity under an integrator that keeps none.
+template <class P, class I> inline constexpr bool observable = !PlaysRole<P, roles::Observer> || !derives_velocity<I> || !contains<Velocity, reads_of<P>>;
+template <class P, class I> struct CheckObservable {
+    static_assert(observable<P, I>, "Ansatz: an observer reads Velocity, but this integrator keeps the history of positions and no velocity; "
+                                    "ask world.velocity(body) between the steps, or take VelocityVerlet");
 };
 
 /// All sentences about one list of policies, in an order in which the first is the one to read.
@@ -198,6 +215,8 @@ template <class... P> constexpr bool check_world() {
         return !read_sentences<CheckFor<P, S>...>;
     else if constexpr (!TogetherFacts<P...>::differentiable)
         return !read_sentences<CheckJacobian<P, S>...>;
+    else if constexpr (!(observable<P, typename Composition<P...>::Integrator> && ...))
+        return !read_sentences<CheckObservable<P, typename Composition<P...>::Integrator>...>;
     else if constexpr (!TogetherFacts<P...>::ok)
         return !read_sentences<CheckTogether<P...>>;
     else

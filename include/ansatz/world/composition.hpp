@@ -52,6 +52,24 @@ template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> 
 template <class P> struct IsObserver : std::bool_constant<PlaysRole<P, roles::Observer>> {};
 template <class P> struct IsRester : std::bool_constant<puts_to_rest<P>> {};
 
+/// When an effect acts among those of its place: turn 0 unless it says otherwise, up to 2.
+template <class P> constexpr int turn_of() {
+    if constexpr (requires { P::turn; }) return P::turn;
+    return 0;
+}
+template <int Turn> struct HasTurn {
+    template <class P> struct Is : std::bool_constant<turn_of<P>() == Turn> {};
+};
+template <class... Lists> struct Joined;
+template <class... A, class... B, class... C> struct Joined<Types<A...>, Types<B...>, Types<C...>> {
+    using type = Types<A..., B..., C...>;
+};
+template <class List> struct InTurn;
+template <class... E> struct InTurn<Types<E...>> {
+    static_assert(((turn_of<E>() >= 0 && turn_of<E>() <= 2) && ...), "Ansatz: an effect's turn is 0, 1 or 2");
+    using type = typename Joined<filter<HasTurn<0>::Is, E...>, filter<HasTurn<1>::Is, E...>, filter<HasTurn<2>::Is, E...>>::type;
+};
+
 template <Place At> struct EffectAt {
     template <class P> static constexpr bool here() {
         if constexpr (PlaysRole<P, roles::Effect> && requires { P::place; }) return P::place == At;
@@ -109,7 +127,8 @@ template <class... P> struct Composition {
     using couplings = detail::filter<detail::IsCoupling, P...>;
     using observers = detail::filter<detail::IsObserver, P...>;
     using resters = detail::filter<detail::IsRester, P...>;
-    template <Place At> using effects = detail::filter<detail::EffectAt<At>::template Is, P...>;
+    /// The effects of a place, by their turns, so that the order of the list means nothing.
+    template <Place At> using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At>::template Is, P...>>::type;
 
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
 

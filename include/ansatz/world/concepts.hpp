@@ -188,7 +188,8 @@ template <class I, class S>
 concept IntegratorIn = StagedIntegratorIn<I, S> || SolvingIntegratorIn<I, S>;
 
 /// An effect in space `S`: declares `writes` (and `reads`), a `place`, and `In<S>` has
-/// `apply(written&..., read..., context)`.
+/// `apply(written&..., read..., context)`. Where it matters when it acts among those of its place, it says so with
+/// `static constexpr int turn`, 0 to 2 (damping 0, StopBelow 1, Rest 2); those of one turn act as listed and should commute.
 template <class E, class S>
 concept EffectIn = PlaysRole<E, roles::Effect> && detail::DeclaresWrites<E> && detail::HasPlace<E> &&
                    detail::applies<E, S>(writes_of<E>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}) &&
