@@ -82,9 +82,11 @@ void check_one() {
     CHECK(read(text) == expected);
 }
 
+// In a list, not in a fold: clang nests a fold as deep as it is long, and stops at 256.
 template <int... I>
 void check_all(std::integer_sequence<int, I...>) {
-    (check_one<I % 7 - 3, I / 7 % 5 - 2, I / 35 % 7 - 3, I / 245 - 1>(), ...);
+    for (const auto check : {check_one<I % 7 - 3, I / 7 % 5 - 2, I / 35 % 7 - 3, I / 245 - 1>...})
+        check();
 }
 
 } // namespace
