@@ -52,11 +52,11 @@ int main() {
 
     const auto harder = 100.0 / second; // w dt = 1.67
     const auto swept = problems::oscillate<SweptEuler>(harder, dt, 60);
-    const auto newton = problems::oscillate<ImplicitEuler>(harder, dt, 60);
+    const auto iterated = problems::oscillate<ImplicitEuler>(harder, dt, 60);
     std::cout << "omega dt = 1.67, 60 steps: 5 sweeps a step end at " << swept.places.back() << ", Newton's method at "
-              << newton.places.back() << '\n';
+              << iterated.places.back() << '\n';
     claim("five sweeps are not a solution: beyond w dt = 1 they explode", abs(swept.places.back()) > 1e30 * metre);
-    claim("solved exactly, the same step is calm", abs(newton.places.back()) < 1e-15 * metre);
+    claim("solved exactly, the same step is calm", abs(iterated.places.back()) < 1e-15 * metre);
 
     const auto kept = problems::oscillate<SemiImplicitEuler>(omega, dt, 60);
     workbook::Plot plot("1.6.2", "Implicit Euler is stable, and brakes what should swing for ever");
