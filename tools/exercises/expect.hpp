@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// How the test of an exercise holds an answer against the right one, and says in words what a right one looks like.
+///
+/// A test.cpp is built against several subjects: the student's exercise.hpp, the library, the solution, the skeleton and
+/// each wrong answer. All of them define `namespace exercise`; "subject.hpp" is the one of this build. A test case has two
+/// tags, its task and its own name, by which a wrong answer lists what it fails: "[task-1][old-velocity]".
+
+#include "subject.hpp"
+#include "tests/catch.hpp"
+#include "tools/exercises/todo.hpp"
+
+#include <ansatz/units.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ansatz::workbook {
+
+/// What the subject computes for inputs that tell the wrong answers apart; written in each test.cpp. Equal numbers name
+/// the mistake that a student made.
+std::vector<double> probe(int task);
+
+/// Fails the test with a text of one or more lines.
+inline void expect(bool holds, const std::string& text) {
+    if (!holds) FAIL(text);
+    SUCCEED();
+}
+
+namespace detail {
+inline bool all_finite(double x) { return std::isfinite(x); }
+template <class Q> bool all_finite(const Q& q) { return is_finite(q); }
+inline double size_of(double x) { return std::abs(x); }
+template <class Q> auto size_of(const Q& q) {
+    if constexpr (ansatz::detail::vector_valued<Q>)
+        return norm(q);
+    else
+        return abs(q);
+}
+template <class T> std::string shown(const T& value) {
+    std::ostringstream text;
+    text.precision(10);
+    text << value;
+    return text.str();
+}
+} // namespace detail
+
+/// Fails unless `yours` is within `tolerance`, a quantity of the same unit, of `right`.
+/// \param what  what it is, e.g. "the position after one step of 0.1 s"
+/// \param why   what makes the right answer right, in one sentence
+template <class Q, class R, class T>
+void expect_near(std::string_view what, const Q& yours, const R& right, const T& tolerance, std::string_view why) {
+    std::string text(what);
+    text.append("\n    yours  ").append(detail::shown(yours)).append("\n    right  ").append(detail::shown(right)).append("\n");
+    if (!detail::all_finite(yours)) {
+        FAIL(text << "Yours is no finite number: something was divided by zero, or a root was taken of something negative, or it grew without end.");
+    }
+    if (!(detail::size_of(yours - right) <= tolerance)) FAIL(text << why);
+    SUCCEED();
+}
+
+/// Fails unless the error falls as that of a method of `order` does, when the step is halved again and again.
+inline void expect_order(std::string_view what, const std::vector<double>& errors, double order, double tolerance, std::string_view why) {
+    for (std::size_t i = 1; i < errors.size(); ++i) {
+        const double ratio = errors[i - 1] / errors[i];
+        if (!(std::abs(std::log2(ratio) - order) <= tolerance)) {
+            std::ostringstream text;
+            text << what << ": halving the step divided the error by " << ratio << "; a method of order " << order << " gives "
+                 << std::exp2(order) << ".\n" << why;
+            FAIL(text.str());
+        }
+    }
+    SUCCEED();
+}
+
+} // namespace ansatz::workbook
