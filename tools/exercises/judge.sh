@@ -42,7 +42,9 @@ run_test() {
         124 | 137 | 152) OUTCOME=endless TEXT="It did not come to an end within $CPU_SECONDS s: is there a loop that never ends, or far too many steps?" ;;
         139 | 138) OUTCOME=crashed TEXT="It crashed (segmentation fault): memory was used that is not there, or a function calls itself without end." ;;
         136) OUTCOME=crashed TEXT="It crashed (arithmetic exception): an integer was divided by zero." ;;
-        134) OUTCOME=crashed TEXT="It was aborted: an assertion failed, or memory was overwritten." ;;
+        134) OUTCOME=crashed TEXT="It was aborted: $(printf '%s\n' "$PRINTED" | sed -n "s/.*\\(Assertion .*\\)/\\1/p" | head -n 1) (an index out of range, memory overwritten, ...)"
+            PRINTED=$(printf '%s\n' "$PRINTED" | grep -v 'Assertion') ;;
+        132) OUTCOME=crashed TEXT="It crashed (illegal instruction): something undefined was done, as using a pointer that points nowhere." ;;
         *) OUTCOME=crashed TEXT="It ended with code $status." ;;
     esac
 }

@@ -58,6 +58,7 @@ verb_doctor() {
     else
         fact "last build" "none yet"
     fi
+    verdict_fact
     clock_facts
 
     echo
@@ -98,6 +99,30 @@ int main() {}' | "$compiler" -std=c++20 -fsyntax-only -x c++ - > /dev/null 2>&1;
     fi
     printf '  %s  %stoo old%s  %s: the library needs g++ 12 or clang 14; CXX=<another> chooses one\n' "$(fit "C++20" 18)" "$RED" "$PLAIN" "$compiler"
     return 1
+}
+
+# How long a student waits: an exercise's skeleton compiled, linked and tested, just now. Nobody's answer is touched.
+verdict_fact() {
+    local index id skeleton start
+    index=$(exercise_index)
+    id=$(printf '%s\n' "$index" | cut -d "$SEP" -f 2 | while IFS= read -r id; do [ -x "$BUILD/exercises/$id/skeleton" ] && { echo "$id"; break; }; done)
+    if [ -z "$id" ]; then fact "save to verdict" "not measured: no exercise is built yet (./workbook verify builds them)"; return; fi
+    skeleton=$BUILD/exercises/subjects/$id/skeleton.hpp
+    local ID=$id
+    # The first build may have other things to do; the second is what a save costs.
+    if build_quietly "measuring" "exercise.$id.skeleton" && touch "$skeleton"; then
+        start=$(now)
+        if build_quietly "measuring" "exercise.$id.skeleton" && verdicts_of "$BUILD/exercises/$id/skeleton"; then
+            fact "save to verdict" "$(duration $(($(now) - start))) ($id's skeleton, compiled and tested just now; 3 s are promised on an idle machine)"
+            return
+        fi
+    fi
+    fact "save to verdict" "not measured: $id does not build (build/logs/exercise.log)"
+}
+verdicts_of() {
+    local name
+    . "$ROOT/tools/exercises/judge.sh"
+    tests_of "$1" | while IFS=$'\t' read -r _ name _; do run_test "$1" "$name"; done
 }
 
 # What bends measurements of time on this machine.

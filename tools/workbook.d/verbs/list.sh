@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# the chapters and sections: built, run, with a picture
+# the chapters, sections and exercises, and how far you are
 #
 #   ./workbook list [number]      all, or what lies below a number: list 1.6
 
@@ -45,7 +45,29 @@ verb_list() {
         done
         [ -n "$modules" ] && printf '\nCosts:%s   (./workbook costs [module])\n' "$modules"
     fi
+    list_exercises "${1:-}"
     return 0
+}
+
+# list_exercises [number]: each with what has come of it.
+list_exercises() {
+    local index number id title folder state shown done=0 count=0
+    index=$(exercise_index)
+    [ $# -gt 0 ] && [ -n "$1" ] && index=$(at_or_below "$index" "$1")
+    [ -n "$index" ] || return 0
+    echo
+    heading "Exercises"
+    while IFS=$SEP read -r number id title folder; do
+        state=$(state_of_exercise "$id" "$folder")
+        count=$((count + 1))
+        case $state in
+            done) shown="$GREEN$(fit done 9)$PLAIN"; done=$((done + 1)) ;;
+            started) shown="$YELLOW$(fit started 9)$PLAIN" ;;
+            *) shown="$DIM$(fit "$state" 9)$PLAIN" ;;
+        esac
+        printf '  %s %s  %s  %s\n' "$(fit "$number" 6)" "$shown" "$(fit "${id#*.}" 20)" "$title"
+    done <<< "$index"
+    printf '\n%s of %s done   (./workbook exercise [name])\n' "$done" "$count"
 }
 
 # no_section <word> <index>: a sentence with what may have been meant: by number, or by title.

@@ -47,6 +47,7 @@ verb_section() {
         echo
         pictures_of "$number" | sed 's/^/picture: /'
         echo "source:  $file"
+        exercise_index | awk -F '\037' -v number="$number" '$1 == number { sub(/^[^.]*\./, "", $2); print "exercise: ./workbook exercise " $2 }'
         [ "$number" != "$(numbers "$chosen" | tail -n 1)" ] && echo
     done <<< "$chosen"
     [ "$failed" -eq 0 ]

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSL-1.0
+#
+# From the output of g++ or clang++ the first error, for somebody who has written one short file: three lines, the line in
+# that file (0 if it is elsewhere), where the error was raised, and what it says.
+#
+#   awk -v file=<exercise.hpp> -v root=<the project's folder>/ -f first_error.awk <log>
+
+function place(text) { return match(text, /exercise\.hpp:[0-9]+/) ? substr(text, RSTART + 13, RLENGTH - 13) + 0 : 0 }
+
+# The compiler's "unit<list<dim<length_base_dimension, static_rational<1> >, ..." as m, kg, s with their powers.
+function unit_of(text,    over, under, name, power) {
+    sub(/homogeneous_system.*/, "", text)
+    while (match(text, /dim<[a-z:_]*_base_dimension, *(boost::units::)?static_rational<-?[0-9]+/)) {
+        name = substr(text, RSTART, RLENGTH)
+        text = substr(text, RSTART + RLENGTH)
+        power = name; sub(/.*</, "", power); power += 0
+        name = name ~ /length/ ? "m" : name ~ /mass/ ? "kg" : name ~ /time/ ? "s" : name ~ /plane_angle/ ? "rad" : "?"
+        if (power > 0 && name == "kg") over = name (power == 1 ? "" : "^" power) (over == "" ? "" : " ") over
+        else if (power > 0) over = over (over == "" ? "" : " ") name (power == 1 ? "" : "^" power)
+        else under = under (under == "" ? "" : " ") name (power == -1 ? "" : "^" (-power))
+    }
+    return (over == "" ? (under == "" ? "no unit" : "1") : over) (under == "" ? "" : "/" under)
+}
+
+# Where the bracket ends that is open at the beginning of the text.
+function end_of(text,    i, c, depth) {
+    depth = 1
+    for (i = 1; i <= length(text); i++) {
+        c = substr(text, i, 1)
+        if (c == "<") depth++
+        else if (c == ">" && --depth == 0) return i
+    }
+    return length(text)
+}
+
+# Each quantity's type by its unit: "quantity in m/s", "vector in m".
+function readable(text,    before, inside, n, shown) {
+    gsub(/boost::units::/, "", text)
+    while (match(text, /(const )?quantity<unit</)) {
+        before = substr(text, 1, RSTART - 1)
+        text = substr(text, RSTART + RLENGTH)
+        n = end_of(text)                       # of the unit
+        inside = substr(text, 1, n)
+        text = substr(text, n + 1)
+        n = end_of(text)                       # of the quantity
+        shown = (substr(text, 1, n) ~ /Matrix/ ? "vector in " : "quantity in ") unit_of(inside)
+        text = before shown substr(text, n + 1)
+    }
+    return text
+}
+
+# What the library says with the name of a deleted function: the name as a sentence, and the two units.
+function sentence(text,    words, first, second) {
+    if (!match(text, /Ansatz_units_[a-z_]+/)) return text
+    words = substr(text, RSTART + 13, RLENGTH - 13)
+    gsub(/_/, " ", words)
+    if (match(text, /Unit1 = /)) first = unit_of(substr(text, RSTART + 8))
+    if (match(text, /Unit2 = /)) second = unit_of(substr(text, RSTART + 8))
+    return words (first != "" && second != "" ? ": " first " and " second : "")
+}
+
+/In file included from/ { near = 0 }
+!/error:/ && place($0) && /required|instantiation/ { near = place($0) }
+/error:/ && !found {
+    found = 1
+    message = $0
+    sub(/^.*error: /, "", message)
+    if (sub(/^static assertion failed( due to requirement .*)?: /, "", message) || sub(/^static_assert failed( due to requirement .*)? "/, "", message))
+        sub(/"$/, "", message)
+    message = readable(sentence(message))
+    line = index($0, file) ? place($0) : near
+    where = $0
+    sub(/: (fatal )?error: .*/, "", where)
+    if (index(where, root) == 1) where = substr(where, length(root) + 1)
+}
+# clang++ says afterwards from where it came.
+found && !line && /note: (in instantiation|while)|required from/ && place($0) { line = place($0) }
+END {
+    if (!found) exit 1
+    print line + 0
+    print where
+    print message
+}

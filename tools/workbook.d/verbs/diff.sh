@@ -1,0 +1,32 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# your answer beside our solution, once yours passes
+#
+#   ./workbook diff drag
+#   ./workbook diff drag --anyway     although it does not pass yet
+
+verb_diff() {
+    local anyway=false word=''
+    for argument in "$@"; do
+        case $argument in
+            --anyway) anyway=true ;;
+            -*) complain "diff knows no '$argument'; it knows --anyway"; return 2 ;;
+            *) word=$argument ;;
+        esac
+    done
+    if [ -z "$word" ]; then complain "of which exercise? ./workbook diff <name>"; return 2; fi
+    choose_exercise "$word" || return 2
+    if [ "$(progress_of "$ID")" != done ] && ! $anyway; then
+        say "This exercise is not done yet. ./workbook hint ${ID#*.} helps step by step; ./workbook diff ${ID#*.} --anyway shows the solution."
+        return 1
+    fi
+    # The marks of the tasks are for us, not for a reader.
+    mkdir -p build/logs
+    sed -E '/^ *\/\/ (end of )?task [0-9]+/d' "$FOLDER/solution.hpp" > build/logs/solution.hpp
+    if diff -u --label "$FOLDER/exercise.hpp (yours)" --label "$FOLDER/solution.hpp (ours)" "$FOLDER/exercise.hpp" build/logs/solution.hpp > build/logs/diff.txt; then
+        echo "Your answer is our solution, letter by letter."
+    else
+        sed -e "s/^-.*/$RED&$PLAIN/" -e "s/^+.*/$GREEN&$PLAIN/" build/logs/diff.txt
+    fi
+}

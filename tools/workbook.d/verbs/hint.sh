@@ -1,0 +1,41 @@
+# shellcheck shell=bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# a hint for the task that you are at: first a question, then a place, a shape, the key line
+#
+#   ./workbook hint               the next hint for the last test that did not pass
+#   ./workbook hint drag          the same for an exercise by name
+#   ./workbook hint drag 2 4      task 2, level 4
+
+hint_text() { # <file> <task> <level>: the level's heading and text
+    awk -v task="## Task $2: " -v level="$3" '
+        index($0, task) == 1 { n++; on = n == level; if (on) { print substr($0, 4); next } }
+        /^## / { on = 0 }
+        on && /^ *$/ { if (text != "") print text "\n"; text = ""; next }
+        on { text = text == "" ? $0 : text " " $0 }
+        END { if (text != "") print text }' "$1"
+}
+
+verb_hint() {
+    local task=${2:-} level=${3:-} at
+    at=$(cat $NOTEBOOK/at 2> /dev/null)
+    if [ $# -eq 0 ] && [ -n "$at" ]; then choose_exercise "${at%%	*}" || return 2; else choose_exercise "${1:-}" || return 2; fi
+    local file=$FOLDER/hints.md
+    [ -z "$task" ] && [ "${at%%	*}" = "$ID" ] && task=${at##*	}
+    [ -z "$task" ] && task=1
+    case $task$level in *[!0-9]*) complain "a task and a level are numbers: ./workbook hint ${ID#*.} 1 2"; return 2 ;; esac
+    if ! grep -q "^## Task $task: " "$file"; then complain "$ID has no task $task"; return 2; fi
+    if [ -z "$level" ]; then
+        level=$(($(awk -F '\t' -v id="$ID" -v task="$task" '$1 == id && $2 == task && $3 > last { last = $3 } END { print last + 0 }' $NOTEBOOK/hints 2> /dev/null || echo 0) + 1))
+    fi
+    local levels
+    levels=$(grep -c "^## Task $task: " "$file")
+    [ "$level" -gt "$levels" ] && level=$levels
+    [ "$level" -lt 1 ] && level=1
+    heading "$NUMBER $TITLE, hint $level of $levels"
+    hint_text "$file" "$task" "$level" | while IFS= read -r line; do say "$line"; done
+    mkdir -p $NOTEBOOK && printf '%s\t%s\t%s\n' "$ID" "$task" "$level" >> $NOTEBOOK/hints
+    echo
+    if [ "$level" -lt "$levels" ]; then say "${DIM}./workbook hint says more.$PLAIN"
+    else say "${DIM}That was the last hint; ./workbook diff ${ID#*.} --anyway shows the solution.$PLAIN"; fi
+}
