@@ -30,10 +30,11 @@ namespace ansatz::mechanics {
 /// \tparam ValueT a scalar for motion along a line, `Vector<Scalar, Dim>` in space
 template <class ScalarT, class ValueT = ScalarT> struct PointMass {
     using Scalar = ScalarT;
-    using Value = ValueT;
+    using Value = ValueT; ///< a number along a line, a vector in space
     Quantity<unit::Mass, ScalarT> mass;        ///< kg, finite and greater than zero
     Quantity<unit::Velocity, ValueT> velocity; ///< m/s
 };
+/// The scalar and the dimension follow from the arguments.
 template <class ScalarT, class ValueT>
 PointMass(const Quantity<unit::Mass, ScalarT>&, const Quantity<unit::Velocity, ValueT>&) -> PointMass<ScalarT, ValueT>;
 
@@ -76,7 +77,7 @@ template <class Mass, class Velocity> auto kinetic_energy(const Mass& mass, cons
 namespace detail {
 template <class R> using ElementOf = std::remove_cvref_t<decltype(*std::begin(std::declval<R&>()))>;
 }
-/// A range of point masses: a vector, an array, a view. (By hand, because <ranges> would be a tenth of what a small
+/// A range of point masses: a vector, an array, a view. (By hand, because `<ranges>` would be a tenth of what a small
 /// program takes to compile.)
 template <class R>
 concept PointMasses = requires(R& bodies, const detail::ElementOf<R>& one) {

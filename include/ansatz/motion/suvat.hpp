@@ -57,8 +57,11 @@ template <class Scalar> struct Solution {
 /// One motion or two, the earlier first.
 template <class Scalar> class Solutions {
 public:
+    /// 1 or 2.
     std::size_t size() const { return size_; }
+    /// The earlier motion.
     const Solution<Scalar>* begin() const { return all_.data(); }
+    /// Behind the later one.
     const Solution<Scalar>* end() const { return all_.data() + size_; }
     /// The earlier one; the only one where there is one.
     const Solution<Scalar>& front() const { return all_[0]; }
@@ -80,30 +83,36 @@ private:
 
 /// What `solve` was told about: the unit of one of the five, and its name in sentences.
 namespace named {
+/// s
 struct Displacement {
     using Unit = unit::Length;
-    static constexpr std::string_view text = "displacement";
+    static constexpr std::string_view text = "displacement"; ///< its name in sentences
 };
+/// u
 struct InitialVelocity {
     using Unit = unit::Velocity;
-    static constexpr std::string_view text = "initial velocity";
+    static constexpr std::string_view text = "initial velocity"; ///< its name in sentences
 };
+/// v
 struct FinalVelocity {
     using Unit = unit::Velocity;
-    static constexpr std::string_view text = "final velocity";
+    static constexpr std::string_view text = "final velocity"; ///< its name in sentences
 };
+/// a
 struct Acceleration {
     using Unit = unit::Acceleration;
-    static constexpr std::string_view text = "acceleration";
+    static constexpr std::string_view text = "acceleration"; ///< its name in sentences
 };
+/// t
 struct Time {
     using Unit = unit::Time;
-    static constexpr std::string_view text = "time";
+    static constexpr std::string_view text = "time"; ///< its name in sentences
 };
 } // namespace named
 
 /// A quantity with its name, since u and v have one unit.
 template <class Name, class Scalar> struct Known {
+    /// How large it is.
     Quantity<typename Name::Unit, Scalar> value{};
 };
 

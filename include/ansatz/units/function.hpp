@@ -72,6 +72,8 @@ template <Expression E>
 /// \name Dot product
 /// Of two vector quantities, of a quantity and a plain vector, of two plain vectors.
 ///@{
+
+/// \f$ \mathbf a \cdot \mathbf b \f$, in the product of the units.
 template <class U1, class U2, class S, int N, int O>
 [[gnu::always_inline]] inline auto dot(const boost::units::quantity<U1, detail::Dense<S, N, 1, O>>& a,
                                        const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b) {
@@ -95,6 +97,8 @@ template <detail::Expression E1, detail::Expression E2>
 /// Three components: a vector. Two components: the scalar `ax*by - ay*bx`, the third component of
 /// the vector product in the plane.
 ///@{
+
+/// \f$ \mathbf a \times \mathbf b \f$, in the product of the units.
 template <class U1, class U2, class S, int N, int O>
 [[gnu::always_inline]] inline auto cross(const boost::units::quantity<U1, detail::Dense<S, N, 1, O>>& a,
                                          const boost::units::quantity<U2, detail::Dense<S, N, 1, O>>& b) {

@@ -58,7 +58,7 @@ constexpr To widened(const From& from) {
 /// \tparam Value  its scalar or vector
 template <class Unit, class Value = double>
 struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
-    using Base = Quantity<Unit, Value>;
+    using Base = Quantity<Unit, Value>; ///< the quantity that it is
 
     /// Zero.
     constexpr Parameter() = default;

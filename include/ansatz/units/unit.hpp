@@ -86,7 +86,7 @@ using PlaneAngle            = detail::Si<0, 0, 0, 1>; ///< rad
 /// \name Unit constants, in the singular
 /// A number times (or divided by) one of them is a quantity; whole numbers become double.
 ///@{
-inline constexpr unit::Length       metre{};
+inline constexpr unit::Length       metre{}; ///< the unit of this name; its type says the dimension
 inline constexpr unit::Area         square_metre{};
 inline constexpr unit::Volume       cubic_metre{};
 inline constexpr unit::Time         second{};

@@ -66,6 +66,8 @@ template <class Unit, class S>
 /// \name Makers by unit
 /// Each takes two or three plain numbers.
 ///@{
+
+/// A vector quantity of two or three components, in the unit of its name.
 template <class... Xs> auto metres(const Xs&... xs) { return detail::make_vector<unit::Length>(xs...); }
 template <class... Xs> auto metres_per_second(const Xs&... xs) { return detail::make_vector<unit::Velocity>(xs...); }
 template <class... Xs> auto metres_per_second_squared(const Xs&... xs) { return detail::make_vector<unit::Acceleration>(xs...); }

@@ -16,11 +16,13 @@ namespace ansatz {
 /// \tparam Q a vector quantity
 template <class Q> struct Zero : Q {
     using Unit = typename Q::unit_type;
-    using Value = typename Q::value_type;
+    using Value = typename Q::value_type; ///< what a vector quantity holds: an Eigen vector
     using Scalar = typename Q::Scalar;
 
     /// \name Sums with it are the other summand, unchanged to the bit
     /// @{
+
+    /// The other summand, or zero where both are.
     [[gnu::always_inline]] friend Q operator+(const Q& a, const Zero&) { return a; }
     [[gnu::always_inline]] friend Q operator+(const Zero&, const Q& b) { return b; }
     [[gnu::always_inline]] friend Zero operator+(const Zero&, const Zero&) { return {}; }
@@ -33,6 +35,8 @@ template <class Q> struct Zero : Q {
 
     /// \name Products and quotients of it are of its kind
     /// @{
+
+    /// Zero, in the unit of the result.
     [[gnu::always_inline]] friend Zero operator+(const Zero&) { return {}; }
     [[gnu::always_inline]] friend Zero operator-(const Zero&) { return {}; }
     template <class Number>

@@ -22,9 +22,9 @@ namespace ansatz {
 
 /// Names a body, in the world that made it and in every copy of that world.
 struct Handle {
-    std::uint32_t id = 0xffffffffu;
-    std::uint32_t generation = 0;
-    friend bool operator==(const Handle&, const Handle&) = default;
+    std::uint32_t id = 0xffffffffu; ///< counts up with each body; given again only with another generation
+    std::uint32_t generation = 0; ///< how often the id was given before
+    friend bool operator==(const Handle&, const Handle&) = default; ///< whether they name one body
 };
 
 /// How a body takes part in the step.
@@ -35,6 +35,7 @@ enum class Motion : std::uint8_t {
     fixed    ///< infinite mass, no physics touches it (notes 1.1)
 };
 
+/// "fixed", "moving" or "resting".
 inline const char* name_of(Motion m) {
     constexpr const char* names[] = {"awake", "resting", "moving", "fixed"};
     return names[std::size_t(m)];
@@ -43,14 +44,18 @@ inline const char* name_of(Motion m) {
 /// The directory of a world's bodies. Slots are positions in the lanes; the owner of the lanes is told of every swap.
 class Bodies {
 public:
-    using Slot = std::uint32_t;
+    using Slot = std::uint32_t; ///< a body's place in the lanes; it changes when other bodies are removed, sleep or wake
 
+    /// All bodies.
     std::size_t size() const { return id_at_.size(); }
     /// First slot of a range, and the slot behind its last.
     std::size_t begin(Motion m) const { return m == Motion::awake ? 0 : end_[std::size_t(m) - 1]; }
+    /// Behind the last slot of a kind.
     std::size_t end(Motion m) const { return end_[std::size_t(m)]; }
+    /// How many there are of a kind.
     std::size_t count(Motion m) const { return end(m) - begin(m); }
 
+    /// Whether the handle names a body that is still there.
     bool contains(Handle h) const { return h.id < slot_of_.size() && generation_[h.id] == h.generation && slot_of_[h.id] != none; }
 
     /// \throws std::out_of_range for a handle whose body was removed, or that no body ever had
@@ -59,20 +64,27 @@ public:
         refuse_handle(h, where);
     }
 
+    /// In which range a slot lies.
     Motion motion(std::size_t slot) const {
         std::size_t m = 0;
         while (slot >= end_[m]) ++m;
         return Motion(m);
     }
+    /// The handle of the body in a slot.
     Handle handle(std::size_t slot) const { return {id_at_[slot], generation_[id_at_[slot]]}; }
+    /// The id of the body in a slot.
     std::uint32_t id(std::size_t slot) const { return id_at_[slot]; }
 
     /// Ids ever given out; those whose body is gone answer `false` to `alive`.
     std::size_t ids() const { return slot_of_.size(); }
+    /// Whether a body has this id.
     bool alive(std::uint32_t id) const { return slot_of_[id] != none; }
+    /// Where the body with this id is.
     Slot slot_of_id(std::uint32_t id) const { return slot_of_[id]; }
+    /// The generation that its handle must have.
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
+    /// Room for so many bodies, at once.
     void reserve(std::size_t n) {
         id_at_.reserve(n);
         slot_of_.reserve(n);
@@ -136,6 +148,7 @@ public:
         free_.push_back(id);
     }
 
+    /// The same bodies in the same slots, and the same handles to come.
     friend bool operator==(const Bodies& a, const Bodies& b) {
         if (a.ids() != b.ids() || a.free_ != b.free_ || a.generation_ != b.generation_) return false;
         for (std::uint32_t id = 0; id < a.ids(); ++id)

@@ -16,7 +16,7 @@ namespace ansatz {
 /// \tparam S the space; the clock counts in double at least
 template <class S> class StepClock {
 public:
-    using Time = typename S::ClockTime;
+    using Time = typename S::ClockTime; ///< s, of the space's clock
 
     /// The simulated time.
     Time now() const { return start_ + Time::from_value(typename S::ClockScalar(steps_) * dt_.value()); }
@@ -25,6 +25,7 @@ public:
     /// The length of the last step; zero before the first.
     Time last() const { return dt_; }
 
+    /// One tick further.
     void advance(const Time& dt) {
         if (!(dt == dt_)) {
             start_ = now();
@@ -35,6 +36,7 @@ public:
         ++tick_;
     }
 
+    /// The same tick and the same time.
     friend bool operator==(const StepClock& a, const StepClock& b) {
         return a.start_ == b.start_ && a.dt_ == b.dt_ && a.steps_ == b.steps_ && a.tick_ == b.tick_;
     }

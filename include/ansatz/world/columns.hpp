@@ -23,16 +23,20 @@ enum class Shape : unsigned char { scalar, vector };
 /// \name The columns of the library
 /// Position and Velocity are what integrators usually keep; InverseMass is 1/m, zero for a body that nothing moves.
 /// @{
+
+/// Where a body is.
 struct Position {
     using Unit = unit::Length;
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "position";
 };
+/// How fast it moves.
 struct Velocity {
     using Unit = unit::Velocity;
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "velocity";
 };
+/// 1/m; zero for what nothing can move.
 struct InverseMass {
     using Unit = unit::InverseMass;
     static constexpr Shape shape = Shape::scalar;
@@ -90,6 +94,7 @@ concept Column = requires {
 
 /// A compile-time list of columns.
 template <class... C> struct Columns {
+    /// How many there are.
     static constexpr std::size_t size = sizeof...(C);
 };
 
@@ -152,6 +157,7 @@ template <class List, class Minus> using difference_of = typename detail::Differ
 template <class List, class With> using intersection_of = typename detail::Intersection<List, With>::type;
 /// What a policy declares that it reads or writes; empty where it declares nothing.
 template <class P> using reads_of = typename detail::Reads<P>::type;
+/// The columns that a policy changes; none where it names none.
 template <class P> using writes_of = typename detail::Writes<P>::type;
 
 /// A column's value in a space: a scalar or a vector quantity.

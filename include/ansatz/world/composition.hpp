@@ -14,6 +14,7 @@ namespace ansatz {
 
 /// A compile-time list of types.
 template <class... T> struct Types {
+    /// How many there are.
     static constexpr int size = int(sizeof...(T));
 };
 
@@ -121,23 +122,28 @@ template <class S, class... P> struct EffectsFrom<S, Types<P...>> {
 
 /// The facts about a list of policies.
 template <class... P> struct Composition {
+    /// The space.
     using S = space_of<P...>;
-    using Integrator = typename detail::FirstOf<detail::filter<detail::IsIntegrator, P...>>::type;
-    using laws = detail::filter<detail::IsLaw, P...>;
-    using couplings = detail::filter<detail::IsCoupling, P...>;
-    using observers = detail::filter<detail::IsObserver, P...>;
-    using resters = detail::filter<detail::IsRester, P...>;
+    using Integrator = typename detail::FirstOf<detail::filter<detail::IsIntegrator, P...>>::type; ///< the integrator
+    using laws = detail::filter<detail::IsLaw, P...>; ///< the forces that are laws of one body
+    using couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
+    using observers = detail::filter<detail::IsObserver, P...>; ///< the observers
+    using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     /// The effects of a place, by their turns, so that the order of the list means nothing.
     template <Place At> using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At>::template Is, P...>>::type;
 
+    /// The effects that also act on fixed bodies that move by themselves.
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
 
-    using Laws = typename detail::LawsFrom<S, laws>::type;
+    using Laws = typename detail::LawsFrom<S, laws>::type; ///< the sum of the laws, bound to the space
+    /// The effects at a place of the step.
     template <Place At> using Effects = typename detail::EffectsFrom<S, effects<At>>::type;
+    /// Those of them that act on platforms.
     using PlatformEffects = typename detail::EffectsFrom<S, platform_effects>::type;
 
+    /// Whether bodies act on each other, so that stages run over all of them.
     static constexpr bool coupled = couplings::size > 0;
-    static constexpr bool rests = resters::size > 0;
+    static constexpr bool rests = resters::size > 0; ///< whether bodies can fall asleep
     /// Position history instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
 
@@ -158,7 +164,8 @@ template <class... P> struct Composition {
     /// Columns that the step sets back to zero when it has used them.
     using transient = typename detail::Transient<stored>::type;
 
-    template <class C> static constexpr bool stores = detail::contains<C, stored>;
+    template <class C> static constexpr bool stores = detail::contains<C, stored>; ///< whether the world stores a column
+    /// Whether bodies have a mass of their own.
     static constexpr bool has_mass = stores<InverseMass>;
 
     /// Whether the motion runs back to its start, but for rounding, when every velocity is negated and the same steps are

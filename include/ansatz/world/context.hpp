@@ -14,8 +14,10 @@ namespace ansatz {
 /// Wherever a formula says dt, this is dt; only an integrator that keeps history needs `previous` (it is dt itself in
 /// the first step).
 template <class S> struct TimeStep : S::Time {
+    /// The length of the step before; the same in the first step.
     typename S::Time previous;
 
+    /// A step and the one before it.
     TimeStep(const typename S::Time& dt, const typename S::Time& before) : S::Time(dt), previous(before) {}
 };
 
@@ -23,6 +25,7 @@ template <class S> struct TimeStep : S::Time {
 /// \tparam KnowsTime whether the policy listed `Clock` among what it reads
 template <class S, bool KnowsTime = true> class Context {
 public:
+    /// The time at which the step began, and the step.
     Context(const typename S::ClockTime& time, const TimeStep<S>& dt) : time_(time), dt_(dt) {}
 
     /// The step, in seconds.

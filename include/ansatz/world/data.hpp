@@ -23,6 +23,7 @@ struct Status {
     std::uint64_t unsolved = 0;  ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
+    /// Nothing went wrong.
     bool ok() const { return unsolved == 0 && not_finite == 0; }
 };
 
@@ -55,23 +56,28 @@ struct Starts {
 };
 } // namespace detail
 
+/// All that a world of this composition holds.
 template <class C> struct WorldData {
+    /// The space.
     using S = typename C::S;
-    using Integrator = typename C::Integrator;
+    using Integrator = typename C::Integrator; ///< the integrator
     using Scalar = typename S::Scalar;
-    using Slot = Bodies::Slot;
+    using Slot = Bodies::Slot; ///< a body's place in the lanes
 
     /// Every column of a body that some policy may look at, Velocity included where it is derived.
     using AllColumns = union_of<typename C::needed, Columns<Position, Velocity>>;
-    using Body = Row<S, AllColumns>;
+    using Body = Row<S, AllColumns>; ///< one body's values
 
-    Lanes<S, typename C::stored> lanes;
-    Bodies bodies;
-    StepClock<S> clock;
+    Lanes<S, typename C::stored> lanes; ///< the columns
+    Bodies bodies; ///< who is where
+    StepClock<S> clock; ///< tick and time
+    /// What waits for the next step, because dt or the acceleration is not known before.
     [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
+    /// Who fell asleep and woke in the last step.
     [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
-    std::uint64_t unsolved = 0;
+    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge
 
+    /// Room for so many bodies in everything.
     void reserve(std::size_t n) {
         lanes.reserve(n);
         bodies.reserve(n);
@@ -84,12 +90,15 @@ template <class C> struct WorldData {
         if constexpr (C::rests) events.reserve(n);
     }
 
+    /// From one range of bodies to another.
     Slot move(Slot slot, Motion to) {
         return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { lanes.swap(i, j); });
     }
 
+    /// The length of the last step; none before the first.
     typename S::Time last_dt() const { return S::Time::from_value(Scalar(clock.last().value())); }
 
+    /// Whether something waits for this body.
     bool waiting(Slot slot) const {
         if constexpr (C::history) return starts.waiting(bodies.id(slot));
         return false;

@@ -14,15 +14,17 @@ namespace ansatz {
 
 /// A body fell asleep, or woke.
 struct Event {
+    /// What can happen.
     enum class Kind : std::uint8_t { slept, woke };
-    Kind kind;
-    Handle body;
-    friend bool operator==(const Event&, const Event&) = default;
+    Kind kind;   ///< what happened
+    Handle body; ///< to whom
+    friend bool operator==(const Event&, const Event&) = default; ///< the same thing to the same body
 };
 
 /// The events of the last step, and of what was done to the world between the step before and it.
 class Events {
 public:
+    /// Those of the last step, and of calls since.
     std::span<const Event> now() const { return now_; }
 
     /// Between two steps a body can wake once; within a step it can wake and fall asleep.
@@ -32,10 +34,12 @@ public:
     }
     /// Between steps: shown together with those of the next step.
     void between_steps(Event e) { next_.push_back(e); }
+    /// Forgets what the last step brought.
     void begin_step() {
         now_.swap(next_);
         next_.clear();
     }
+    /// Notes an event of this step.
     void in_step(Event e) { now_.push_back(e); }
 
 private:

@@ -19,6 +19,7 @@
 
 namespace ansatz {
 
+/// Real time in, whole steps of one length out.
 class FixedStep {
 public:
     /// \param dt       length of a step, finite and greater than zero
@@ -33,6 +34,7 @@ public:
         most_ = std::uint64_t(std::min(std::floor(longest.value() / dt.value() * (1 + 1e-12)), 0x1p53));
     }
 
+    /// The length of its steps, s.
     Quantity<unit::Time> dt() const { return dt_; }
     /// How far the present lies between the last two states: 0 at the former, towards 1 at the latter.
     double alpha() const { return left_; }

@@ -11,8 +11,10 @@
 
 namespace ansatz {
 
+/// The hash of the words taken in so far; 64 bits, the same on every machine.
 class StateHash {
 public:
+    /// Takes a word in.
     void add(std::uint64_t word) {
         // FNV's shape on whole words, with a shift that brings high bits down (splitmix64's constants).
         hash_ = (hash_ ^ word) * 0xbf58476d1ce4e5b9u;
@@ -33,6 +35,7 @@ public:
             }
         }
     }
+    /// The hash of what was taken in.
     std::uint64_t value() const { return hash_; }
 
 private:

@@ -99,10 +99,12 @@ template <class S, class... E> class Effects {
 public:
     using writes = union_of<writes_of<E>...>;
     using reads = union_of<writes_of<E>..., reads_of<E>...>;
-    static constexpr bool empty = sizeof...(E) == 0;
+    static constexpr bool empty = sizeof...(E) == 0; ///< whether there are none
 
+    /// Binds them to the space.
     explicit Effects(const E&... policies) : effects_(detail::Bound<E, S>(policies)...) {}
 
+    /// What can be computed once for all bodies, as a factor of the step.
     void prepare([[maybe_unused]] const Context<S>& context) {
         [[maybe_unused]] auto one = [](auto& effect, const auto& limited) {
             if constexpr (requires { effect.prepare(limited); }) effect.prepare(limited);
@@ -151,11 +153,14 @@ private:
 /// other columns of the body stay as they are.
 template <class S, class LawsT, class R> class LawsOfBody {
 public:
+    /// The laws, the body and the step.
     LawsOfBody(const LawsT& laws, const R& row, const Context<S>& context) : laws_(laws), row_(row), context_(context) {}
 
+    /// The acceleration at another state, `fraction` of the step on.
     typename S::Acceleration operator()(const typename S::Position& x, const typename S::Velocity& v, double fraction) const {
         return laws_.acceleration(at(x, v), context_.later(fraction));
     }
+    /// Its derivatives there.
     Jacobian<S> jacobian(const typename S::Position& x, const typename S::Velocity& v, double fraction) const {
         return laws_.jacobian(at(x, v), context_.later(fraction));
     }
@@ -174,15 +179,17 @@ private:
 
 /// All of one body's step, every stage with its forces, effects. For worlds where nothing couples.
 template <class S, class I, class LawsT, class Before, class After, class Transient> struct WholeStep {
+    /// Whether a force asks for the velocity.
     static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
-    static constexpr bool inlines = detail::is_staged<I>;
+    static constexpr bool inlines = detail::is_staged<I>; ///< it is one kernel: the loop inlines it
 
-    LawsT laws;
-    Before before;
-    After after;
-    Context<S> context;
+    LawsT laws; ///< the sum of the forces
+    Before before; ///< the effects before the integrator
+    After after; ///< those after it
+    Context<S> context; ///< time and step
     std::uint64_t* unsolved; ///< counts the bodies whose equation an implicit integrator could not solve
 
+    /// One body's whole step.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
         before.template apply<I>(row, context, context.dt().previous);
         detail::derive_velocity<I>(row, context.dt().previous);
@@ -216,11 +223,13 @@ private:
 
 /// Stage `K` of one body, with the coupled force that was summed for it. For worlds where something couples.
 template <class S, class I, int K, class LawsT> struct OneStage {
+    /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
-    LawsT laws;
-    Context<S> context;
+    LawsT laws; ///< the sum of the laws of one body
+    Context<S> context; ///< time and step
 
+    /// One body's stage.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
         const auto own = laws.acceleration(row, context.later(detail::node<I>(K)));
         const auto coupled = row.template get<InverseMass>() * row.template get<CoupledForce>();
@@ -230,12 +239,14 @@ template <class S, class I, int K, class LawsT> struct OneStage {
 
 /// Effects alone, over all bodies: where a step runs stage by stage, and at the end of every step.
 template <class S, class I, class EffectsT, class Transient> struct EffectsOnly {
+    /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
-    EffectsT effects;
-    Context<S> context;
-    typename S::Time over;
+    EffectsT effects; ///< the effects
+    Context<S> context; ///< time and step
+    typename S::Time over; ///< the time over which they act, s
 
+    /// One body's effects.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
         detail::release_applied_force<I, Transient>(row, over);
         effects.template apply<I>(row, context, over);

@@ -24,7 +24,7 @@ template <class... C> struct Keep {
 template <class T> struct Datum {
     using role = roles::Observer;
     using reads = Columns<>;
-    using datum_type = T;
+    using datum_type = T; ///< the user's type
 };
 
 } // namespace ansatz

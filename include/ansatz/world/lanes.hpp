@@ -107,16 +107,19 @@ void sweep(const std::array<typename S::Scalar*, N>& lane, std::size_t begin, st
 /// compete for few places of the cache, and a load would wait for a store of another lane whose address only looks the
 /// same to the processor: 25 to 35 % of the time of a step (measured, Zen 3).
 template <class S, class List> class Lanes;
+/// The lanes of a list of columns.
 template <class S, class... C> class Lanes<S, Columns<C...>> {
 public:
     using Scalar = typename S::Scalar;
-    using columns = Columns<C...>;
-    static constexpr int dimension = S::dimension;
-    static constexpr std::size_t width = detail::lane_count(columns{}, S::dimension);
-    static constexpr std::size_t bytes_per_body = width * sizeof(Scalar);
+    using columns = Columns<C...>; ///< the columns that it stores
+    static constexpr int dimension = S::dimension; ///< components of a vector
+    static constexpr std::size_t width = detail::lane_count(columns{}, S::dimension); ///< lanes in all
+    static constexpr std::size_t bytes_per_body = width * sizeof(Scalar); ///< what a body takes
 
     Lanes() = default;
+    /// Copies the values; the room is the copy's own.
     Lanes(const Lanes& other) { *this = other; }
+    /// Takes the values; the other is empty.
     Lanes(Lanes&& other) noexcept { *this = std::move(other); }
     /// Copies the bodies; allocates only where they do not fit into what is there already.
     Lanes& operator=(const Lanes& other) {
@@ -127,6 +130,7 @@ public:
         for (std::size_t k = 0; k < width; ++k) std::copy_n(other.lane_at(k), size_, lane_at(k));
         return *this;
     }
+    /// Takes the values; the other is empty.
     Lanes& operator=(Lanes&& other) noexcept {
         block_ = std::move(other.block_);
         other.block_.clear();
@@ -135,8 +139,10 @@ public:
         return *this;
     }
 
+    /// Bodies.
     std::size_t size() const { return size_; }
 
+    /// Room for so many bodies.
     void reserve(std::size_t n) {
         if (n <= stride_) return;
         const std::size_t stride = stride_for(n);
@@ -151,20 +157,25 @@ public:
         for (std::size_t k = 0; k < width; ++k) lane_at(k)[size_] = Scalar(0);
         ++size_;
     }
+    /// Removes the last body.
     void pop_back() { --size_; }
+    /// Two bodies change places.
     void swap(std::size_t i, std::size_t j) {
         using std::swap;
         if (i == j) return;
         for (std::size_t k = 0; k < width; ++k) swap(lane_at(k)[i], lane_at(k)[j]);
     }
+    /// Removes all.
     void clear() { size_ = 0; }
 
+    /// A body's value in a column.
     template <class Which> value_of<Which, S> get(std::size_t i) const {
         Scalar raw[3] = {};
         const auto first = offset<Which>();
         for (std::size_t k = 0; k < lanes_of<Which>(S::dimension); ++k) raw[k] = lane_at(first + k)[i];
         return detail::load<Which, S>(raw);
     }
+    /// Sets a body's value in a column.
     template <class Which> void set(std::size_t i, const value_of<Which, S>& q) {
         Scalar raw[3] = {};
         detail::store<Which, S>(q, raw);
@@ -174,8 +185,11 @@ public:
 
     /// One lane: the raw SI scalars of one component of a column.
     template <class Which> Scalar* lane(int component = 0) { return lane_at(offset<Which>() + std::size_t(component)); }
+    /// The raw numbers of one component of a column.
     template <class Which> const Scalar* lane(int component = 0) const { return lane_at(offset<Which>() + std::size_t(component)); }
+    /// A lane by its number.
     Scalar* lane_at(std::size_t index) { return block_.data() + index * stride_; }
+    /// A lane by its number.
     const Scalar* lane_at(std::size_t index) const { return block_.data() + index * stride_; }
 
     /// The pointers that `sweep` wants for the columns of a list.

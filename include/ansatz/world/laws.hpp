@@ -16,7 +16,9 @@ namespace ansatz {
 
 /// The derivatives of a law's answer: by position (1/s^2, or N/m for a force) and by velocity (1/s, or N s/m).
 template <class S, class Answer = unit::Acceleration> struct Jacobian {
+    /// da/dx, 1/s^2
     typename S::template MatrixOf<typename boost::units::divide_typeof_helper<Answer, unit::Length>::type> position;
+    /// da/dv, 1/s
     typename S::template MatrixOf<typename boost::units::divide_typeof_helper<Answer, unit::Velocity>::type> velocity;
 };
 /// The Jacobian of a law that answers with a force.
@@ -73,9 +75,10 @@ template <class S, class... P> class Laws {
 public:
     /// The columns that they declared, and all that evaluating them needs (the mass, where one is a force).
     using reads = union_of<reads_of<P>...>;
-    using needs = union_of<detail::needs_of_law<P, S>...>;
-    static constexpr bool time_dependent = (detail::reads_clock<P> || ...);
+    using needs = union_of<detail::needs_of_law<P, S>...>; ///< the columns that the laws read
+    static constexpr bool time_dependent = (detail::reads_clock<P> || ...); ///< whether one of them asks for the time
 
+    /// Binds them to the space.
     explicit Laws(const P&... policies) : laws_(detail::Bound<P, S>(policies)...) {}
 
     /// Lets laws that compute something once a step do it.
@@ -100,6 +103,7 @@ public:
         return total;
     }
 
+    /// One of them.
     template <class Policy> const detail::Bound<Policy, S>& get() const { return std::get<detail::Bound<Policy, S>>(laws_); }
 
 private:

@@ -17,30 +17,33 @@ namespace ansatz {
 
 /// A body that no physics touches (notes 1.1): infinite mass, no velocity, e.g. the ground.
 struct Fixed {};
-inline constexpr Fixed fixed{};
+inline constexpr Fixed fixed{}; ///< no physics touches it: inverse mass zero, never integrated
 
 /// A platform: infinite mass, moves with the velocity that it is given and is moved by nothing else.
 struct Moving {};
-inline constexpr Moving moving{};
+inline constexpr Moving moving{}; ///< fixed, but with a velocity of its own: a platform
 
 /// Added asleep: nothing is computed for it until something wakes it. Needs a world that can put bodies to rest.
 struct Resting {};
-inline constexpr Resting resting{};
+inline constexpr Resting resting{}; ///< asleep from the beginning
 
 /// A value for a column.
 template <class C, class Q> struct Given {
+    /// The column that it goes to.
     using column = C;
-    Q value;
+    Q value; ///< what was given
 };
 
 /// The mass of a body, a finite quantity greater than zero.
 template <class Q> struct GivenMass {
+    /// The column that it goes to.
     using column = InverseMass;
-    Q value;
+    Q value; ///< kg, as given
 };
 
 /// A datum of the user's own, for worlds with a `Datum<T>` policy.
 template <class T> struct GivenDatum {
+    /// What was given.
     T value;
 };
 

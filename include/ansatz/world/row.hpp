@@ -53,10 +53,14 @@ template <class... In> constexpr std::size_t lane_count(Columns<In...>, [[maybe_
 
 /// The values of columns `C...` of one body in space `S`.
 template <class S, class List> struct Row;
+/// One body's values of a list of columns.
 template <class S, class... C> struct Row<S, Columns<C...>> : detail::Cell<C, S>... {
+    /// The columns.
     using columns = Columns<C...>;
 
+    /// The value of a column.
     template <class Which> [[gnu::always_inline]] value_of<Which, S>& get() { return detail::Cell<Which, S>::value; }
+    /// The value of a column.
     template <class Which> [[gnu::always_inline]] const value_of<Which, S>& get() const {
         return detail::Cell<Which, S>::value;
     }

@@ -108,8 +108,9 @@ template <class P> concept Named = requires(P& p) {
 
 /// The one that may look into a world to save and load it.
 struct Archive {
-    static constexpr int version = 1;
+    static constexpr int version = 1; ///< the version of the format that is written
 
+    /// The world as text.
     template <class... P> static detail::Json write(const World<P...>& world) {
         using detail::number_to_file;
         using C = typename World<P...>::composition;
@@ -141,6 +142,7 @@ struct Archive {
         return file;
     }
 
+    /// The world of a file that was parsed; it is left as it was where the file is refused.
     template <class... P> static void read(World<P...>& world, const detail::FileValue& file) {
         using W = World<P...>;
         using C = typename W::composition;

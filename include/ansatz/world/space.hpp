@@ -34,27 +34,30 @@ template <class ScalarT = double, int Dim = 3> struct Space {
 
     using role = roles::Space;
     using Scalar = ScalarT;
-    static constexpr int dimension = Dim;
+    static constexpr int dimension = Dim; ///< 2 or 3
 
     /// The type of the clock: at least double, because a float that counts seconds freezes after six days.
     using ClockScalar = std::conditional_t<std::is_same_v<Scalar, float>, double, Scalar>;
 
-    template <class Unit> using ScalarOf = Quantity<Unit, Scalar>;
+    template <class Unit> using ScalarOf = Quantity<Unit, Scalar>; ///< a number with a unit
+    /// A vector with a unit.
     template <class Unit> using VectorOf = VectorQuantity<Unit, Dim, Scalar>;
+    /// A matrix with a unit.
     template <class Unit> using MatrixOf = MatrixQuantity<Unit, Dim, Scalar>;
 
-    using Length = ScalarOf<unit::Length>;
-    using Time = ScalarOf<unit::Time>;
+    using Length = ScalarOf<unit::Length>; ///< m
+    using Time = ScalarOf<unit::Time>; ///< s
+    /// s, with the digits that a long run needs: at least double's.
     using ClockTime = ansatz::Quantity<unit::Time, ClockScalar>;
-    using Mass = ScalarOf<unit::Mass>;
-    using InverseMass = ScalarOf<unit::InverseMass>;
-    using Speed = ScalarOf<unit::Velocity>;
-    using Energy = ScalarOf<unit::Energy>;
-    using Position = VectorOf<unit::Length>;
-    using Velocity = VectorOf<unit::Velocity>;
-    using Acceleration = VectorOf<unit::Acceleration>;
-    using Force = VectorOf<unit::Force>;
-    using Momentum = VectorOf<unit::Momentum>;
+    using Mass = ScalarOf<unit::Mass>; ///< kg
+    using InverseMass = ScalarOf<unit::InverseMass>; ///< 1/kg
+    using Speed = ScalarOf<unit::Velocity>; ///< m/s
+    using Energy = ScalarOf<unit::Energy>; ///< J
+    using Position = VectorOf<unit::Length>; ///< m
+    using Velocity = VectorOf<unit::Velocity>; ///< m/s
+    using Acceleration = VectorOf<unit::Acceleration>; ///< m/s^2
+    using Force = VectorOf<unit::Force>; ///< N
+    using Momentum = VectorOf<unit::Momentum>; ///< kg m/s
 
     /// A scalar parameter of a policy, in this space's number type.
     template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
@@ -73,10 +76,12 @@ template <class ScalarT = double, int Dim = 3> struct Space {
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
         return VectorOf<Unit>::from_value(v);
     }
+    /// A vector in the scalar of the space.
     template <class Unit, class From> static VectorOf<Unit> convert(const VectorQuantity<Unit, 3, From>& q) {
         return convert("a vector parameter", q);
     }
 
+    /// A vector of zeros.
     template <class Unit> static VectorOf<Unit> zero_vector() {
         Vector<Scalar, Dim> v;
         for (int i = 0; i < Dim; ++i) v[i] = Scalar(0);

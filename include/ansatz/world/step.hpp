@@ -17,18 +17,21 @@ namespace ansatz {
 
 /// The policies of a world, bound to its space.
 template <class C> struct BoundPolicies {
+    /// The space.
     using S = typename C::S;
-    typename C::Laws laws;
-    typename C::template Effects<Place::before_forces> before;
-    typename C::template Effects<Place::after_integration> after;
-    typename C::template Effects<Place::end_of_step> end;
+    typename C::Laws laws; ///< the forces
+    typename C::template Effects<Place::before_forces> before; ///< the effects before the integrator
+    typename C::template Effects<Place::after_integration> after; ///< those after it
+    typename C::template Effects<Place::end_of_step> end; ///< those at the end of the step
 
+    /// Binds a world's policies.
     template <class Policies> static BoundPolicies from(const Policies& policies) {
         return {bind<typename C::Laws>(policies, typename C::laws{}),
                 bind<typename C::template Effects<Place::before_forces>>(policies, typename C::template effects<Place::before_forces>{}),
                 bind<typename C::template Effects<Place::after_integration>>(policies, typename C::template effects<Place::after_integration>{}),
                 bind<typename C::template Effects<Place::end_of_step>>(policies, typename C::template effects<Place::end_of_step>{})};
     }
+    /// What can be computed once for all bodies.
     void prepare(const Context<S>& context) {
         laws.prepare(context);
         before.prepare(context);
@@ -45,16 +48,18 @@ private:
 /// One step of a world's data under its policies.
 template <class C, class Policies> class Step {
 public:
-    using S = typename C::S;
-    using I = typename C::Integrator;
-    using Data = WorldData<C>;
-    using Slot = typename Data::Slot;
+    using S = typename C::S; ///< the space
+    using I = typename C::Integrator; ///< the integrator
+    using Data = WorldData<C>; ///< what the step works on
+    using Slot = typename Data::Slot; ///< a body's place in the lanes
 
+    /// A step of these policies on this data.
     Step(Data& data, Policies& policies, const BoundPolicies<C>& bound, const TimeStep<S>& dt)
         : data_(data), policies_(policies), bound_(bound), context_(data.clock.now(), dt) {
         bound_.prepare(context_);
     }
 
+    /// Takes it.
     void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests) data_.events.begin_step();
         if constexpr (C::rests && (C::Laws::time_dependent)) wake_the_pulled();

@@ -18,20 +18,28 @@ namespace ansatz {
 template <class S, class P, class Declared> class ColumnsView {
 public:
     using Scalar = typename S::Scalar;
-    using Slot = Bodies::Slot;
+    using Slot = Bodies::Slot; ///< a body's place in the lanes
 
+    /// The columns and the bodies.
     template <class LanesT>
     ColumnsView(const LanesT& lanes, const Bodies& bodies) : pointers_(collect(lanes, Declared{})), bodies_(&bodies) {}
 
     /// All bodies stand in slots 0 to size(): first the awake ones, then resting, moving, fixed.
     std::size_t size() const { return bodies_->size(); }
+    /// The first slot of a kind of bodies.
     std::size_t begin(Motion m) const { return bodies_->begin(m); }
+    /// Behind its last.
     std::size_t end(Motion m) const { return bodies_->end(m); }
 
+    /// Whether the handle names a body that is there.
     bool contains(Handle h) const { return bodies_->contains(h); }
+    /// Where that body is.
     Slot slot(Handle h) const { return bodies_->slot(h, "view"); }
+    /// The handle of the body in a slot.
     Handle handle(std::size_t slot) const { return bodies_->handle(slot); }
+    /// Its id: the order in which sums must run.
     std::uint32_t id(std::size_t slot) const { return bodies_->id(slot); }
+    /// Fixed, moving or resting.
     Motion motion(std::size_t slot) const { return bodies_->motion(slot); }
 
     /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change. Sums that must be
@@ -55,6 +63,7 @@ public:
     }
 
 protected:
+    /// Who is where.
     const Bodies& bodies() const { return *bodies_; }
 
 private:
@@ -88,6 +97,7 @@ template <class S, class P> class CouplingView : public ColumnsView<S, P, detail
     using Base = ColumnsView<S, P, detail::without_clock<P>>;
 
 public:
+    /// The columns and the bodies.
     template <class LanesT> CouplingView(LanesT& lanes, const Bodies& bodies) : Base(lanes, bodies) {
         for (int k = 0; k < S::dimension; ++k) force_[std::size_t(k)] = lanes.template lane<CoupledForce>(k);
     }
@@ -111,11 +121,14 @@ template <class S, class P> class ObserverView : public ColumnsView<S, P, detail
     using Base = ColumnsView<S, P, detail::without_clock<P>>;
 
 public:
+    /// The columns, the bodies, and when.
     template <class LanesT>
     ObserverView(const LanesT& lanes, const Bodies& bodies, const typename S::ClockTime& time, std::uint64_t tick)
         : Base(lanes, bodies), time_(time), tick_(tick) {}
 
+    /// The world's time, s.
     const typename S::ClockTime& time() const { return time_; }
+    /// The steps so far.
     std::uint64_t tick() const { return tick_; }
 
 private:

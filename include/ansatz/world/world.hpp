@@ -78,14 +78,15 @@ template <class... P> class World {
     static_assert(detail::is_world<P...>, "Ansatz: this list of policies is not a world; the sentence above says why");
 
 public:
+    /// What follows from the list of policies.
     using composition = typename detail::ComposedOf<detail::is_world<P...>, P...>::type;
-    using S = typename composition::S;
-    using Integrator = typename composition::Integrator;
+    using S = typename composition::S; ///< the space
+    using Integrator = typename composition::Integrator; ///< the integrator
     using Scalar = typename S::Scalar;
-    using Position = typename S::Position;
-    using Velocity = typename S::Velocity;
-    using Acceleration = typename S::Acceleration;
-    using ClockTime = typename S::ClockTime;
+    using Position = typename S::Position; ///< m
+    using Velocity = typename S::Velocity; ///< m/s
+    using Acceleration = typename S::Acceleration; ///< m/s^2
+    using ClockTime = typename S::ClockTime; ///< s
 
     /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 9, Rest's events 72.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
@@ -246,6 +247,7 @@ public:
     auto row(Handle body) const { return data_.load(data_.bodies.slot(body, "World::row")); }
     /// What policy `P_` may see of this world: the columns that it declared.
     template <class P_> ObserverView<S, P_> view() const { return {data_.lanes, data_.bodies, data_.clock.now(), data_.clock.tick()}; }
+    /// When the next step begins.
     Context<S> context() const { return Context<S>(time(), TimeStep<S>(data_.last_dt(), data_.last_dt())); }
 
 private:
@@ -322,7 +324,7 @@ private:
     std::size_t capacity_ = 0;
 };
 
-template <class... P> World(P...) -> World<P...>;
+template <class... P> World(P...) -> World<P...>; ///< the list of policies is the type
 
 } // namespace ansatz
 

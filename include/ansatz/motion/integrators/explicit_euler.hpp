@@ -18,6 +18,7 @@ struct ExplicitEuler {
     static constexpr int stages = 1;
     static constexpr int order = 1;
 
+    /// One step: x and v of one body move with its velocity and its acceleration a, as they are at the beginning.
     [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, const auto& a, const auto& dt) {
         x += v * dt; // with the old velocity; the other way round it would be semi-implicit
         v += a * dt;

@@ -27,7 +27,7 @@ struct ImplicitEuler {
     using writes = Columns<Position, Velocity>;
     static constexpr bool needs_jacobian = true;
     static constexpr int order = 1;
-    static constexpr int most_iterations = 50;
+    static constexpr int most_iterations = 50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
 
     /// Newton's method for the new velocity u: r(u) = u - v - dt a(x + dt u, u) = 0, with
     /// dr/du = 1 - dt da/dv - dt^2 da/dx. A step that makes the residual larger is halved.

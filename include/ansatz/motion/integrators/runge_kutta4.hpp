@@ -19,10 +19,11 @@ struct RungeKutta4 {
     using scratch = Columns<ScratchVector<unit::Length>, ScratchVector<unit::Velocity, 0>, ScratchVector<unit::Velocity, 1>,
                             ScratchVector<unit::Acceleration>>;
     static constexpr int stages = 4;
-    static constexpr double nodes[] = {0, 0.5, 0.5, 1};
+    static constexpr double nodes[] = {0, 0.5, 0.5, 1}; ///< the times of the stages, in parts of the step
     static constexpr int order = 4;
 
     // x0, v0: the state that the step started from; sum_v, sum_a: the weighted slopes so far.
+    /// The first slope, at the beginning of the step; x0 and v0 keep where it began.
     [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, auto& x0, auto& v0, auto& sum_v, auto& sum_a,
                                                const auto& a, const auto& dt) {
         x0 = x;
@@ -32,6 +33,7 @@ struct RungeKutta4 {
         x = x0 + 0.5 * dt * v;
         v = v0 + 0.5 * dt * a;
     }
+    /// The second slope, half a step along the first.
     [[gnu::always_inline]] static void advance(Stage<1>, auto& x, auto& v, auto& x0, auto& v0, auto& sum_v, auto& sum_a,
                                                const auto& a, const auto& dt) {
         sum_v += 2.0 * v;
@@ -39,6 +41,7 @@ struct RungeKutta4 {
         x = x0 + 0.5 * dt * v;
         v = v0 + 0.5 * dt * a;
     }
+    /// The third slope, half a step along the second.
     [[gnu::always_inline]] static void advance(Stage<2>, auto& x, auto& v, auto& x0, auto& v0, auto& sum_v, auto& sum_a,
                                                const auto& a, const auto& dt) {
         sum_v += 2.0 * v;
@@ -46,6 +49,7 @@ struct RungeKutta4 {
         x = x0 + dt * v;
         v = v0 + dt * a;
     }
+    /// The fourth slope, a whole step along the third, and the sum of all.
     [[gnu::always_inline]] static void advance(Stage<3>, auto& x, auto& v, auto& x0, auto& v0, auto& sum_v, auto& sum_a,
                                                const auto& a, const auto& dt) {
         x = x0 + (sum_v + v) * (dt / 6.0);

@@ -20,6 +20,7 @@ struct SemiImplicitEuler {
     static constexpr int stages = 1;
     static constexpr int order = 1;
 
+    /// One step: v of one body moves with its acceleration a, then x with the new v.
     [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, const auto& a, const auto& dt) {
         v += a * dt;
         x += v * dt;

@@ -22,15 +22,17 @@ struct VelocityVerlet {
     using writes = Columns<Position, Velocity>;
     using scratch = Columns<ScratchVector<unit::Velocity>>;
     static constexpr int stages = 2;
-    static constexpr double nodes[] = {0, 1};
+    static constexpr double nodes[] = {0, 1}; ///< the times of the stages, in parts of the step
     static constexpr int order = 2;
     static constexpr bool reversible = true;
 
+    /// Half a step of velocity, and a whole one of position with it.
     [[gnu::always_inline]] static void advance(Stage<0>, auto& x, auto& v, auto& half, const auto& a, const auto& dt) {
         half = v + 0.5 * a * dt;
         x += half * dt;
         v += a * dt; // predicted, for forces that ask for it
     }
+    /// The other half of the velocity, with the acceleration at the new position.
     [[gnu::always_inline]] static void advance(Stage<1>, auto&, auto& v, auto& half, const auto& a, const auto& dt) {
         v = half + 0.5 * a * dt;
     }

@@ -31,11 +31,14 @@ struct Verlet {
 
     /// Stage 0 brings the velocity to the present, for forces that ask for it; without such forces it is left out.
     static constexpr int stages = 2;
+    /// The stage to begin with.
     static constexpr int first_stage(bool velocity_read) { return velocity_read ? 0 : 1; }
 
+    /// The velocity now, from the last two positions and half a step of acceleration.
     [[gnu::always_inline]] static void advance(Stage<0>, auto&, auto&, auto& v, const auto& a, const auto& dt) {
         v = velocity_now(v, a, dt.previous);
     }
+    /// The next position from the last two and the acceleration.
     [[gnu::always_inline]] static void advance(Stage<1>, auto& x, auto& previous, auto&, const auto& a, const auto& dt) {
         const auto next = x + (x - previous) * (dt / dt.previous) + a * (0.5 * dt * (dt + dt.previous));
         previous = x;
