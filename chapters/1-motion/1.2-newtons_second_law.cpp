@@ -21,28 +21,34 @@ int main() {
     const auto dt = 1.0 / 60 * second;
 
     // As a formula: a sledge of 20 kg, two dogs, friction.
+    //! [formula]
     const auto sledge = 20.0 * kilogram;
     const auto left_dog = newtons(60, 0, 15), right_dog = newtons(60, 0, -15), friction = newtons(-80, 0, 0);
     const auto sum = mechanics::resultant(left_dog, right_dog, friction);
     const auto acceleration = mechanics::acceleration(sum, sledge);
+    //! [formula]
     std::cout << "The dogs pull with " << sum << " in all; the sledge accelerates with " << acceleration << '\n';
     claim("60 + 60 - 80 = 40 N along x, nothing across", sum == newtons(40, 0, 0));
     claim("40 N on 20 kg are 2 m/s^2", acceleration == metres_per_second_squared(2, 0, 0));
     claim("and back: F = m a", mechanics::force(sledge, acceleration) == sum);
 
     // In a world: the same three forces, applied one by one, for a second.
+    //! [sledges]
     World snow{SemiImplicitEuler{}, AppliedForces{}};
     const auto light = snow.add(mass(sledge));
     const auto heavy = snow.add(mass(2.0 * sledge));
+    //! [sledges]
     std::vector<Quantity<unit::Time>> times;
     std::vector<Quantity<unit::Velocity>> speed_light, speed_heavy;
     for (int i = 0; i < 60; ++i) {
         times.push_back(snow.time());
         speed_light.push_back(x(snow.velocity(light)));
         speed_heavy.push_back(x(snow.velocity(heavy)));
+        //! [pull]
         for (const auto body : {light, heavy})
             for (const auto& force : {left_dog, right_dog, friction}) snow.apply_force(body, force);
         snow.step(dt);
+        //! [pull]
     }
     std::cout << "After a second the sledge does " << snow.velocity(light) << ", one of twice the mass " << snow.velocity(heavy) << '\n';
     claim("v = a t", norm(snow.velocity(light) - metres_per_second(2, 0, 0)) < 1e-12 * metre_per_second);
@@ -54,9 +60,11 @@ int main() {
     claim("the dogs stop pulling, and the velocity stays", snow.velocity(light) == before);
 
     // Gravity: a feather and an anvil.
+    //! [feather]
     World tower{SemiImplicitEuler{}, Gravity{}, Keep<InverseMass>{}};
     const auto feather = tower.add(mass(0.001 * kilogram)), anvil = tower.add(mass(100.0 * kilogram));
     for (int i = 0; i < 60; ++i) tower.step(dt);
+    //! [feather]
     claim("without air a feather falls like an anvil, to the last bit", tower.position(feather) == tower.position(anvil));
 
     workbook::Plot plot("1.2", "The same force on twice the mass: half the acceleration");

@@ -16,6 +16,7 @@
 using namespace ansatz;
 
 /// The slip: each body is pulled towards the first one, and the first feels nothing.
+//! [slip]
 struct Lopsided {
     using role = roles::Force;
     using reads = Columns<Position>;
@@ -31,6 +32,7 @@ struct Lopsided {
         }
     };
 };
+//! [slip]
 
 struct Path {
     std::vector<Quantity<unit::Time>> times;
@@ -40,9 +42,11 @@ struct Path {
 
 /// Two bodies of 1 kg and 3 kg, 4 m apart and at rest, for two seconds.
 template <class Force> Path watch(Force force) {
+    //! [pair]
     World world{VelocityVerlet{}, force, Keep<InverseMass>{}};
     const auto light = world.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto heavy = world.add(position(metres(4, 0, 0)), mass(3.0 * kilogram));
+    //! [pair]
     Path path;
     for (int i = 0; i < 120; ++i) {
         path.times.push_back(world.time());

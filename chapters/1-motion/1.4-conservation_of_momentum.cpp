@@ -19,9 +19,11 @@ using namespace ansatz;
 
 int main() {
     workbook::Claims claim;
+    //! [bodies]
     const mechanics::PointMass cart{1.0 * kilogram, 2.0 * metre_per_second};
     const mechanics::PointMass wagon{3.0 * kilogram, -1.0 * metre_per_second};
     const auto before = mechanics::momentum(cart.mass, cart.velocity) + mechanics::momentum(wagon.mass, wagon.velocity);
+    //! [bodies]
     const auto energy = [](const auto& a, const auto& b) {
         return mechanics::kinetic_energy(a.mass, a.velocity) + mechanics::kinetic_energy(b.mass, b.velocity);
     };
@@ -34,8 +36,10 @@ int main() {
     std::vector<Quantity<unit::Energy>> energies;
     bool conserved = true, parted = true;
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        //! [collide]
         const auto [one, other] = mechanics::collide(cart, wagon, e);
         const auto after = mechanics::momentum(one.mass, one.velocity) + mechanics::momentum(other.mass, other.velocity);
+        //! [collide]
         std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   " << after << "   "
                   << energy(one, other) << '\n';
         conserved = conserved && abs(after - before) < 1e-14 * kilogram_metre_per_second;
@@ -49,6 +53,7 @@ int main() {
     claim("e = 0: they go on together, 3.375 J are gone", abs(energies.front() - energy(cart, wagon) + 3.375 * joule) < 1e-13 * joule);
 
     // In a world: a closed system of three that attract each other, and none of them knows of the law.
+    //! [closed]
     Attraction attraction;
     attraction.constant = 1.0 * (cubic_metre / (kilogram * second * second));
     attraction.softening = 0.1 * metre;
@@ -58,6 +63,7 @@ int main() {
     system.add(position(metres(-1, 3, 2)), velocity(metres_per_second(0, 0, 0.5)), mass(4.0 * kilogram));
     const auto total = total_momentum(system);
     while (system.time() < 10.0 * second) system.step(0.01 * second);
+    //! [closed]
     std::cout << "\nThree bodies, ten seconds: momentum " << total << ", then " << total_momentum(system) << '\n';
     claim("three bodies in each other's field keep the sum of their momenta", norm(total_momentum(system) - total) < 1e-12 * kilogram_metre_per_second);
 

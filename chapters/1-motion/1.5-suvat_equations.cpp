@@ -21,7 +21,9 @@ int main() {
     const auto g = -9.81 * metre_per_second_squared;
 
     // A ball leaves the roof (20 m) upwards. When does it land, and how fast?
+    //! [roof]
     const auto throws = suvat::solve(suvat::displacement(-20.0 * metre), suvat::initial_velocity(5.0 * metre_per_second), suvat::acceleration(g));
+    //! [roof]
     std::cout << "Thrown up from the roof it lands after " << throws.back().t << " with " << throws.back().v << '\n';
     claim("it lands after 2.592 s", abs(throws.back().t - 2.59229 * second) < 1e-5 * second);
     claim("the other root is the same parabola, before the throw", throws.size() == 2 && throws.front().t < 0.0 * second);
@@ -33,11 +35,13 @@ int main() {
 
     // A question without an answer is refused, and says why.
     std::string reason;
+    //! [refused]
     try {
         suvat::solve(suvat::displacement(2.0 * metre), suvat::initial_velocity(5.0 * metre_per_second), suvat::acceleration(g));
     } catch (const std::invalid_argument& error) {
         reason = error.what();
     }
+    //! [refused]
     std::cout << "Does it reach 22 m? " << reason << '\n';
     claim("out of reach is a sentence, not a NaN", !reason.empty());
 
@@ -57,9 +61,11 @@ int main() {
         auto place = 1.0 * metre;
         auto velocity = 0.0 * metre_per_second;
         for (int i = 0; i < n; ++i) {
+            //! [within]
             const auto within = suvat::solve(suvat::initial_velocity(velocity), suvat::acceleration(-place / (second * second)), suvat::time(dt)).front();
             place += within.s;
             velocity = within.v;
+            //! [within]
         }
         steps.push_back(in(dt, second));
         errors.push_back(std::abs(in(place, metre) - std::cos(1.0)));

@@ -25,6 +25,7 @@ const auto fall_time = 5.0 * second;
 const auto terminal = 50.0 * metre_per_second;
 
 /// How far from the closed form the body ends, after a fall of five seconds in steps of dt.
+//! [error]
 template <class Integrator> Quantity<unit::Length> error(Quantity<unit::Time> dt, int steps) {
     World world{Integrator{}, Gravity{}, QuadraticDrag::with_terminal_speed(terminal, 1.0 * kilogram, 9.81 * metre_per_second_squared)};
     const auto body = world.add(mass(1.0 * kilogram));
@@ -32,6 +33,7 @@ template <class Integrator> Quantity<unit::Length> error(Quantity<unit::Time> dt
     const auto exact = problems::fall_with_quadratic_drag(terminal, 9.81 * metre_per_second_squared, fall_time);
     return abs(exact.x + y(world.position(body)));
 }
+//! [error]
 
 template <class Integrator> double measured_order(const char* name, workbook::Plot& plot) {
     std::vector<Quantity<unit::Time>> steps;

@@ -24,10 +24,12 @@ int main() {
     for (const int rate : {60, 120, 240, 1000}) {
         const auto dt = 1.0 / rate * second;
         const int steps = 3 * rate;
+        //! [growth]
         const auto run = problems::oscillate<ExplicitEuler>(omega, dt, steps);
         const double measured = run.energies.back() / run.energies.front();
         const double step_angle = omega * dt;
         const double predicted = std::pow(1 + step_angle * step_angle, steps);
+        //! [growth]
         std::cout << "  " << rate << " steps/s: measured " << measured << ", (1 + (w dt)^2)^n = " << predicted << '\n';
         plot.line(std::to_string(rate) + " steps/s", run.times, run.energies);
         claim("the energy has grown by the factor (1 + (w dt)^2) in each step", std::abs(measured / predicted - 1) < 1e-9);
@@ -35,10 +37,12 @@ int main() {
     }
     plot.write();
     std::cout << "A body that only falls does not explode, but it is always a little too high, by g dt t / 2:\n";
+    //! [fall]
     World world{ExplicitEuler{}, Gravity{}};
     const auto body = world.add(position(metres(0, 0, 0)));
     for (int i = 0; i < 60; ++i) world.step(1.0 / 60 * second);
     const auto offset = y(world.position(body)) + 0.5 * 9.81 * metre_per_second_squared * (1.0 * second * second);
+    //! [fall]
     std::cout << "  after 1 s at 60 Hz: " << offset << " too high\n";
     claim("which is +0.08175 m here", abs(offset - 0.08175 * metre) < 1e-12 * metre);
     return claim.result();

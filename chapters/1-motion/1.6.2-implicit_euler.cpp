@@ -20,6 +20,7 @@
 using namespace ansatz;
 
 /// What implicit Euler is not: the new state guessed and improved by repetition, a fixed number of times.
+//! [swept]
 struct SweptEuler {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
@@ -32,15 +33,18 @@ struct SweptEuler {
         return true;
     }
 };
+//! [swept]
 
 int main() {
     workbook::Claims claim;
     const auto omega = 10.0 / second;
     const auto dt = 1.0 / 60 * second;
+    //! [solved]
     const auto run = problems::oscillate<ImplicitEuler>(omega, dt, 60);
     const double left = run.energies.back() / run.energies.front();
     const double step_angle = omega * dt;
     const double predicted = std::pow(1 + step_angle * step_angle, -60);
+    //! [solved]
     std::cout << "omega = " << omega << ", 60 Hz: after a second " << 100 * left << " % of the energy are left (predicted "
               << 100 * predicted << " %)\n";
     claim("the energy shrinks by 1 / (1 + (w dt)^2) in each step: 81 % are lost in a second", std::abs(left / predicted - 1) < 1e-12);

@@ -19,6 +19,7 @@
 using namespace ansatz;
 
 /// The largest excursion within 2000 steps of a spring with omega = 1/s.
+//! [reach]
 template <class... Damping> double reach(double dt, Damping... damping) {
     World world{SemiImplicitEuler{}, problems::Oscillator{1.0 / second}, damping...};
     const auto body = world.add(position(metres(1, 0, 0)));
@@ -29,6 +30,7 @@ template <class... Damping> double reach(double dt, Damping... damping) {
     }
     return most;
 }
+//! [reach]
 
 int main() {
     workbook::Claims claim;
@@ -36,7 +38,9 @@ int main() {
     const auto dt = 1.0 / 60 * second;
     const auto run = problems::oscillate<SemiImplicitEuler>(omega, dt, 60000, 3.0 * metre_per_second);
 
+    //! [shadow]
     auto shadow = [&](std::size_t i) { return run.energies[i] - 0.5 * dt * omega * omega * run.places[i] * run.velocities[i]; };
+    //! [shadow]
     double least = 1e9, most = 0, drift = 0;
     for (std::size_t i = 0; i < run.energies.size(); ++i) {
         least = std::min<double>(least, run.energies[i] / run.energies[0]);
@@ -53,7 +57,9 @@ int main() {
     claim("stable just below omega dt = 2", reach(1.999) < 100);
     claim("unstable just above", reach(2.001) > 1e9);
 
+    //! [damped]
     const double c = 2, limit = std::sqrt(c * c + 4) - c;
+    //! [damped]
     std::cout << "With explicit damping c = 2/s the limit is " << limit << " s instead of 2 s\n";
     claim("stable at 0.99 of it", reach(0.99 * limit, problems::LinearDamping{c / second}) < 100);
     claim("unstable at 1.01 of it: damping made the step smaller", reach(1.01 * limit, problems::LinearDamping{c / second}) > 1e9);

@@ -23,6 +23,7 @@ const problems::OnALine start{1.0 * metre, 0.5 * metre_per_second};
 const auto duration = 10.0 * second;
 
 /// The error after ten seconds of the recursion by hand, from a given s_{-1}.
+//! [recursion]
 Quantity<unit::Length> by_hand(int n, Quantity<unit::Length> before, Quantity<unit::Time> dt) {
     auto now = start.x;
     for (int i = 0; i < n; ++i) {
@@ -32,6 +33,7 @@ Quantity<unit::Length> by_hand(int n, Quantity<unit::Length> before, Quantity<un
     }
     return abs(now - problems::oscillator(omega, start, duration).x);
 }
+//! [recursion]
 
 int main() {
     workbook::Claims claim;
@@ -41,9 +43,11 @@ int main() {
         const auto dt = duration / double(n);
         steps.push_back(dt);
         const auto exact = problems::oscillator(omega, start, duration).x;
+        //! [starts]
         library.push_back(abs(problems::oscillate<Verlet>(omega, dt, n, start.v).places.back() - exact));
         first_order.push_back(by_hand(n, start.x - start.v * dt, dt));
         from_rest.push_back(by_hand(n, start.x, dt));
+        //! [starts]
     }
     auto order = [](const auto& errors) { return std::log2(double(errors[errors.size() - 2] / errors.back())); };
     std::cout << "Orders of the three starts: with a dt^2/2 " << order(library) << ", without " << order(first_order)
@@ -60,12 +64,14 @@ int main() {
         .write();
 
     // Backwards: swap the last two positions and go on. Here the velocity is turned round, which is the same thing.
+    //! [back]
     World world{Verlet{}, problems::Oscillator{omega}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(0.5, 0, 0)));
     for (int i = 0; i < 10000; ++i) world.step(0.01 * second);
     world.set_velocity(body, -world.velocity(body));
     for (int i = 0; i < 10000; ++i) world.step(0.01 * second);
     const auto missed = norm(world.position(body) - metres(1, 0, 0));
+    //! [back]
     std::cout << "10000 steps forth and 10000 back: " << missed << " from the start\n";
     claim("run backwards, it returns to where it began", missed < 1e-10 * metre);
 

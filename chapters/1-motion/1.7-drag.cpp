@@ -20,12 +20,14 @@
 using namespace ansatz;
 
 /// What is left of 1 m/s after a second.
+//! [left]
 template <class Damping> double left_after_a_second(int rate, Damping damping) {
     World world{SemiImplicitEuler{}, damping};
     const auto body = world.add(velocity(metres_per_second(1, 0, 0)));
     for (int i = 0; i < rate; ++i) world.step(1.0 / rate * second);
     return in(x(world.velocity(body)), metre_per_second);
 }
+//! [left]
 
 int main() {
     workbook::Claims claim;
@@ -35,17 +37,21 @@ int main() {
     std::cout << "  FrameDrag{0.99}:     " << f30 << "  " << f60 << "  " << f120 << '\n';
     claim("a factor for each frame: 0.740, 0.547, 0.299 of the velocity", std::abs(f30 - 0.740) < 1e-3 && std::abs(f60 - 0.547) < 1e-3 && std::abs(f120 - 0.299) < 1e-3);
 
+    //! [rate]
     const auto rate = -60 * std::log(0.99) / second; // the same drag as 0.99 for each frame at 60 Hz
     const double d30 = left_after_a_second(30, Drag{rate}), d60 = left_after_a_second(60, Drag{rate}), d120 = left_after_a_second(120, Drag{rate});
+    //! [rate]
     std::cout << "  Drag{0.603 / second}: " << d30 << "  " << d60 << "  " << d120 << '\n';
     claim("a rate for each second: the same at every frame rate", std::abs(d30 - d60) < 1e-9 && std::abs(d60 - d120) < 1e-9);
 
     // Another environment: the same body, first in air, then in honey.
+    //! [honey]
     World bath{SemiImplicitEuler{}, Drag{0.1 / second}};
     const auto spoon = bath.add(velocity(metres_per_second(1, 0, 0)));
     for (int i = 0; i < 60; ++i) bath.step(1.0 / 60 * second);
     const auto in_air = norm(bath.velocity(spoon));
     bath.set(Drag{20.0 / second});
+    //! [honey]
     for (int i = 0; i < 60; ++i) bath.step(1.0 / 60 * second);
     std::cout << "After a second in air " << in_air << ", after one more in honey " << norm(bath.velocity(spoon)) << '\n';
     claim("varying the coefficient changes the environment", in_air > 0.9 * metre_per_second && norm(bath.velocity(spoon)) < 1e-8 * metre_per_second);
@@ -53,8 +59,10 @@ int main() {
     // What air does.
     const auto g = 9.81 * metre_per_second_squared;
     const auto terminal = 50.0 * metre_per_second;
+    //! [air]
     World sky{VelocityVerlet{}, Gravity{}, QuadraticDrag::with_terminal_speed(terminal, 80.0 * kilogram, g)};
     const auto diver = sky.add(mass(80.0 * kilogram));
+    //! [air]
     std::vector<Quantity<unit::Time>> times;
     std::vector<Quantity<unit::Velocity>> speeds;
     for (int i = 0; i <= 20 * 240; ++i) {

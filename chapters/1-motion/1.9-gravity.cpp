@@ -17,10 +17,12 @@ using namespace ansatz;
 
 int main() {
     workbook::Claims claim;
+    //! [tower]
     World tower{VelocityVerlet{}, Gravity{}, Keep<InverseMass>{}};
     const auto feather = tower.add(position(metres(0, 50, 0)), mass(0.001 * kilogram));
     const auto anvil = tower.add(position(metres(1, 50, 0)), mass(100.0 * kilogram));
     for (int i = 0; i < 180; ++i) tower.step(1.0 / 60 * second);
+    //! [tower]
     std::cout << "After three seconds without air: feather at " << y(tower.position(feather)) << ", anvil at " << y(tower.position(anvil)) << '\n';
     claim("every mass falls alike, to the bit", y(tower.position(feather)) == y(tower.position(anvil)));
     claim("and as far as s = g t^2 / 2 says", abs(y(tower.position(anvil)) - (50 - 0.5 * 9.81 * 9) * metre) < 1e-10 * metre);
@@ -33,9 +35,11 @@ int main() {
     plot.x("time").y("height");
     for (const auto& place : {Place{"earth", 9.81 * metre_per_second_squared}, Place{"mars", 3.71 * metre_per_second_squared},
                               Place{"moon", 1.62 * metre_per_second_squared}, Place{"space", 0.0 * metre_per_second_squared}}) {
+        //! [places]
         World world{VelocityVerlet{}, Gravity{}};
         world.set(Gravity{-place.g * Vector<double, 3>(0, 1, 0)});
         const auto ball = world.add(velocity(metres_per_second(0, 10, 0)));
+        //! [places]
         std::vector<Quantity<unit::Time>> times;
         std::vector<Quantity<unit::Length>> heights;
         Quantity<unit::Length> apex{};
@@ -52,10 +56,12 @@ int main() {
     plot.y_range(-10.0 * metre, 40.0 * metre).write();
 
     // Gravity may change while a ball is in the air: below, it is switched off at the apex.
+    //! [off]
     World lift{SemiImplicitEuler{}, Gravity{}};
     const auto ball = lift.add(velocity(metres_per_second(0, 9.81, 0)));
     for (int i = 0; i < 60; ++i) lift.step(1.0 / 60 * second);
     lift.set(Gravity{metres_per_second_squared(0, 0, 0)});
+    //! [off]
     const auto here = lift.position(ball);
     for (int i = 0; i < 60; ++i) lift.step(1.0 / 60 * second);
     std::cout << "Gravity switched off at the top of a throw: the ball moves " << norm(lift.position(ball) - here) << " in the next second\n";

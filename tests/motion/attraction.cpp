@@ -147,3 +147,15 @@ TEST_CASE("attraction refuses a negative constant and a softening that is no len
     CHECK_THROWS_AS(with(std::nan(""), 0), std::invalid_argument);
     CHECK_THROWS_AS(with(1, INFINITY), std::invalid_argument);
 }
+
+TEST_CASE("attraction: planets fit into a float world, though the product of their masses does not", "[motion][attraction]") {
+    World world{Space<float, 3>{}, VelocityVerlet{}, Attraction{}};
+    const auto earth = world.add(mass(5.97e24 * kilogram));
+    const auto moon = world.add(position(metres(3.84e8, 0, 0)), velocity(metres_per_second(0, 1022, 0)), mass(7.35e22 * kilogram));
+    // G M / r^2 on the moon, G m / r^2 on the earth.
+    CHECK(-x(world.acceleration(moon)).value() == Catch::Approx(6.6743e-11 * 5.97e24 / (3.84e8 * 3.84e8)).epsilon(1e-5));
+    CHECK(x(world.acceleration(earth)).value() == Catch::Approx(6.6743e-11 * 7.35e22 / (3.84e8 * 3.84e8)).epsilon(1e-5));
+    for (int i = 0; i < 24; ++i) world.step(3600.0 * second);
+    CHECK(world.status().ok());
+    CHECK(norm(world.position(moon)).value() == Catch::Approx(3.84e8).epsilon(0.02));
+}

@@ -59,6 +59,8 @@ expect 2 "there is no section '9'" section 9
 expect 0 "./workbook section <number> runs one." section
 expect 2 "did you mean motion?" costs moton
 expect 2 "./workbook section 1.6 shows one section" tour 1.6
+expect 0 "build the documentation site" help docs
+expect 2 "docs takes no 'now'" docs now
 
 # 1.1 is not 1.10, though they are the same number.
 lines=$(cd / && "$tree/workbook" list 1.1 | grep -c '^  1\.')
@@ -73,6 +75,22 @@ if (cd / && "$tree/workbook" list) | grep -q $'\033'; then failures=$((failures 
 printf '# SPDX-License-Identifier: BSL-1.0\n#\n# say hello\nverb_hello() { echo "hello $1"; }\n' > "$tree/tools/workbook.d/verbs/hello.sh"
 expect 0 "hello world" hello world
 expect 0 "say hello" help
+
+# What only the docs need, only the docs ask for. Nothing is installed here: apt-get and sudo are stand-ins that fail.
+mkdir "$scratch/bin"
+for name in apt-get sudo; do
+    printf '#!/bin/sh\necho "E: asked for $*"\nexit 100\n' > "$scratch/bin/$name"
+    chmod +x "$scratch/bin/$name"
+done
+printf '# SPDX-License-Identifier: BSL-1.0\n#\n# what is missing\nverb_lacks() { echo "lacks: $(missing_packages "$1")."; }\n' > "$tree/tools/workbook.d/verbs/lacks.sh"
+export ANSATZ_MATHJAX=$scratch/nowhere
+kept=$PATH
+PATH=$scratch/bin:$PATH
+expect 0 "libjs-mathjax." lacks docs
+expect 1 "libjs-mathjax" docs
+if (cd / && "$tree/workbook" lacks course) | grep -q 'mathjax'; then failures=$((failures + 1)); echo "FAILED: the course asks for MathJax"; else passed=$((passed + 1)); fi
+PATH=$kept
+unset ANSATZ_MATHJAX
 
 echo "$passed passed, $failures failed"
 [ $failures -eq 0 ]

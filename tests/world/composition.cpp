@@ -77,9 +77,9 @@ static_assert(holds<Facts<Verlet, Drag, QuadraticDrag>::stored, Position, Previo
 static_assert(holds<Facts<RungeKutta4, Later>::stored, Position, Velocity>); // scratch lives in registers, a clock nowhere
 static_assert(holds<Facts<SemiImplicitEuler, Nothing>::stored, Position, Velocity, CoupledForce, InverseMass>);
 static_assert(Facts<RungeKutta4, Nothing>::stored::size == 4 + 4);    // its four scratch columns, where it must wait between stages
-static_assert(holds<Facts<RungeKutta4, Nothing>::state, Position, Velocity, CoupledForce, InverseMass>); // which are no state
+static_assert(holds<Facts<RungeKutta4, Nothing>::state, Position, Velocity, InverseMass>); // which are no state, nor are the sums of forces
 static_assert(holds<Facts<Verlet, Nothing>::stored, Position, PreviousPosition, CoupledForce, InverseMass>);
-static_assert(holds<Facts<Verlet, Nothing, QuadraticDrag>::state, Position, PreviousPosition, CoupledForce, InverseMass>);
+static_assert(holds<Facts<Verlet, Nothing, QuadraticDrag>::state, Position, PreviousPosition, InverseMass>);
 
 static_assert(Facts<Verlet>::history && !Facts<SemiImplicitEuler>::history);
 static_assert(Facts<SemiImplicitEuler, Rest>::rests && !Facts<SemiImplicitEuler, StopBelow>::rests);

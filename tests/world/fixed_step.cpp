@@ -151,3 +151,38 @@ TEST_CASE("a world driven by frames is the world stepped by hand", "[world][fixe
     CHECK(driven.hash() == stepped.hash());
     CHECK(driven.tick() == steps);
 }
+
+TEST_CASE("a push before each step is the same on every screen, and every step's events can be read", "[world][fixed_step]") {
+    auto height_after_two_seconds = [](int pictures) {
+        World world{SemiImplicitEuler{}, Gravity{}, AppliedForces{}};
+        const auto rocket = world.add(mass(1.0 * kilogram));
+        FixedStep clock(1.0 / 60 * second);
+        int calls = 0;
+        std::uint64_t steps = 0;
+        for (int frame = 0; frame < 2 * pictures; ++frame)
+            steps += clock.advance(world, 1.0 / pictures * second, [&](auto& w) {
+                w.apply_force(rocket, newtons(0, 15, 0));
+                ++calls;
+            });
+        CHECK(calls == 120);
+        CHECK(steps == 120);
+        return y(world.position(rocket));
+    };
+    const auto at60 = height_after_two_seconds(60);
+    for (const int pictures : {24, 30, 75, 120, 144}) CHECK(height_after_two_seconds(pictures) == at60);
+
+    World sleepy{SemiImplicitEuler{}, Rest{}};
+    sleepy.add();
+    FixedStep clock(1.0 / 60 * second, 1.0 * second);
+    std::size_t slept = 0;
+    clock.advance(sleepy, 40.0 / 60 * second, [&](const auto& w) { slept += w.events().size(); });
+    CHECK(slept == 1);
+}
+
+TEST_CASE("a world that refuses the step leaves the clock as it was", "[world][fixed_step]") {
+    World<Space<float, 2>, SemiImplicitEuler> world{Space<float, 2>{}, SemiImplicitEuler{}};
+    FixedStep clock(1e-60 * second); // no float
+    clock.advance(world, 0.5e-60 * second);
+    CHECK_THROWS_AS(clock.advance(world, 1.25e-60 * second), std::invalid_argument);
+    CHECK(clock.alpha() == 0.5);
+}

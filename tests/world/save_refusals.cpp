@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <functional>
 #include <sstream>
 #include <string>
@@ -198,4 +199,66 @@ TEST_CASE("resting bodies are refused by a world that puts no bodies to rest", "
     INFO(text);
     CHECK(text.find("load: bodies[0].motion is \"resting\"; expected another state") == 0);
     CHECK(restless.size() == 0);
+}
+
+TEST_CASE("a file that nests a hundred thousand lists is refused, not followed down", "[world][save]") {
+    W world = make();
+    std::string deep = "{\"format\":";
+    deep.append(100000, '[').append(100000, ']').append("}");
+    CHECK_THAT(load_of(world, deep), Catch::Matchers::ContainsSubstring("format is a list; expected \"ansatz world\""));
+}
+
+TEST_CASE("a body that stands still has no velocity in a file either", "[world][save]") {
+    refused([](Json& file) { file["bodies"].back()["previous position"] = {1, 1}; }, "bodies[3].previous position",
+            "the body's position, because it stands still");
+    World stored{SemiImplicitEuler{}, Gravity{}};
+    stored.add(fixed);
+    std::ostringstream out;
+    save(stored, out);
+    auto file = Json::parse(out.str());
+    file["bodies"][0]["velocity"] = {5, 6, 7};
+    std::istringstream in(file.dump());
+    CHECK_THAT(sentence<std::invalid_argument>([&] { load(stored, in); }), Catch::Matchers::ContainsSubstring("zeros, because the body stands still"));
+}
+
+TEST_CASE("a clock and a mass beyond all numbers are refused", "[world][save]") {
+    World wide{SemiImplicitEuler{}};
+    wide.step(1.0 * second);
+    std::ostringstream out;
+    save(wide, out);
+    auto text = Json::parse(out.str());
+    text["clock"]["dt"] = 1e307, text["clock"]["tick"] = text["clock"]["steps"] = 1000;
+    std::istringstream in(text.dump());
+    CHECK_THAT(sentence<std::invalid_argument>([&] { load(wide, in); }), Catch::Matchers::ContainsSubstring("a number of steps after which the time is finite"));
+    refused([](Json& file) { file["bodies"][0]["inverse mass"] = 1e-45; }, "bodies[0].inverse mass", "the inverse of a finite mass");
+}
+
+TEST_CASE("what is no file, and a disk that is full, are sentences", "[world][save]") {
+    W world = make();
+    const auto hash = world.hash();
+    CHECK_THAT(sentence<std::invalid_argument>([&] { load(world, "/"); }), Catch::Matchers::ContainsSubstring("/"));
+    CHECK(world.hash() == hash);
+    if (!std::ifstream("/dev/full")) SKIP("no /dev/full on this system");
+    CHECK_THAT(sentence<std::invalid_argument>([&] { save(world, "/dev/full"); }), Catch::Matchers::ContainsSubstring("/dev/full could not be written to the end"));
+}
+
+TEST_CASE("the order of the policies means nothing to a file; data begin anew", "[world][save]") {
+    World one{SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}, Rest{}, Datum<int>{}};
+    World other{Rest{}, Datum<int>{}, QuadraticDrag{}, Gravity{}, SemiImplicitEuler{}};
+    one.add(mass(1.0 * kilogram), datum(1));
+    one.step(0.1 * second);
+    other.add(mass(2.0 * kilogram), datum(666));
+    std::ostringstream out;
+    save(one, out);
+    std::istringstream in(out.str());
+    load(other, in);
+    CHECK(other.hash() == one.hash());
+    CHECK(other.datum(other.body_at(0)) == 666); // the same handle: the body that this world has
+    World fresh{Rest{}, Datum<int>{}, QuadraticDrag{}, Gravity{}, SemiImplicitEuler{}};
+    const auto gone = fresh.add(mass(2.0 * kilogram), datum(666));
+    fresh.remove(gone);
+    fresh.add(mass(2.0 * kilogram), datum(667)); // another body, with another generation
+    std::istringstream again(out.str());
+    load(fresh, again);
+    CHECK(fresh.datum(fresh.body_at(0)) == 0);
 }

@@ -4,8 +4,11 @@
 #
 # - Members that every policy and column has, as its role or its name, are documented once, here.
 # - "(notes 1.6.1" in a header becomes a link to the section of its chapter's page, where there is one.
-# - A policy with an exercise of its name is linked to it: the exercise's page links back.
-# - An exercise's README.md becomes the page exercise_<module>_<name>; links between files become links between pages.
+# - The page of a policy tells what its header tells (when to use it and when not), where it is taught, and which exercise
+#   asks for it: the exercise's page links back.
+# - An exercise's README.md becomes the page exercise_<module>_<name>.
+# - On text pages, links between files become links between pages, `Drag` a link to Drag, and a long page begins with its
+#   contents.
 
 BEGIN {
     said["role"] = "the role that it has in a world"
@@ -36,16 +39,35 @@ BEGIN {
         exercise[part[3]] = "exercise_" module "_" part[3]
     }
     close(command)
+    # What headers are named after: World of world.hpp.
+    command = "grep -rE '^(template <.*> *)?(struct|class) [A-Z][A-Za-z0-9]*( |$|\\{)' include/ansatz 2>/dev/null"
+    while ((command | getline line) > 0) {
+        file = line; sub(/:.*/, "", file); name = line; sub(/^.*(struct|class) /, "", name); sub(/[^A-Za-z0-9].*/, "", name)
+        if (line !~ /; *$/ && policy_of(stem_of(file)) == name) named[name] = 1
+    }
+    close(command)
 }
 
 FNR == 1 {
     header = FILENAME ~ /\.hpp$/
     readme = FILENAME ~ /exercises\/.*README\.md$/
-    stem = FILENAME; sub(/.*\//, "", stem); sub(/\.[a-z]+$/, "", stem)
-    policy = ""
+    text_page = FILENAME ~ /\.md$/ && FILENAME !~ /\/pages\/[^\/]*\.md$/
+    fenced = 0
+    # Doxygen names files by their whole path: from the project's folder on, links can be followed.
+    folder = FILENAME
+    if (ENVIRON["PWD"] != "" && index(folder, ENVIRON["PWD"] "/") == 1) folder = substr(folder, length(ENVIRON["PWD"]) + 2)
+    sub(/[^\/]*$/, "", folder)
+    stem = stem_of(FILENAME)
+    policy = policy_of(stem)
+    hidden_until = ""; told = ""; telling = 0; tale = ""; opening = ""; paragraph = 0; comment_of_its_own = ""
+}
+
+# "explicit_euler" of a path, and "ExplicitEuler" of that.
+function stem_of(file) { sub(/.*\//, "", file); sub(/\.[a-z]+$/, "", file); return file }
+function policy_of(stem,    word, m, i, name) {
     m = split(stem, word, "_")
-    for (i = 1; i <= m; i++) policy = policy toupper(substr(word[i], 1, 1)) substr(word[i], 2)
-    told = ""
+    for (i = 1; i <= m; i++) name = name toupper(substr(word[i], 1, 1)) substr(word[i], 2)
+    return name
 }
 
 # "1.6.1" as a link, where its page has that section.
@@ -55,29 +77,56 @@ function linked(number,    anchor) {
     return (anchor in section) ? "\\ref " anchor " \"" number "\"" : number
 }
 
-header && match($0, /^\/\/\/.*\(notes [0-9]/) {
-    rest = $0; $0 = ""
-    if (match(rest, /\(notes [0-9., and]+/)) {
-        list = substr(rest, RSTART + 7, RLENGTH - 7)
-        $0 = substr(rest, 1, RSTART + 6)
-        rest = substr(rest, RSTART + RLENGTH)
-        while (match(list, /[0-9]+(\.[0-9]+)+/)) {
-            number = substr(list, RSTART, RLENGTH)
-            $0 = $0 substr(list, 1, RSTART - 1) linked(number)
-            if (told == "") told = number
-            list = substr(list, RSTART + RLENGTH)
-        }
-        $0 = $0 list rest
-    } else $0 = rest
+function with_sections(text,    done, list, number) {
+    if (!match(text, /\(notes [0-9., and]+/)) return text
+    list = substr(text, RSTART + 7, RLENGTH - 7)
+    done = substr(text, 1, RSTART + 6)
+    text = substr(text, RSTART + RLENGTH)
+    while (match(list, /[0-9]+(\.[0-9]+)+/)) {
+        number = substr(list, RSTART, RLENGTH)
+        done = done substr(list, 1, RSTART - 1) linked(number)
+        if (told == "") told = number
+        list = substr(list, RSTART + RLENGTH)
+    }
+    return done list text
+}
+header && /^\/\/\// { $0 = with_sections($0) }
+FILENAME ~ /\/pages\/library\.md$/ { print with_sections($0); next }
+
+# What the header tells, kept for the page of its policy.
+header && /^\/\/\/ \\file/ { telling = 1; print; next }
+telling && /^\/\/\// {
+    if ($0 ~ /^\/\/\/ *$/ && paragraph == 0) paragraph = 1
+    if (paragraph == 0) opening = opening $0 "\n"
+    else tale = tale $0 "\n"
+}
+# A remark between the lines of the comment would end it.
+telling && /^\/\/( |$)/ { print "///"; next }
+telling && !/^\/\/\// { telling = 0; say_where_taught() }
+# A comment that begins with a command has no first sentence of its own.
+!telling && /^\/\/\// { if (comment_of_its_own == "") comment_of_its_own = $0 }
+
+function say_where_taught() {
+    if (told == "" && !(stem in exercise)) return
+    print "/// \\par In the course"
+    print "/// " (told != "" ? "Section " linked(told) : "The") ((stem in exercise) ? (told != "" ? "," : "") " exercise \\ref " exercise[stem] " \"" stem "\"" : "") "."
 }
 
-# The policy that the header is named after: where it is taught, and which exercise asks for it.
-header && told != "" && ($0 ~ "^(struct|class) " policy "( |$|\\{)" || $0 ~ "^(inline )?namespace ansatz::" stem " ") {
-    print "/// \\par In the course"
-    print "/// Section " linked(told) ((stem in exercise) ? ", exercise \\ref " exercise[stem] " \"" stem "\"" : "") "."
+# The policy that the header is named after: what the header tells, where it is taught, and which exercise asks for it.
+header && opening != "" && !telling && (($0 ~ "^(template <.*> *)?(struct|class) " policy "( |$|\\{)" && $0 !~ /;$/) || $0 ~ "^(inline )?namespace ansatz::" stem " ") {
+    if (comment_of_its_own ~ /^\/\/\/ [\\@][tp]/) { sub(/^\/\/\/ /, "/// \\brief ", opening); printf "///\n%s%s", opening, tale }
+    else if (comment_of_its_own != "" && comment_of_its_own !~ /\\f[$\[]/) printf "%s", tale
+    else printf "///\n%s%s", opening, tale
+    say_where_taught()
     print
+    opening = ""; comment_of_its_own = ""
     next
 }
+!/^\/\/\// && !/^(template|    requires)/ { comment_of_its_own = "" }
+
+# What a policy is inside a world, `In<S>`, belongs to the step; concepts.hpp says what it must have.
+header && /^ +(template <[^>]*> *)?struct In \{/ && !/\};/ { indent = $0; sub(/[^ ].*/, "", indent); print "/** \\cond */ " $0; hidden_until = indent "};"; next }
+hidden_until != "" && $0 == hidden_until { print $0 " /** \\endcond */"; hidden_until = ""; next }
 
 # Conventional members without a comment of their own.
 header && !/\/\/[\/!]/ {
@@ -94,26 +143,108 @@ header && !/\/\/[\/!]/ {
     }
 }
 
-readme {
-    if (FNR == 1) {
-        n = split(FILENAME, part, "/")
-        print $0 " {#" exercise[part[n - 1]] "}"
-        next
+# The label of a page, from the first heading of its file that has one.
+function label_of(file,    line, label) {
+    if (file in labels) return labels[file]
+    label = ""
+    while (label == "" && (getline line < file) > 0)
+        if (line ~ /^# .*\{#[A-Za-z0-9_]+\} *$/) { label = line; sub(/^.*\{#/, "", label); sub(/\} *$/, "", label) }
+    close(file)
+    labels[file] = label
+    return label
+}
+
+# A path without "folder/..".
+function plain_path(path) {
+    while (sub(/[^\/.][^\/]*\/\.\.\//, "", path)) ;
+    gsub(/\/\.\//, "/", path); sub(/^\.\//, "", path); sub(/\/$/, "", path)
+    return path
+}
+
+# What a link of a text page to a file of the project becomes on the site.
+function link_of(text, target,    bare, path, part, n, label, name) {
+    if (target ~ /^(https?:|mailto:|#|@ref|\\ref)/) return "[" text "](" target ")"
+    bare = text; gsub(/`/, "", bare)
+    path = plain_path(folder target)
+    n = split(path, part, "/")
+    name = part[n]
+    if (path == "LICENSE") return "<a href=\"LICENSE.txt\">" bare "</a>"
+    if (path == "README.md") return "\\ref index \"" bare "\""
+    if (path ~ /^docs\/[^\/]*\.md$/ && (label = label_of(path)) != "") return "\\ref " label " \"" bare "\""
+    if (path ~ /\.md$/ && path !~ /^exercises\//) return "[" text "](" path ")"
+    if (path ~ /^include\/.*\.hpp$/) { sub(/^include\//, "", path); return "\\ref " path " \"" bare "\"" }
+    if (path ~ /^exercises\// && n >= 3 && (n == 3 || name == "README.md") && (part[3] in exercise)) return "\\ref " exercise[part[3]] " \"" bare "\""
+    if (path ~ /^exercises(\/[^\/]*)?$/) return "\\ref page_exercises \"" bare "\""
+    if (path ~ /^chapters(\/[^\/]*)?$/) {
+        sub(/^[0-9]+-/, "", name)
+        return "\\ref " (label_of("docs/" name ".md") != "" && n == 2 ? label_of("docs/" name ".md") : "page_programs") " \"" bare "\""
     }
-    while (match($0, /\[[^]]*\]\([^)]*\)/)) {
-        link = substr($0, RSTART, RLENGTH)
-        before = substr($0, 1, RSTART - 1); after = substr($0, RSTART + RLENGTH)
-        text = link; sub(/^\[/, "", text); sub(/\]\(.*/, "", text); gsub(/`/, "", text)
-        target = link; sub(/^.*\]\(/, "", target); sub(/\)$/, "", target); sub(/^.*\//, "", target)
-        if (target ~ /^[0-9.]+-.*\.cpp$/) {
-            number = target; sub(/-.*/, "", number)
-            anchor = "section_" number; gsub(/\./, "_", anchor)
-            new = (anchor in section) ? "\\ref " anchor " \"" text "\"" : text
-        } else if (link ~ /include\/ansatz\/.*\.hpp/) new = "\\ref " target " \"" text "\""
-        else new = "`" text "`"
-        $0 = before new after
+    if (path ~ /^chapters\/[^\/]*\/[^\/]*\.[ch]pp$/) {
+        # The name that tools/docs/build gives to a program's page.
+        sub(/^[0-9]+-/, "", part[2])
+        label = name; sub(/\.[ch]pp$/, "", label); gsub(/[^A-Za-z0-9]/, "_", label)
+        return "\\ref program_" part[2] "_" label (name ~ /\.hpp$/ ? "_hpp" : "") " \"" bare "\""
     }
+    return "`" bare "`"
+}
+
+function with_links(text,    done, link, target, before) {
+    done = ""
+    while (match(text, /\[[^]]*\]\([^)]*\)/)) {
+        before = substr(text, 1, RSTART - 1)
+        link = substr(text, RSTART, RLENGTH)
+        text = substr(text, RSTART + RLENGTH)
+        if (before ~ /!$/) { done = done before link; continue }      # a picture
+        target = link; sub(/^.*\]\(/, "", target); sub(/\)$/, "", target)
+        sub(/^\[/, "", link); sub(/\]\(.*/, "", link)
+        done = done before link_of(link, target)
+    }
+    return done text
+}
+
+# `Drag` as a link.
+function with_names(text,    done, name) {
+    done = ""
+    while (match(text, /`[^`]+`/)) {
+        name = substr(text, RSTART + 1, RLENGTH - 2)
+        done = done substr(text, 1, RSTART - 1) ((name in named) ? "<code>\\ref ansatz::" name " \"" name "\"</code>" : "`" name "`")
+        text = substr(text, RSTART + RLENGTH)
+    }
+    return done text
+}
+
+# A long page begins with its contents.
+function is_long(file,    line, count) {
+    count = 0
+    while ((getline line < file) > 0) {
+        if (line ~ /^## /) count++
+        if (line ~ /\[TOC\]|[\\@]tableofcontents/) count = -1000
+    }
+    close(file)
+    return count > 2
+}
+text_page && !readme && FNR == 1 && FILENAME ~ /docs\/[^\/]*\.md$/ && /^# / && is_long(FILENAME) {
     print
+    print ""
+    print "[TOC]"
+    next
+}
+
+# "Notes 1.7" in an exercise leads to the section.
+readme && FNR == 1 {
+    n = split(FILENAME, part, "/")
+    title = $0
+    if (match(title, /^# [0-9.]+ /)) title = "# Exercise " substr(title, 3, RLENGTH - 3) ": " substr(title, RLENGTH + 1)
+    print title " {#" exercise[part[n - 1]] "}"
+    next
+}
+text_page && /^ *(```|~~~)/ { fenced = !fenced }
+text_page && !fenced {
+    if (readme && match($0, /[Nn]otes [0-9]+(\.[0-9]+)+/)) {
+        number = substr($0, RSTART + 6, RLENGTH - 6)
+        $0 = substr($0, 1, RSTART + 5) linked(number) substr($0, RSTART + RLENGTH)
+    }
+    print (/^#/ ? $0 : with_names(with_links($0)))
     next
 }
 

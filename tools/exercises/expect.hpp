@@ -14,6 +14,7 @@
 
 #include <ansatz/units.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -62,6 +63,17 @@ void expect_near(std::string_view what, const Q& yours, const R& right, const T&
     }
     if (!(detail::size_of(yours - right) <= tolerance)) FAIL(text << why);
     SUCCEED();
+}
+
+/// Fails unless two numbers of the subject's own, which must be equal, are within `tolerance` of each other.
+/// \param first, second   what each is, e.g. "yours, before", "yours, after"
+template <class Q, class R, class T>
+void expect_agree(std::string_view what, std::string first, const Q& one, std::string second, const R& other, const T& tolerance, std::string_view why) {
+    const auto width = std::max(first.size(), second.size()) + 2;
+    first.resize(width, ' '), second.resize(width, ' ');
+    std::string text(what);
+    text.append("\n    ").append(first).append(detail::shown(one)).append("\n    ").append(second).append(detail::shown(other)).append("\n").append(why);
+    expect(detail::all_finite(one) && detail::all_finite(other) && detail::size_of(one - other) <= tolerance, text);
 }
 
 /// Fails unless the error falls as that of a method of `order` does, when the step is halved again and again.

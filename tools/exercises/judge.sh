@@ -65,12 +65,14 @@ probes_of() {
     echo "$file"
 }
 
-# mistake_of <the programs' folder> <whose> <tasks>: the names of the wrong answers that compute the same, one a line.
+# mistake_of <the exercise's folder> <the programs' folder> <whose> <tasks>: the names of the wrong answers that compute
+# the same, one a line. A program whose wrong answer is gone from the exercise does not count.
 mistake_of() {
-    local folder=$1 whose=$2 tasks=$3 wrong
+    local exercise=$1 folder=$2 whose=$3 tasks=$4 wrong
     local files=()
-    for wrong in "$folder"/wrong.*; do
-        case $wrong in *.probes | *.part) continue ;; esac
+    for wrong in "$exercise"/wrong/*.hpp; do
+        wrong=${wrong##*/}
+        wrong=$folder/wrong.${wrong%.hpp}
         [ -x "$wrong" ] && files+=("$(probes_of "$wrong" "$tasks")")
     done
     [ ${#files[@]} -gt 0 ] || return 0
@@ -135,13 +137,13 @@ verify_subject() { # <subject> <kind>
         for name in $(echo "$listed" | tr ',' ' '); do
             printf '%s\n' "$TESTS" | cut -f 2 | grep -qxF "$name" || fault "$subject lists a test that is not there: $name"
         done
-        named=$(mistake_of "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
+        named=$(mistake_of "$EXERCISE" "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
         [ "$named" = "${subject#wrong.} " ] || fault "$subject, taken for a student's, should be named '${subject#wrong.}', but it is named '${named:-nothing}'"
         for name in Mistake Why Read Fails; do
             [ -n "$(line_of "$EXERCISE/wrong/${subject#wrong.}.hpp" $name)" ] || fault "wrong/${subject#wrong.}.hpp has no line // $name:"
         done
     elif [ "$kind" = right ]; then
-        named=$(mistake_of "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
+        named=$(mistake_of "$EXERCISE" "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
         [ -z "$named" ] || fault "$subject is right, but it is named '$named'"
     fi
 }

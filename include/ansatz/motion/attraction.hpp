@@ -49,11 +49,12 @@ struct Attraction {
         explicit In(const Attraction& a) : G(S::convert(a.constant)), softening(S::convert(a.softening)) {}
 
         void couple(auto& view, const auto&) const {
-            for_each_pair(view, [&](std::size_t i, std::size_t j, const auto& product_of_masses) {
+            for_each_pair(view, [&](std::size_t i, std::size_t j, const auto& mi, const auto& mj) {
                 const auto to = view.template get<Position>(j) - view.template get<Position>(i);
                 const auto distance = norm_softened(to);
                 if (!(distance.value() > 0)) return;
-                const auto f = G * product_of_masses / (distance * distance) * (to / distance).value();
+                // Mass by mass and distance by distance: the product of two planets' masses is more than a float can hold.
+                const auto f = (G * mi / distance) * (mj / distance) * (to / distance).value();
                 view.add_force_pair(i, j, f);
             });
         }
@@ -61,9 +62,9 @@ struct Attraction {
         /// \f$ -\sum_{i<j} G m_i m_j / \sqrt{r^2 + \varepsilon^2} \f$
         typename S::Energy potential_energy(const auto& view) const {
             typename S::Energy sum{};
-            for_each_pair(view, [&](std::size_t i, std::size_t j, const auto& product_of_masses) {
+            for_each_pair(view, [&](std::size_t i, std::size_t j, const auto& mi, const auto& mj) {
                 const auto distance = norm_softened(view.template get<Position>(j) - view.template get<Position>(i));
-                if (distance.value() > 0) sum -= G * product_of_masses / distance;
+                if (distance.value() > 0) sum -= (G * mi / distance) * mj;
             });
             return sum;
         }
@@ -79,7 +80,7 @@ struct Attraction {
                 view.for_each([&](std::size_t j) {
                     if (!(view.id(i) < view.id(j))) return;
                     const auto wj = view.template get<InverseMass>(j);
-                    if (wj.value() > 0) f(i, j, typename S::Scalar(1) / wi / wj);
+                    if (wj.value() > 0) f(i, j, typename S::Scalar(1) / wi, typename S::Scalar(1) / wj);
                 });
             });
         }

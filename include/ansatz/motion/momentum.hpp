@@ -147,8 +147,11 @@ std::pair<PointMass<Scalar, Value>, PointMass<Scalar, Value>> collide(const Poin
                                                                       std::type_identity_t<Scalar> restitution) {
     detail::require_collision(first, second, restitution);
     const auto approach = first.velocity - second.velocity;
-    const auto impulse = (Scalar(1) + restitution) * reduced_mass(first.mass, second.mass) * approach;
-    return {{first.mass, first.velocity - impulse / first.mass}, {second.mass, second.velocity + impulse / second.mass}};
+    // Shares of the approach, not an impulse divided by a mass: a share is at most 2, whatever the masses are.
+    const auto reduced = reduced_mass(first.mass, second.mass);
+    const Scalar share1 = (Scalar(1) + restitution) * Scalar(reduced / first.mass);
+    const Scalar share2 = (Scalar(1) + restitution) * Scalar(reduced / second.mass);
+    return {{first.mass, first.velocity - share1 * approach}, {second.mass, second.velocity + share2 * approach}};
 }
 
 /// \f$ \tfrac12 \mu (1 - e^2) |\mathbf u_1 - \mathbf u_2|^2 \f$, in J: the kinetic energy that such a collision turns into

@@ -24,7 +24,7 @@ struct QuadraticDrag {
     using role = roles::Force;
     using reads = Columns<Velocity>;
 
-    /// k in kg/m, finite, not negative; zero is no drag, to the bit
+    /// k in kg/m, finite, not negative; zero is no drag, to the bit, while the square of the speed can be held
     Parameter<unit::QuadraticDrag> coefficient = 0.1 * kilogram_per_metre;
 
     /// From the density of the fluid, the drag coefficient of the shape (a sphere: about 0.47) and its frontal area.

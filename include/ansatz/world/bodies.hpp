@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -160,6 +161,21 @@ private:
     friend struct Archive;
     static constexpr Slot none = 0xffffffffu;
 
+    // Moved from, it is empty like the vectors beside it.
+    struct Ends {
+        std::array<std::size_t, 4> end{};
+        Ends() = default;
+        Ends(const Ends&) = default;
+        Ends(Ends&& other) noexcept : end(std::exchange(other.end, {})) {}
+        Ends& operator=(const Ends&) = default;
+        Ends& operator=(Ends&& other) noexcept {
+            end = std::exchange(other.end, {});
+            return *this;
+        }
+        std::size_t& operator[](std::size_t i) { return end[i]; }
+        const std::size_t& operator[](std::size_t i) const { return end[i]; }
+    };
+
     [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(Handle h, const char* where) const {
         std::string sentence(where);
         if (h == Handle{})
@@ -186,7 +202,7 @@ private:
     std::vector<Slot> slot_of_;             // by id
     std::vector<std::uint32_t> generation_; // by id
     std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
-    std::array<std::size_t, 4> end_{};      // of each range
+    Ends end_;                              // of each range
 };
 
 } // namespace ansatz

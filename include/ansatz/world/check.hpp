@@ -179,6 +179,16 @@ template <class... C> constexpr bool names_differ(Columns<C...>) {
     return ((times(C::name) == 1) && ...);
 }
 
+/// Two policies of one name would be one in a saved file.
+template <class P> constexpr std::string_view name_or_none() {
+    if constexpr (requires { std::string_view(P::name); }) return P::name;
+    return {};
+}
+template <class... P> constexpr bool policies_named_apart() {
+    [[maybe_unused]] auto times = [](std::string_view name) { return (0 + ... + int(name_or_none<P>() == name)); };
+    return ((name_or_none<P>().empty() || times(name_or_none<P>()) == 1) && ...);
+}
+
 template <class... P> struct TogetherFacts {
     using S = space_of<P...>;
     using I = typename Composition<P...>::Integrator;
@@ -186,13 +196,16 @@ template <class... P> struct TogetherFacts {
     static constexpr bool differentiable = !implicit || (has_jacobian<P, S> && ...);
     static constexpr bool apart = implicit || is_staged<I> || !Composition<P...>::coupled;
     static constexpr bool named = names_differ(typename Composition<P...>::needed{});
-    static constexpr bool ok = differentiable && apart && named;
+    static constexpr bool policies_named = policies_named_apart<P...>();
+    static constexpr bool ok = differentiable && apart && named && policies_named;
 };
 template <class... P> struct CheckTogether {
     static_assert(TogetherFacts<P...>::apart, "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; "
                                               "take an integrator of stages, e.g. RungeKutta4");
     static_assert(TogetherFacts<P...>::named, "Ansatz: two columns of this world have the same name, by which they are saved and hashed; give "
                                               "each its own `static constexpr std::string_view name`");
+    static_assert(TogetherFacts<P...>::policies_named, "Ansatz: two policies of this world have the same name, by which they are saved; give "
+                                                       "each its own `static constexpr std::string_view name`");
 };
 
 /// An observer that asks for the velocity under an integrator that keeps none.

@@ -103,6 +103,11 @@ namespace detail {
 template <class T> inline constexpr bool is_columns = false;
 template <class... C> inline constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>) && ...);
 
+/// Where a type stands in a list of types.
+template <class T, class List> inline constexpr std::size_t place_of = 0;
+template <class T, template <class...> class List, class First, class... Rest>
+inline constexpr std::size_t place_of<T, List<First, Rest...>> = std::same_as<T, First> ? 0 : 1 + place_of<T, List<Rest...>>;
+
 template <class C, class List> inline constexpr bool contains = false;
 template <class C, class... In> inline constexpr bool contains<C, Columns<In...>> = (std::same_as<C, In> || ...);
 

@@ -143,6 +143,9 @@ template <class... P> struct Composition {
 
     /// Whether bodies act on each other, so that stages run over all of them.
     static constexpr bool coupled = couplings::size > 0;
+    /// Whether a force between bodies sees a column, so that its sums are stale when the column changes.
+    template <class C>
+    static constexpr bool couplings_read = []<class... Q>(Types<Q...>) { return (detail::contains<C, reads_of<Q>> || ...); }(couplings{});
     static constexpr bool rests = resters::size > 0; ///< whether bodies can fall asleep
     /// Position history instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
@@ -159,8 +162,8 @@ template <class... P> struct Composition {
     using stored = std::conditional_t<coupled, union_of<needed, scratch>,
                                       std::conditional_t<history, difference_of<needed, Columns<Velocity>>, needed>>;
     /// What makes up the state: stored, and not made anew in every step.
-    using state = difference_of<
-        stored, union_of<detail::scratch_of<Integrator>, std::conditional_t<history, Columns<Velocity>, Columns<>>>>;
+    using state = difference_of<stored, union_of<detail::scratch_of<Integrator>, Columns<CoupledForce>,
+                                                 std::conditional_t<history, Columns<Velocity>, Columns<>>>>;
     /// Columns that the step sets back to zero when it has used them.
     using transient = typename detail::Transient<stored>::type;
 

@@ -10,6 +10,7 @@
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/clock.hpp>
 #include <ansatz/world/composition.hpp>
+#include <ansatz/world/context.hpp>
 #include <ansatz/world/events.hpp>
 #include <ansatz/world/lanes.hpp>
 
@@ -35,23 +36,39 @@ struct Absent {
 /// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
 /// known when the step is taken (notes 1.6.4; hard case I11). Until then the body's history lane holds its *velocity*.
 struct Starts {
-    std::vector<std::uint8_t> waits; // by id
-    std::vector<std::uint32_t> list; // ids; some may have started or gone since
+    enum State : std::uint8_t { begun, waits, forgotten };
+    std::vector<State> state; // by id
+    std::vector<std::uint32_t> list; // ids that wait or are forgotten, each once
 
     void reserve(std::size_t n) {
-        waits.reserve(n);
-        list.reserve(2 * n);
+        state.reserve(n);
+        list.reserve(n);
     }
-    bool waiting(std::uint32_t id) const { return id < waits.size() && waits[id] != 0; }
+    bool waiting(std::uint32_t id) const { return id < state.size() && state[id] == waits; }
     void wait(std::uint32_t id) {
-        if (waits.size() <= id) waits.resize(id + 1, 0);
-        if (waits[id] == 0) list.push_back(id);
-        waits[id] = 1;
+        if (state.size() <= id) state.resize(id + 1, begun);
+        if (state[id] == begun) list.push_back(id);
+        state[id] = waits;
     }
+    /// It stays in the list until the next step: to look for it there would take a time that grows with the list.
     void forget(std::uint32_t id) {
-        if (!waiting(id)) return;
-        waits[id] = 0;
-        std::erase(list, id);
+        if (waiting(id)) state[id] = forgotten;
+    }
+};
+
+/// Whether the column CoupledForce holds the forces between bodies of the present state, as a step of these lengths asks
+/// for them. A cache: neither hashed nor saved, and a step comes to the same bits without it.
+template <class S> struct CoupledSums {
+    bool current = false;
+    bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
+    std::vector<typename S::Scalar> before{};
+    typename S::Time dt{}, previous{};
+
+    bool known_for(const TimeStep<S>& step) const { return current && dt.value() == step.value() && previous.value() == step.previous.value(); }
+    void know(const TimeStep<S>& step) {
+        current = true;
+        dt = step;
+        previous = step.previous;
     }
 };
 } // namespace detail
@@ -75,6 +92,8 @@ template <class C> struct WorldData {
     [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
     /// Who fell asleep and woke in the last step.
     [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
+    /// Whether the sums of the forces between bodies are those of the present state.
+    [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<S>, detail::Absent> coupled;
     std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge
 
     /// Room for so many bodies in everything.
@@ -88,6 +107,7 @@ template <class C> struct WorldData {
     void reserve_notes([[maybe_unused]] std::size_t n) {
         if constexpr (C::history) starts.reserve(n);
         if constexpr (C::rests) events.reserve(n);
+        if constexpr (C::coupled && C::history) coupled.before.reserve(n * std::size_t(S::dimension));
     }
 
     /// From one range of bodies to another.
@@ -113,7 +133,7 @@ template <class C> struct WorldData {
         if constexpr (C::history) {
             if (waiting(slot))
                 row.template get<Velocity>() = raw_velocity(slot);
-            else
+            else if (last.value() > Scalar(0)) // before the first step what does not wait stands still
                 detail::derive_velocity<Integrator>(row, last);
         }
         return row;

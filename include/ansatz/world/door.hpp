@@ -98,6 +98,9 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool once = !(given_twice<Property>() || ...) && (0 + ... + int(is_given_datum<Property>)) <= 1;
     static constexpr bool mass_by_name = !(gives_column<InverseMass, Property> || ...);
     static constexpr bool no_history = !(gives_column<PreviousPosition, Property> || ...);
+    static constexpr bool own_columns =
+        !((gives_column<RestTime, Property> || gives_column<DrawnPosition, Property> || gives_column<AppliedForce, Property> ||
+           gives_column<CoupledForce, Property>) || ...);
     static constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
     static constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
     static constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
@@ -110,7 +113,7 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool can_rest = C::rests || !is_resting;
     static constexpr bool datum_kept = !std::is_void_v<DatumT> || !(is_given_datum<Property> || ...);
     static constexpr bool datum_fits = (fits_datum<DatumT, Property> && ...);
-    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && mass_wanted && mass_there && infinite_mass &&
+    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns && mass_wanted && mass_there && infinite_mass &&
                                fixed_stands && resting_stands && can_rest && datum_kept && datum_fits;
 };
 template <class Facts> struct CheckAdd {
@@ -120,6 +123,7 @@ template <class Facts> struct CheckAdd {
     static_assert(Facts::once, "Ansatz: add: a property is given twice");
     static_assert(Facts::mass_by_name, "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
     static_assert(Facts::no_history, "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
+    static_assert(Facts::own_columns, "Ansatz: add: the world itself writes this column; a force from outside is given by apply_force");
     static_assert(Facts::mass_wanted, "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
                                       "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
     static_assert(Facts::mass_there || !Facts::mass_by_name,
@@ -167,6 +171,7 @@ Handle World<P...>::add(const Property&... property) {
         (take(row, property), ...);
         auto datum = detail::given_datum<Datum>(property...); // copied now, because a copy may throw
         grow();
+        forces_change();
         if constexpr (has_datum) user_.make_room(data_.bodies.next_id());
         Slot slot = Slot(size());
         data_.lanes.push_back();
@@ -194,8 +199,10 @@ template <class Q>
 void World<P...>::set_position(Handle body, const Q& x) {
     const auto slot = data_.bodies.slot(body, "World::set_position");
     const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
+    settle();
     const auto v = velocity_at(slot);
     const auto kind = data_.bodies.motion(slot);
+    column_changes<ansatz::Position>();
     data_.lanes.template set<ansatz::Position>(slot, where);
     if constexpr (composition::history) {
         if (kind == Motion::fixed || kind == Motion::resting)
@@ -214,6 +221,7 @@ void World<P...>::set_velocity(Handle body, const Q& v) {
     const auto value = detail::finite_vector<S, unit::Velocity>("World::set_velocity", "velocity", v);
     if (data_.bodies.motion(slot) == Motion::fixed)
         refuse_value("World::set_velocity", "the body", "fixed", "a platform that moves is added as `moving`");
+    column_changes<ansatz::Velocity>();
     data_.set_velocity(slot, value);
     wake_slot(slot);
 }
@@ -227,6 +235,8 @@ void World<P...>::set_mass(Handle body, const Q& m) {
     const auto kind = data_.bodies.motion(slot);
     if (kind == Motion::fixed || kind == Motion::moving)
         refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
+    hold_velocity(slot);
+    column_changes<ansatz::InverseMass>();
     data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
     wake_slot(slot);
 }
@@ -239,8 +249,10 @@ void World<P...>::apply_impulse(Handle body, const Q& j) {
     const auto impulse = detail::finite_vector<S, unit::Momentum>("World::apply_impulse", "impulse", j);
     const auto inverse = data_.lanes.template get<ansatz::InverseMass>(slot);
     if (!(inverse.value() > Scalar(0))) return;
+    settle();
     const auto v = velocity_at(slot) + inverse * impulse;
     if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", describe(j), "the velocity after it is finite");
+    column_changes<ansatz::Velocity>();
     data_.set_velocity(slot, v);
     wake_slot(slot);
 }
@@ -256,7 +268,8 @@ void World<P...>::apply_force(Handle body, const Q& f) {
     const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
     if (!is_finite(total)) refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
     // The velocity now is what it was before the force; the history begins anew with both.
-    if constexpr (composition::history) data_.set_velocity(slot, velocity_at(slot));
+    hold_velocity(slot);
+    column_changes<AppliedForce>();
     data_.lanes.template set<AppliedForce>(slot, total);
     wake_slot(slot);
 }
@@ -268,11 +281,18 @@ void World<P...>::write(Handle body, const Q& value) {
     static_assert(!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity> && !std::same_as<C, PreviousPosition>,
                   "Ansatz: position and velocity are changed by set_position and set_velocity, because the integrator owns what they mean");
     static_assert(!std::same_as<C, ansatz::InverseMass>, "Ansatz: a mass is changed by set_mass, which holds it to be positive");
+    static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> && !std::same_as<C, DrawnPosition>,
+                  "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place by set_position");
     const auto slot = data_.bodies.slot(body, "World::write");
-    if constexpr (C::shape == Shape::vector)
-        data_.lanes.template set<C>(slot, detail::finite_vector<S, typename C::Unit>("World::write", C::name, value));
-    else
-        data_.lanes.template set<C>(slot, detail::finite_scalar<S, typename C::Unit>("World::write", C::name, value));
+    const auto checked_value = [&] {
+        if constexpr (C::shape == Shape::vector)
+            return detail::finite_vector<S, typename C::Unit>("World::write", C::name, value);
+        else
+            return detail::finite_scalar<S, typename C::Unit>("World::write", C::name, value);
+    }();
+    hold_velocity(slot);
+    column_changes<C>();
+    data_.lanes.template set<C>(slot, checked_value);
     wake_slot(slot);
 }
 
@@ -285,10 +305,10 @@ void World<P...>::set(const Policy& policy) {
         auto changed = policies_;
         std::get<Policy>(changed) = policy;
         auto bound = BoundPolicies<composition>::from(checked(changed));
-        if constexpr (composition::history && PlaysRole<Policy, roles::Force>) {
-            // The velocity now is what the old forces made it; only from here on the new ones act.
-            for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
-                data_.set_velocity(Slot(slot), velocity_at(Slot(slot)));
+        // The velocity now is what the old forces made it; only from here on the new ones act.
+        if constexpr (PlaysRole<Policy, roles::Force>) {
+            hold_velocities();
+            if constexpr (composition::coupled) data_.coupled.current = false;
         }
         policies_ = std::move(changed);
         bound_ = std::move(bound);
@@ -302,6 +322,8 @@ void World<P...>::step(const T& dt) {
     const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
     if constexpr (detail::fits_scalar<unit::Time, T>) {
         if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
+        if (!is_finite(data_.clock.now() + scalar_cast<typename S::ClockScalar>(dt)))
+            refuse_value("World::step", "dt", describe(dt), "the time after the step is finite");
         if (h.value() == Scalar(0)) {
             if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
             return;
@@ -327,6 +349,13 @@ template <class... P> Status World<P...>::status() const {
 }
 
 template <class... P> std::uint64_t World<P...>::hash() const {
+    // A change that waits to be made good is part of the state.
+    if constexpr (composition::history && composition::coupled)
+        if (data_.coupled.changed) {
+            World settled = *this;
+            refresh_coupled(settled.data_, settled.policies_, settled.context());
+            return settled.hash();
+        }
     StateHash hash;
     hash.add(data_.clock.tick());
     hash.add_number(data_.clock.now().value());

@@ -34,6 +34,13 @@ public:
         most_ = std::uint64_t(std::min(std::floor(longest.value() / dt.value() * (1 + 1e-12)), 0x1p53));
     }
 
+    /// Seconds without their unit.
+    template <class Number>
+        requires(detail::Builtin<Number>)
+    explicit FixedStep(const Number&) : FixedStep(1.0 * second) {
+        static_assert(detail::never<Number>, "Ansatz: FixedStep takes the time of a step; write e.g. FixedStep{1.0 / 60 * second}");
+    }
+
     /// The length of its steps, s.
     Quantity<unit::Time> dt() const { return dt_; }
     /// How far the present lies between the last two states: 0 at the former, towards 1 at the latter.
@@ -47,6 +54,14 @@ public:
     /// \return how many steps were taken
     /// \throws std::invalid_argument before anything is changed
     template <class World_> std::uint64_t advance(World_& world, Quantity<unit::Time> frame_time) {
+        return advance(world, frame_time, [](World_&) {});
+    }
+    /// The same, calling `before_step(world)` before each step: the place for forces from outside, which act during one step,
+    /// so that a body is pushed alike on a screen of 30 and of 144 pictures a second, and for reading the events of each
+    /// step, of which the world keeps the last step's only.
+    /// \return how many steps were taken
+    template <class World_, class BeforeStep>
+    std::uint64_t advance(World_& world, Quantity<unit::Time> frame_time, BeforeStep&& before_step) {
         if (!is_finite(frame_time) || frame_time.value() < 0)
             refuse_value("FixedStep::advance", "frame_time", describe(frame_time), "a frame's time is finite and not negative");
         // Counted in steps: the fraction of a step that is left never mixes with large sums.
@@ -54,15 +69,22 @@ public:
         // A spike of exactly n steps is n steps, whichever way the division was rounded.
         const double nearest = std::round(owed);
         if (std::abs(owed - nearest) <= 1e-12 * (1 + nearest)) owed = nearest;
-        double whole = std::floor(owed);
-        left_ = owed - whole;
-        if (whole > double(most_)) {
-            dropped_ += (whole - double(most_)) * dt_;
-            whole = double(most_);
+        const double whole = std::floor(owed);
+        const auto steps = std::uint64_t(std::min(whole, double(most_)));
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            before_step(world);
+            world.step(dt_); // a world that refuses dt does so here, before this clock has changed
         }
-        const auto steps = std::uint64_t(whole);
-        for (std::uint64_t i = 0; i < steps; ++i) world.step(dt_);
+        left_ = owed - whole;
+        if (whole > double(most_)) dropped_ += (whole - double(most_)) * dt_;
         return steps;
+    }
+    /// Seconds without their unit.
+    template <class World_, class Number>
+        requires(detail::Builtin<Number>)
+    std::uint64_t advance(World_&, const Number&) {
+        static_assert(detail::never<Number>, "Ansatz: FixedStep::advance takes the time of a frame; write e.g. advance(world, 0.016 * second)");
+        return 0;
     }
 
 private:

@@ -109,7 +109,7 @@ public:
         [[maybe_unused]] auto one = [](auto& effect, const auto& limited) {
             if constexpr (requires { effect.prepare(limited); }) effect.prepare(limited);
         };
-        (one(std::get<detail::Bound<E, S>>(effects_), context.template restricted<detail::reads_clock<E>>()), ...);
+        (one(std::get<detail::place_of<E, List>>(effects_), context.template restricted<detail::reads_clock<E>>()), ...);
     }
 
     /// Acts on one body. What an effect does to the velocity or the position of a body goes through the integrator:
@@ -126,7 +126,7 @@ public:
             typename S::Position old_position{};
             if constexpr (history && velocity) old_velocity = row.template get<Velocity>();
             if constexpr (history && position) old_position = row.template get<Position>();
-            (detail::apply_one<E, S>(std::get<detail::Bound<E, S>>(effects_), row, writes_of<E>{},
+            (detail::apply_one<E, S>(std::get<detail::place_of<E, List>>(effects_), row, writes_of<E>{},
                                      difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}, context),
              ...);
             if constexpr (history && position)
@@ -136,6 +136,8 @@ public:
     }
 
 private:
+    using List = std::tuple<E...>;
+
     // A component that no effect changed keeps its history to the bit: a null effect must be the same as none.
     template <class R> [[gnu::always_inline]] static void keep_or_kick(R& row, const typename S::Velocity& old, const typename S::Time& over) {
         const auto& x = row.template get<Position>().value();

@@ -10,6 +10,8 @@
 #include <ansatz/world/columns.hpp>
 #include <ansatz/world/roles.hpp>
 
+#include <type_traits>
+
 namespace ansatz {
 
 /// Stores the columns `C...`. Costs their bytes for each body and not one instruction of the step.
@@ -22,6 +24,8 @@ template <class... C> struct Keep {
 /// Stores one `T` for each body, reached by `world.datum(handle)`. It is copied with the world; it is neither hashed nor
 /// saved, because only your program knows what it means.
 template <class T> struct Datum {
+    static_assert(std::is_default_constructible_v<T>, "Ansatz: Datum<T> needs a T with a default constructor, for bodies that are added "
+                                                      "without datum(...); write Datum<std::optional<T>>");
     using role = roles::Observer;
     using reads = Columns<>;
     using datum_type = T; ///< the user's type

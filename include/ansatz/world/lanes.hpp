@@ -13,12 +13,15 @@
 /// into a local, because a quantity is not trivially copyable and would be reloaded for each body; the values pass
 /// through one small array, which both compilers dissolve into registers before they vectorise.
 
+#include <ansatz/world/error.hpp>
 #include <ansatz/world/row.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -132,6 +135,7 @@ public:
     }
     /// Takes the values; the other is empty.
     Lanes& operator=(Lanes&& other) noexcept {
+        if (this == &other) return *this;
         block_ = std::move(other.block_);
         other.block_.clear();
         stride_ = std::exchange(other.stride_, 0);
@@ -145,6 +149,8 @@ public:
     /// Room for so many bodies.
     void reserve(std::size_t n) {
         if (n <= stride_) return;
+        if (n > std::numeric_limits<std::size_t>::max() / (2 * bytes_per_body + 64) - 4096)
+            refuse(Refusal::invalid_argument, "Lanes::reserve: n is " + std::to_string(n) + "; so many bodies cannot be addressed");
         const std::size_t stride = stride_for(n);
         Block grown(width * stride);
         for (std::size_t k = 0; k < width; ++k) std::copy_n(lane_at(k), size_, grown.data() + k * stride);

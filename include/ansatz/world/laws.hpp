@@ -83,7 +83,7 @@ public:
 
     /// Lets laws that compute something once a step do it.
     void prepare([[maybe_unused]] const Context<S>& context) {
-        (prepare_one(std::get<detail::Bound<P, S>>(laws_), context.template restricted<detail::reads_clock<P>>()), ...);
+        (prepare_one(std::get<detail::place_of<P, List>>(laws_), context.template restricted<detail::reads_clock<P>>()), ...);
     }
 
     /// The sum of the accelerations, as listed; without any law a zero that the compiler knows, so that no instruction and
@@ -104,9 +104,11 @@ public:
     }
 
     /// One of them.
-    template <class Policy> const detail::Bound<Policy, S>& get() const { return std::get<detail::Bound<Policy, S>>(laws_); }
+    template <class Policy> const detail::Bound<Policy, S>& get() const { return std::get<detail::place_of<Policy, List>>(laws_); }
 
 private:
+    using List = std::tuple<P...>; // by place, because two policies may be bound by one In, as a force and one derived from it
+
     template <class L> static void prepare_one([[maybe_unused]] L& law, [[maybe_unused]] const auto& context) {
         if constexpr (requires { law.prepare(context); }) law.prepare(context);
     }

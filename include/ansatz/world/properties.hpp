@@ -23,7 +23,9 @@ inline constexpr Fixed fixed{}; ///< no physics touches it: inverse mass zero, n
 struct Moving {};
 inline constexpr Moving moving{}; ///< fixed, but with a velocity of its own: a platform
 
-/// Added asleep: nothing is computed for it until something wakes it. Needs a world that can put bodies to rest.
+/// Added asleep: nothing is computed for it until something wakes it. Needs a world that can put bodies to rest. That
+/// something holds it is yours to know: gravity alone wakes it only where forces are asked about the sleeping as well,
+/// because they couple bodies or change with time.
 struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
 
@@ -75,6 +77,21 @@ template <class Q> auto position(const Q& x) {
     static_assert(detail::has_unit<unit::Length, Given_> && detail::vector_valued<Given_>,
                   "Ansatz: position takes a vector of lengths; write e.g. position(metres(0, 10, 0))");
     return Given<Position, Given_>{x};
+}
+
+/// Plain numbers.
+template <class... Number>
+    requires(sizeof...(Number) > 1)
+auto position(const Number&...) {
+    static_assert(detail::never<Number...>, "Ansatz: position takes one vector of lengths; write e.g. position(metres(0, 10, 0))");
+    return Given<Position, VectorQuantity<unit::Length, 3>>{};
+}
+/// Plain numbers.
+template <class... Number>
+    requires(sizeof...(Number) > 1)
+auto velocity(const Number&...) {
+    static_assert(detail::never<Number...>, "Ansatz: velocity takes one vector of velocities; write e.g. velocity(metres_per_second(1, 0, 0))");
+    return Given<Velocity, VectorQuantity<unit::Velocity, 3>>{};
 }
 
 /// How it moves: a vector of velocity, e.g. `velocity(metres_per_second(1, 0, 0))`. Zero if it is not given.

@@ -17,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <istream>
@@ -37,9 +38,14 @@ struct FileValue {
     bool root = false;
 
     [[noreturn]] void refuse_here(const std::string& expected) const {
-        auto shown = json.dump();
+        // What nests deeply is named, not shown: a file of a hundred thousand brackets must not be followed down.
+        auto shown = deeper_than(json, 4) ? std::string(json.is_array() ? "a list" : "an object") : json.dump();
         if (shown.size() > 40) shown = shown.substr(0, 37) + "...";
         refuse(Refusal::invalid_argument, place + " is " + shown + "; expected " + expected);
+    }
+    static bool deeper_than(const Json& json, int levels) {
+        if (!json.is_structured()) return false;
+        return levels == 0 || std::any_of(json.begin(), json.end(), [&](const Json& part) { return deeper_than(part, levels - 1); });
     }
     FileValue at(const char* key) const {
         if (!json.is_object()) refuse_here(std::string("an object with \"") + key + "\"");
@@ -114,6 +120,12 @@ struct Archive {
     template <class... P> static detail::Json write(const World<P...>& world) {
         using detail::number_to_file;
         using C = typename World<P...>::composition;
+        if constexpr (C::history && C::coupled)
+            if (world.data_.coupled.changed) { // a change that waits to be made good is part of the state
+                auto settled = world;
+                refresh_coupled(settled.data_, settled.policies_, settled.context());
+                return write(settled);
+            }
         const auto& data = world.data_;
         detail::Json file;
         file["format"] = "ansatz world";
@@ -150,7 +162,7 @@ struct Archive {
         file.at("version").is(version, ", the version that this library reads");
         file.at("scalar").is(detail::scalar_name<typename W::Scalar>(), ", the scalar of this world");
         file.at("dimension").is(C::S::dimension, ", the dimension of this world");
-        file.at("columns").is(columns(typename C::state{}), ", the columns of this world");
+        same_columns(file.at("columns"), columns(typename C::state{}));
 
         auto policies = world.policies_;
         (read_policy(std::get<P>(policies), file.at("policies")), ...);
@@ -168,13 +180,20 @@ struct Archive {
         data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
         read_bodies<C>(data, file);
 
-        if constexpr (W::has_datum) world.user_.by_id.resize(data.bodies.ids());
+        // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a new one.
+        decltype(world.user_) user;
+        if constexpr (W::has_datum) user.by_id.resize(data.bodies.ids());
+        if constexpr (W::has_datum)
+            for (std::uint32_t id = 0; id < data.bodies.ids(); ++id)
+                if (data.bodies.alive(id) && world.data_.bodies.contains({id, data.bodies.generation_of_id(id)}))
+                    user.by_id[id] = std::move(world.user_.by_id[id]);
         const auto room = std::max(data.bodies.ids(), world.capacity_);
         data.reserve(room);
         world.capacity_ = room;
         world.policies_ = std::move(policies);
         world.bound_ = std::move(bound);
         world.data_ = std::move(data);
+        if constexpr (W::has_datum) world.user_ = std::move(user);
     }
 
 private:
@@ -184,6 +203,12 @@ private:
         auto names = detail::Json::array();
         (names.push_back(Col::name), ...);
         return names;
+    }
+
+    /// The order of the columns follows from that of the policies, which means nothing.
+    static void same_columns(const FileValue& file, const detail::Json& expected) {
+        const bool same = file.size("columns") == expected.size() && std::is_permutation(expected.begin(), expected.end(), file.json.begin());
+        if (!same) file.refuse_here(expected.dump() + ", the columns of this world, in any order");
     }
 
     template <class P> static void write_policy(detail::Json& policies, const P& policy) {
@@ -236,6 +261,7 @@ private:
         clock.tick_ = json.at("tick").whole(most);
         clock.steps_ = json.at("steps").whole(clock.tick_);
         using Scalar = typename S::Scalar;
+        if (!is_finite(clock.now())) json.at("steps").refuse_here("a number of steps after which the time is finite");
         if (clock.tick_ > 0 && !(static_cast<Scalar>(clock.dt_.value()) > Scalar(0)))
             json.at("dt").refuse_here("a time step greater than 0 that the world's scalar can hold");
     }
@@ -265,6 +291,7 @@ private:
             data.lanes.push_back();
             read_columns(data.lanes, body, slot, typename C::state{});
             if constexpr (C::has_mass) check_mass(data.lanes.template get<InverseMass>(slot).value(), motion, body.at("inverse mass"));
+            if (motion == Motion::resting || motion == Motion::fixed) check_still<C>(data.lanes, slot, body);
             if constexpr (C::history)
                 if (body.at("waiting").yes()) data.starts.wait(std::uint32_t(id));
         }
@@ -285,10 +312,22 @@ private:
         json.refuse_here("\"awake\", \"resting\", \"moving\" or \"fixed\"");
     }
 
+    /// A body that is fixed or at rest has no velocity.
+    template <class C, class LanesT> static void check_still(const LanesT& lanes, std::size_t slot, const FileValue& body) {
+        if constexpr (C::history) {
+            if (!(lanes.template get<Position>(slot) == lanes.template get<PreviousPosition>(slot)))
+                body.at("previous position").refuse_here("the body's position, because it stands still");
+        } else {
+            const auto v = lanes.template get<Velocity>(slot);
+            if (!(v == decltype(v)(v - v))) body.at("velocity").refuse_here("zeros, because the body stands still");
+        }
+    }
+
     template <class Scalar> static void check_mass(const Scalar& inverse, Motion motion, const FileValue& json) {
         const bool immovable = motion == Motion::moving || motion == Motion::fixed;
         if (immovable && !(inverse == Scalar(0))) json.refuse_here("0, because the body is fixed or moving");
         if (!immovable && !(inverse > Scalar(0))) json.refuse_here("a number greater than 0");
+        if (!immovable && !is_finite(Scalar(Scalar(1) / inverse))) json.refuse_here("the inverse of a finite mass");
     }
 
     template <class LanesT, class... Col> static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {
@@ -327,7 +366,9 @@ template <class... P> void save(const World<P...>& world, std::ostream& out) {
 template <class... P> void save(const World<P...>& world, const std::string& path) {
     std::ofstream out(path);
     if (!out) refuse(Refusal::invalid_argument, "save: " + path + " cannot be opened for writing");
-    save(world, out);
+    out << Archive::write(world).dump(1) << '\n';
+    out.close(); // what the stream still holds is written now, or not at all
+    if (!out) refuse(Refusal::invalid_argument, "save: " + path + " could not be written to the end");
 }
 
 /// Reads the state of a world; handles of the saved world name its bodies.
@@ -341,6 +382,8 @@ template <class... P> void load(World<P...>& world, std::istream& in, const std:
         const std::string what = e.what(); // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
         const auto sentence = what.find("] ");
         refuse(Refusal::invalid_argument, name + ": " + (sentence == std::string::npos ? what : what.substr(sentence + 2)));
+    } catch (const std::ios_base::failure&) {
+        refuse(Refusal::invalid_argument, name + " cannot be read; is it a file?");
     }
     Archive::read(world, detail::FileValue{file, name, true});
 }

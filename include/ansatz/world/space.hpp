@@ -61,7 +61,9 @@ template <class ScalarT = double, int Dim = 3> struct Space {
 
     /// A scalar parameter of a policy, in this space's number type.
     template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
-        return ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
+        const auto converted = ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
+        if (is_finite(q) && !is_finite(converted)) refuse_value("World", "a parameter", describe(q), "the world's scalar can hold it");
+        return converted;
     }
 
     /// A three-component parameter of a policy, in this space's number type and dimension.
@@ -74,7 +76,9 @@ template <class ScalarT = double, int Dim = 3> struct Space {
                 refuse_value("World", what, describe(q), "this world has two dimensions, so its third component must be 0");
         Vector<Scalar, Dim> v;
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
-        return VectorOf<Unit>::from_value(v);
+        const auto converted = VectorOf<Unit>::from_value(v);
+        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, describe(q), "the world's scalar can hold it");
+        return converted;
     }
     /// A vector in the scalar of the space.
     template <class Unit, class From> static VectorOf<Unit> convert(const VectorQuantity<Unit, 3, From>& q) {

@@ -10,6 +10,7 @@
 /// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
 /// couples, they run stage by stage. The step does not allocate, throw or print once the world is warm.
 
+#include <ansatz/world/coupling.hpp>
 #include <ansatz/world/data.hpp>
 #include <ansatz/world/view.hpp>
 
@@ -62,7 +63,7 @@ public:
     /// Takes it.
     void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests) data_.events.begin_step();
-        if constexpr (C::rests && (C::Laws::time_dependent)) wake_the_pulled();
+        if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
         if constexpr (C::history) complete_starts();
         if constexpr (C::coupled)
             stage_by_stage();
@@ -71,6 +72,11 @@ public:
         advance_platforms();
         if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
         data_.clock.advance(dt);
+        if constexpr (C::coupled) {
+            // The forces of the state that was made: Rest looks at them, queries read them, the next step begins with them.
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, after());
+        }
         if constexpr (C::rests) put_to_rest();
         observe(typename C::observers{});
     }
@@ -96,7 +102,10 @@ private:
     }
 
     void stage_by_stage() {
-        if constexpr (!decltype(bound_.before)::empty) effects_only<Columns<>>(bound_.before, context_.dt().previous);
+        if constexpr (!decltype(bound_.before)::empty) {
+            effects_only<Columns<>>(bound_.before, context_.dt().previous);
+            data_.coupled.current = false;
+        }
         [&]<int... K>(std::integer_sequence<int, K...>) {
             (stage<K + first_stage>(), ...);
         }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
@@ -107,14 +116,18 @@ private:
     static constexpr int first_stage = detail::first_stage<I>(C::velocity_read);
 
     template <int K> void stage() {
-        if constexpr (K == first_stage) derive_velocities();
-        sum_coupled_forces(context_.later(detail::node<I>(K)));
+        if constexpr (K == first_stage && detail::node<I>(K) == 0)
+            refresh_coupled(data_, policies_, context_);
+        else {
+            if constexpr (K == first_stage) derive_velocities(data_, context_.dt().previous);
+            sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
+        }
         if constexpr (K == first_stage && C::rests) {
             wake_the_pulled();
             if constexpr (C::history)
                 if (!data_.starts.list.empty()) {
                     complete_starts();
-                    derive_velocities();
+                    derive_velocities(data_, context_.dt().previous);
                 }
         }
         using Written = union_of<writes_of<I>, typename C::scratch>;
@@ -130,31 +143,6 @@ private:
         walk<Needs, Written>(range, EffectsOnly<S, I, EffectsT, Transient>{effects, context_, over});
     }
 
-    /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
-    void derive_velocities() {
-        if constexpr (C::history && C::template stores<Velocity>)
-            for (std::size_t slot = 0; slot < data_.bodies.size(); ++slot)
-                data_.lanes.template set<Velocity>(slot, data_.load(Slot(slot), context_.dt().previous).template get<Velocity>());
-    }
-
-    void sum_coupled_forces(const Context<S>& context) {
-        for (int k = 0; k < S::dimension; ++k) {
-            auto* lane = data_.lanes.template lane<CoupledForce>(k);
-            std::fill(lane, lane + data_.bodies.size(), typename S::Scalar(0));
-        }
-        couple(typename C::couplings{}, context);
-    }
-    template <class... Q> void couple(Types<Q...>, const Context<S>& context) {
-        (couple_one<Q>(context), ...);
-    }
-    template <class Q> void couple_one(const Context<S>& context) {
-        CouplingView<S, Q> view(data_.lanes, data_.bodies);
-        detail::Bound<Q, S> force(std::get<Q>(policies_));
-        const auto limited = context.template restricted<detail::reads_clock<Q>>();
-        if constexpr (requires { force.prepare(limited); }) force.prepare(limited);
-        force.couple(view, limited);
-    }
-
     /// The acceleration of one body as it stands.
     typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
         typename S::Acceleration a = bound_.laws.acceleration(row, context_);
@@ -164,20 +152,23 @@ private:
 
     void complete_starts() {
         if (data_.starts.list.empty()) return;
-        if constexpr (C::coupled) {
-            derive_velocities();
-            sum_coupled_forces(context_);
-        }
+        refresh_coupled(data_, policies_, context_);
         for (const auto id : data_.starts.list) {
+            if (!data_.starts.waiting(id)) { // gone since
+                data_.starts.state[id] = detail::Starts::begun;
+                continue;
+            }
             const Slot slot = data_.bodies.slot_of_id(id);
             const auto row = data_.load(slot);
             const bool pulled = data_.bodies.motion(slot) == Motion::awake;
             const auto a = pulled ? acceleration(slot, row) : typename S::Acceleration();
             data_.lanes.template set<PreviousPosition>(
                 slot, I::history(row.template get<Position>(), row.template get<Velocity>(), a, context_.dt().previous));
-            data_.starts.waits[id] = 0;
+            data_.starts.state[id] = detail::Starts::begun;
         }
         data_.starts.list.clear();
+        // The velocities that a force between bodies reads are derived from the histories that have just begun.
+        if constexpr (C::coupled && C::template stores<Velocity>) data_.coupled.current = false;
     }
 
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.
@@ -201,16 +192,18 @@ private:
     void put_to_rest() {
         using Rester = typename detail::FirstOf<typename C::resters>::type;
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
-        const Context<S> after(data_.clock.now(), context_.dt());
         const auto* time = data_.lanes.template lane<RestTime>();
         for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);) {
             if (!rest.long_enough(S::Time::from_value(time[slot]))) continue;
-            if (!(pull_at_rest(slot, after) == S::template zero_vector<unit::Acceleration>())) continue;
+            if (!(pull_at_rest(slot, after()) == S::template zero_vector<unit::Acceleration>())) continue;
             data_.stop(slot);
             data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
             data_.move(slot, Motion::resting);
+            if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
         }
     }
+    /// Behind the step that was taken: the next one, if it has the same length.
+    Context<S> after() const { return Context<S>(data_.clock.now(), TimeStep<S>(context_.dt(), context_.dt())); }
     typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
         auto row = data_.load(slot);
         row.template get<Velocity>() = S::template zero_vector<unit::Velocity>();

@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -94,6 +95,23 @@ public:
     /// \throws std::invalid_argument if a policy's parameter is not acceptable
     explicit World(P... policies) : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
 
+    World(const World&) = default;            ///< a snapshot that continues bit-identically and takes the same handles
+    World(World&&) = default;                 ///< the other is left without bodies
+    World& operator=(const World&) = default; ///< a snapshot, as by copying
+    /// The other is left without bodies; a world moved to itself is what it was.
+    World& operator=(World&& other)
+        requires std::is_move_assignable_v<std::tuple<P...>>
+    {
+        if (this != &other) {
+            policies_ = std::move(other.policies_);
+            bound_ = std::move(other.bound_);
+            data_ = std::move(other.data_);
+            user_ = std::move(other.user_);
+            capacity_ = std::exchange(other.capacity_, 0);
+        }
+        return *this;
+    }
+
     /// \name Bodies
     /// @{
 
@@ -106,16 +124,22 @@ public:
     /// \throws std::out_of_range for a stale handle
     void remove(Handle body) {
         const auto slot = data_.bodies.slot(body, "World::remove");
+        forces_change();
         if constexpr (composition::history) data_.starts.forget(body.id);
         data_.bodies.erase(slot, [&](std::size_t i, std::size_t j) { data_.lanes.swap(i, j); });
         data_.lanes.pop_back();
         if constexpr (has_datum) user_.at(body.id) = Datum{};
     }
+    /// Whether the handle names a body that is in this world.
     bool contains(Handle body) const { return data_.bodies.contains(body); }
+    /// How many bodies there are, the fixed and the resting included.
     std::size_t size() const { return data_.bodies.size(); }
+    /// How many there are of a kind.
     std::size_t count(Motion m) const { return data_.bodies.count(m); }
     /// Makes room, so that adding `n` bodies in all does not allocate.
+    /// \throws std::invalid_argument for more bodies than handles can name
     void reserve(std::size_t n) {
+        if (n >= 0xffffffffu) refuse_value("World::reserve", "n", std::to_string(n), "it is below 4294967295, the number of bodies that handles can name");
         data_.reserve(n);
         capacity_ = std::max(capacity_, n);
         if constexpr (has_datum) user_.by_id.reserve(n);
@@ -132,25 +156,30 @@ public:
         for (std::uint32_t id = 0; id < data_.bodies.ids(); ++id)
             if (data_.bodies.alive(id)) f(data_.bodies.handle(data_.bodies.slot_of_id(id)));
     }
+    /// Awake, resting, moving or fixed.
     Motion motion(Handle body) const { return data_.bodies.motion(data_.bodies.slot(body, "World::motion")); }
     /// @}
 
     /// \name Reading a body
     /// All throw std::out_of_range for a stale handle.
     /// @{
+    /// Where the body is, in m.
     Position position(Handle body) const {
         return data_.lanes.template get<ansatz::Position>(data_.bodies.slot(body, "World::position"));
     }
     /// The velocity at the present time. Where the integrator keeps history instead, it is derived: the mean velocity of
     /// the last step belongs to half a step ago, and half a step of the present acceleration brings it here.
     Velocity velocity(Handle body) const { return velocity_at(data_.bodies.slot(body, "World::velocity")); }
-    /// What all forces together do to the body now.
+    /// What all forces together do to the body now. Where bodies act on each other and something was changed since the last
+    /// step, this asks every force between bodies anew.
     Acceleration acceleration(Handle body) const { return acceleration_at(data_.bodies.slot(body, "World::acceleration")); }
+    /// In kg; infinite for a fixed or moving body.
     typename S::Mass mass(Handle body) const {
         need_mass();
         const auto inverse = data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::mass"));
         return Scalar(1) / inverse;
     }
+    /// 1/m, in 1/kg; zero for a fixed or moving body.
     typename S::InverseMass inverse_mass(Handle body) const {
         need_mass();
         return data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::inverse_mass"));
@@ -166,6 +195,7 @@ public:
         data_.bodies.slot(body, "World::datum");
         return user_.at(body.id);
     }
+    /// The user's own datum of the body, to read.
     const auto& datum(Handle body) const {
         need_datum();
         data_.bodies.slot(body, "World::datum");
@@ -173,11 +203,22 @@ public:
     }
     /// A lane of a stored column: raw SI scalars of one component, slot by slot; for plotting and other libraries. The
     /// body of slot i is `body_at(i)`; slots change when bodies are added, removed, fall asleep or wake.
+    /// \param component from 0
+    /// \throws std::out_of_range for a component that the column does not have
     template <class C> std::span<const Scalar> lane(int component = 0) const {
         need_column<C>();
+        if (component < 0 || std::size_t(component) >= lanes_of<C>(S::dimension))
+            refuse(Refusal::out_of_range, std::string("World::lane: component ") + std::to_string(component) + " of " + std::string(C::name) +
+                                              ": it has " + std::to_string(lanes_of<C>(S::dimension)) + ", counted from 0");
         return {data_.lanes.template lane<C>(component), size()};
     }
-    Handle body_at(std::size_t slot) const { return data_.bodies.handle(slot); }
+    /// The body of a slot.
+    /// \throws std::out_of_range for a slot that is not below size()
+    Handle body_at(std::size_t slot) const {
+        if (slot >= size())
+            refuse(Refusal::out_of_range, "World::body_at: slot " + std::to_string(slot) + ": there are " + std::to_string(size()) + ", counted from 0");
+        return data_.bodies.handle(slot);
+    }
     /// @}
 
     /// \name Changing a body
@@ -189,6 +230,8 @@ public:
     template <class Q> void set_position(Handle body, const Q& x);
     /// \throws std::invalid_argument also for a fixed body, which has no velocity (add it as `moving`)
     template <class Q> void set_velocity(Handle body, const Q& v);
+    /// \param m kg, finite and greater than zero
+    /// \throws std::invalid_argument also for a fixed or moving body, whose mass is infinite
     template <class Q> void set_mass(Handle body, const Q& m);
     /// Changes the momentum at once by `j` (in N s). A body of infinite mass does not notice.
     template <class Q> void apply_impulse(Handle body, const Q& j);
@@ -203,6 +246,7 @@ public:
 
     /// \name Policies
     /// @{
+    /// A policy, with its parameters as they are.
     template <class Policy> const Policy& get() const {
         constexpr bool there = (std::same_as<Policy, P> || ...);
         static_assert(there, "Ansatz: get: this world has no such policy; see the list in its type");
@@ -279,25 +323,18 @@ private:
                       "its policies");
     }
 
-    Acceleration acceleration_of(Slot slot, const typename Data::Body& row) const {
-        if (data_.bodies.motion(slot) == Motion::moving || data_.bodies.motion(slot) == Motion::fixed) return Acceleration();
-        Acceleration a = bound_.laws.acceleration(row, context());
-        if constexpr (composition::coupled)
-            a += data_.lanes.template get<ansatz::InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
-        return a;
-    }
-    Acceleration acceleration_at(Slot slot) const {
-        auto row = data_.load(slot);
-        row.template get<ansatz::Velocity>() = velocity_at(slot);
-        return acceleration_of(slot, row);
-    }
-    Velocity velocity_at(Slot slot) const {
-        const auto row = data_.load(slot);
-        const auto& v = row.template get<ansatz::Velocity>();
-        if constexpr (composition::history)
-            if (!data_.waiting(slot) && data_.bodies.motion(slot) == Motion::awake)
-                return Integrator::velocity_now(v, acceleration_of(slot, row), data_.last_dt());
-        return v;
+    // What the velocity is now, and what keeps it when forces change: present.hpp.
+    template <class F> auto at_present(F&& f) const;
+    Acceleration acceleration_of(const Data& data, Slot slot, const typename Data::Body& row) const;
+    Acceleration acceleration_at(Slot slot) const;
+    Velocity velocity_at(Slot slot) const;
+    Velocity velocity_in(const Data& data, Slot slot) const;
+    void settle();
+    void hold_velocity(Slot slot);
+    void hold_velocities();
+    void forces_change();
+    template <class C> void column_changes() {
+        if constexpr (composition::template couplings_read<C>) forces_change();
     }
 
     void wake_slot(Slot slot) {
@@ -329,3 +366,4 @@ template <class... P> World(P...) -> World<P...>; ///< the list of policies is t
 } // namespace ansatz
 
 #include <ansatz/world/door.hpp>
+#include <ansatz/world/present.hpp>

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSL-1.0
 #
 # What the course needs, whether it is there, and how to get it. Things are recognised by what they
-# are (a command, a header), not by the package system, so that every system can be asked.
+# are (a command, a header, a file), not by the package system, so that every system can be asked.
 
-# name | how it is recognised | Debian's package | needed or wanted | what for
+# name | how it is recognised | Debian's package | needed, wanted or docs | what for
+# What is for the docs only ./workbook docs asks for.
 NEEDS='C++ compiler|command c++ g++ clang++|g++|needed|to compile everything
 CMake|command cmake|cmake|needed|to configure the build
 make or ninja|command ninja make|make|needed|to run the build
@@ -13,7 +14,10 @@ Eigen|header eigen3/Eigen/Core Eigen/Core|libeigen3-dev|needed|vectors and spars
 Catch2|header catch2/catch.hpp catch2/catch_all.hpp|catch2|needed|the tests
 nlohmann-json|header nlohmann/json.hpp|nlohmann-json3-dev|needed|cost tables as JSON
 Google Benchmark|header benchmark/benchmark.h|libbenchmark-dev|needed|what accuracy costs
-gnuplot|command gnuplot|gnuplot-nox|wanted|the pictures; without it they are skipped'
+gnuplot|command gnuplot|gnuplot-nox|wanted|the pictures; without it they are skipped
+Doxygen (docs)|command doxygen|doxygen|docs|only for the site of ./workbook docs
+theme (docs)|file '"${ANSATZ_DOXYGEN_THEME:-/usr/share/doxygen-awesome-css}"'/doxygen-awesome.css|doxygen-awesome-css|docs|only for the look of that site
+MathJax 2 (docs)|file '"${ANSATZ_MATHJAX:-/usr/share/javascript/mathjax}"'/MathJax.js|libjs-mathjax|docs|only for the formulas of that site'
 
 # Where headers are looked for: the usual places, and where the compiler and CMake were told to look.
 include_folders() {
@@ -33,6 +37,9 @@ find_need() {
         if [ "$kind" = command ]; then
             command -v "$name" && return 0
             continue
+        elif [ "$kind" = file ]; then
+            if [ -f "$name" ]; then echo "$name"; return 0; fi
+            continue
         fi
         while IFS= read -r folder; do
             if [ -e "$folder/$name" ]; then echo "$folder/$name"; return 0; fi
@@ -51,24 +58,28 @@ needs() {
     done <<< "$NEEDS"
 }
 
-# The packages of what is missing, one line.
-missing_packages() { needs | awk -F '|' '$2 == "" { printf "%s%s", sep, $3; sep = " " }'; }
+# Those of them that a purpose asks for: the course (everything but what is for the docs), or docs (only that).
+needs_for() { needs | awk -F '|' -v purpose="$1" '($4 == "docs") == (purpose == "docs")'; }
 
-# Says what is missing and, as far as this machine lets us, installs it. Fails where the course cannot go on.
+# The packages of what is missing for a purpose, one line.
+missing_packages() { needs_for "$1" | awk -F '|' '$2 == "" { printf "%s%s", sep, $3; sep = " " }'; }
+
+# provide [docs]: says what is missing and, as far as this machine lets us, installs it. Fails where the course, or the
+# site, cannot go on.
 provide() {
-    local packages table
-    packages=$(missing_packages)
+    local purpose=${1:-course} packages table
+    packages=$(missing_packages "$purpose")
     [ -z "$packages" ] && return 0
-    table=$(needs)
+    table=$(needs_for "$purpose")
     heading "Missing here"
     printf '%s\n' "$table" | awk -F '|' '$2 == "" { printf "  %-18s %s\n", $1, $5 }'
     if ! command -v apt-get > /dev/null; then
         say "This system has no apt-get, so please install these with its own package system (the names are Debian's): $packages. Then run the same command again."
-    elif install_packages "$packages" && [ -z "$(missing_packages)" ]; then
+    elif install_packages "$packages" && [ -z "$(missing_packages "$purpose")" ]; then
         return 0
     fi
     # Only pictures would be missing: that is no reason to stop.
-    if ! needs | awk -F '|' '$2 == "" && $4 == "needed" { found = 1 } END { exit !found }'; then
+    if ! needs_for "$purpose" | awk -F '|' '$2 == "" && $4 != "wanted" { found = 1 } END { exit !found }'; then
         say "The course goes on without pictures."
         return 0
     fi

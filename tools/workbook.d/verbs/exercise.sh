@@ -79,7 +79,7 @@ not_passed() {
     fi
     case $OUTCOME in failed | threw) ;; *) return ;; esac    # only numbers can be compared
     build_quietly "preparing the answers people give (once)" "exercise.$ID.others" || return
-    for wrong in $(mistake_of "$BUILD/exercises/$ID" student "$tasks"); do
+    for wrong in $(mistake_of "$FOLDER" "$BUILD/exercises/$ID" student "$tasks"); do
         wrong=$FOLDER/wrong/$wrong.hpp
         echo
         say "${YELLOW}Your numbers equal those of: $(line_of "$wrong" Mistake).$PLAIN" | sed 's/^/  /'

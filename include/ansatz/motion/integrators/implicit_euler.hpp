@@ -89,7 +89,14 @@ private:
             for (int k = 0; k < n; ++k) matrix(i, k) /= largest;
             right[i] /= largest;
         }
-        return matrix.inverse() * right;
+        // Written out: Eigen's product may use a fused multiply-add where the machine has one, and worlds would differ with it.
+        const Matrix inverse = matrix.inverse();
+        Vec solution;
+        for (int i = 0; i < n; ++i) {
+            solution[i] = inverse(i, 0) * right[0];
+            for (int k = 1; k < n; ++k) solution[i] += inverse(i, k) * right[k];
+        }
+        return solution;
     }
 };
 

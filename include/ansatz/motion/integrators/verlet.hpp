@@ -14,6 +14,10 @@
 /// I11); it is completed in the first step, when dt and a_0 are known. A step that differs from the one before is
 /// corrected for (hard case I12), which keeps the second order where the usual formula does not converge at all.
 ///
+/// Its price: the velocity is the small difference of two positions. Far from the origin, or with tiny steps, digits of it
+/// are lost for ever: a float body at 1e6 m that moves by less than its position's rounding in a step stands still. Keep
+/// the origin near, take double, or VelocityVerlet, which stores the velocity.
+///
 /// L. Verlet, Phys. Rev. 159, 98 (1967). Deliberately not provided: a longer FIFO; nothing would read it.
 
 #include <ansatz/world/concepts.hpp>

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `sum_coupled`: the forces between bodies, summed for all of them into the column CoupledForce.
+///
+/// The sums are a cache: they follow from the bodies, the policies and the time alone. A step leaves those of the state
+/// that it has made, so that a query reads them and the next step need not ask again; whatever changes what the forces
+/// see makes them stale (`CoupledSums`). Only worlds in which something couples bodies have any of this.
+
+#include <ansatz/world/data.hpp>
+#include <ansatz/world/view.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace ansatz {
+
+/// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
+/// \param last the length of the last step, from which the velocity is derived
+template <class C> void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+    if constexpr (C::history && C::template stores<Velocity>)
+        for (std::size_t slot = 0; slot < data.bodies.size(); ++slot)
+            data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
+}
+
+namespace detail {
+template <class Q, class C, class Policies> void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
+    CouplingView<typename C::S, Q> view(data.lanes, data.bodies);
+    Bound<Q, typename C::S> force(std::get<Q>(policies));
+    const auto limited = context.template restricted<reads_clock<Q>>();
+    if constexpr (requires { force.prepare(limited); }) force.prepare(limited);
+    force.couple(view, limited);
+}
+} // namespace detail
+
+/// Asks every force between bodies, at `context`; derived velocities stand in their lane already.
+template <class C, class Policies>
+void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies, [[maybe_unused]] const Context<typename C::S>& context) {
+    if constexpr (C::coupled) {
+        for (int k = 0; k < C::S::dimension; ++k) {
+            auto* lane = data.lanes.template lane<CoupledForce>(k);
+            std::fill(lane, lane + data.bodies.size(), typename C::S::Scalar(0));
+        }
+        [&]<class... Q>(Types<Q...>) { (detail::couple_one<Q>(data, policies, context), ...); }(typename C::couplings{});
+    }
+}
+
+namespace detail {
+/// Where velocity is derived from history with half a step of the present acceleration, a change of the forces (a body
+/// that was removed, a mass that is another) would be a push. The history takes it up: by exactly nothing where the
+/// acceleration is what it was.
+template <class C> void make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+    if constexpr (C::history && C::coupled) {
+        using S = typename C::S;
+        const auto awake = data.bodies.end(Motion::awake);
+        for (std::size_t slot = 0; slot < awake; ++slot) {
+            if (data.waiting(Bodies::Slot(slot))) continue;
+            auto change = data.lanes.template get<CoupledForce>(slot);
+            auto value = change.value();
+            for (int k = 0; k < S::dimension; ++k) value[k] -= data.coupled.before[slot * std::size_t(S::dimension) + std::size_t(k)];
+            change = decltype(change)::from_value(value);
+            if (change == S::template zero_vector<unit::Force>()) continue;
+            const auto x = S::template zero_vector<unit::Length>();
+            const auto v = S::template zero_vector<unit::Velocity>();
+            const auto a = data.lanes.template get<InverseMass>(slot) * change;
+            data.lanes.template set<PreviousPosition>(slot, data.lanes.template get<PreviousPosition>(slot) + C::Integrator::history(x, v, a, last));
+        }
+    }
+}
+template <class C> void remember_sums(WorldData<C>& data) {
+    auto& before = data.coupled.before;
+    before.resize(data.bodies.size() * std::size_t(C::S::dimension));
+    for (std::size_t slot = 0; slot < data.bodies.size(); ++slot)
+        for (int k = 0; k < C::S::dimension; ++k)
+            before[slot * std::size_t(C::S::dimension) + std::size_t(k)] = data.lanes.template lane<CoupledForce>(k)[slot];
+}
+} // namespace detail
+
+/// Sums the forces between bodies for the state as it stands, unless they are known already.
+template <class C, class Policies>
+void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies, [[maybe_unused]] const Context<typename C::S>& context) {
+    if constexpr (C::coupled) {
+        if (data.coupled.known_for(context.dt())) return;
+        if (data.coupled.changed) detail::remember_sums(data);
+        derive_velocities(data, context.dt().previous);
+        sum_coupled(data, policies, context);
+        if (data.coupled.changed) detail::make_good(data, context.dt().previous);
+        data.coupled.changed = false;
+        data.coupled.know(context.dt());
+    }
+}
+
+} // namespace ansatz

@@ -1,0 +1,155 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# The site is built without a warning or a fault; and tools/docs/check finds each fault that is put into it.
+#
+# usage: docs.sh <folder of the project>
+#
+# Works on a copy of the sources in ANSATZ_SCRATCH. Pictures that the copy does not have get stand-ins.
+set -euo pipefail
+project=$1
+if ! command -v doxygen > /dev/null; then echo "skipped: no doxygen (on Debian: apt install doxygen)"; exit 0; fi
+if [ ! -f "${ANSATZ_MATHJAX:-/usr/share/javascript/mathjax}/MathJax.js" ]; then
+    echo "skipped: no MathJax 2 for the formulas (on Debian: apt install libjs-mathjax)"
+    exit 0
+fi
+
+rm -rf "$ANSATZ_SCRATCH"
+mkdir -p "$ANSATZ_SCRATCH"
+scratch=$(cd "$ANSATZ_SCRATCH" && pwd -P)
+tree=$scratch/project
+copy_sources() {
+    rm -rf "$tree"
+    mkdir -p "$tree"
+    local entry
+    for entry in README.md CHANGELOG.md LICENSE CMakeLists.txt Doxyfile workbook chapters docs exercises include tests tools; do
+        cp -R "$project/$entry" "$tree/"
+    done
+}
+
+# ---------------------------------------------------------------- the site as it is
+copy_sources
+if ! "$tree/tools/docs/build" "$scratch/build" > "$scratch/log" 2>&1; then
+    echo "The site has warnings or faults (tools/docs/build says the same):"
+    sed "s|$tree/||g" "$scratch/log" | head -n 60
+    exit 1
+fi
+cat "$scratch/log"
+html=$scratch/build/docs/html
+# A doubt of Doxygen that is no warning would be in the log as well.
+if grep -qE '(warning|error):' "$scratch/log"; then echo "Doxygen complained, and the build let it pass"; exit 1; fi
+
+# ---------------------------------------------------------------- each fault is found
+checked=0
+# reports <what it must say>: the check fails on the site, and says so.
+reports() {
+    local said
+    if said=$("$tree/tools/docs/check" "$html" 2>&1); then
+        printf 'The check is content, where it should say: %s\n' "$1"
+        exit 1
+    fi
+    if [[ $said != *"$1"* ]]; then
+        printf 'The check should say\n    %s\nbut it says\n%s\n' "$1" "$(head -n 20 <<< "$said")"
+        exit 1
+    fi
+    if [ "$(wc -l <<< "$said")" -gt "${2:-2}" ]; then
+        printf 'The check should say nothing but\n    %s\nbut it says\n%s\n' "$1" "$(head -n 20 <<< "$said")"
+        exit 1
+    fi
+    checked=$((checked + 1))
+}
+# planted <file of the site> <text> <what it must say>: with this text before the end of the page, and without it again.
+planted() {
+    cp "$html/$1" "$scratch/kept"
+    case $1 in
+        *.html) awk -v text="$2" '/<\/body>/ { print text } { print }' "$scratch/kept" > "$html/$1" ;;
+        *) printf '%s\n' "$2" >> "$html/$1" ;;
+    esac
+    reports "$3" "${4:-2}"
+    cp "$scratch/kept" "$html/$1"
+}
+
+page=page_world.html
+planted $page '<script src="https://polyfill.example/v3/polyfill.min.js"></script>' "$page asks another host: https://polyfill.example/v3/polyfill.min.js"
+planted $page '<script src="//cdn.example/x.js"></script>' "$page asks another host: //cdn.example/x.js"
+planted $page '<img alt="" src="http://example.org/x.png"/>' "$page asks another host: http://example.org/x.png"
+planted $page '<link rel="stylesheet" href="https://fonts.example/a.css"/>' "$page asks another host: https://fonts.example/a.css"
+planted $page '<object data="https://example.org/x.svg"></object>' "$page asks another host: https://example.org/x.svg"
+planted $page '<p style="background: url(https://example.org/x.png)">x</p>' "$page asks another host: https://example.org/x.png"
+planted $page '<script>var a = "https://example.org/x";</script>' "$page has a script that names another host"
+planted ansatz.css '@import "https://fonts.example/a.css";' "ansatz.css asks another host: https://fonts.example/a.css"
+planted $page '<a href="nowhere.html">x</a>' "there is no nowhere.html, to which $page links"
+planted $page '<a href="nowhere.html#at_all">x</a>' "there is no nowhere.html"
+planted $page '<img alt="" src="nowhere.png"/>' "there is no nowhere.png, to which $page links"
+planted $page '<a href="index.html#nowhere_here">x</a>' "index.html has no place 'nowhere_here', to which $page links"
+planted $page '<a href="#nowhere_here">x</a>' "$page has no place 'nowhere_here', to which $page links"
+planted search/all_0.html '<a href="nowhere.html">x</a>' "there is no search/nowhere.html, to which search/all_0.html links"
+planted navtreedata.js '["A chapter", "@ref nowhere", null]' "navtreedata.js names '@ref nowhere', which no page has"
+planted navtreedata.js '["A chapter", "nowhere.html", null]' "there is no nowhere.html, to which navtreedata.js links"
+
+# Without the copy of MathJax. Every page that loads it has a dead link as well: said once.
+mv "$html/mathjax/MathJax.js" "$scratch/kept"
+reports "mathjax/MathJax.js is not in the site" 3
+mv "$scratch/kept" "$html/mathjax/MathJax.js"
+
+# without <text of a link> <what it must say> <pages...>: with the link to nowhere else, and with it again.
+without() {
+    local link=$1 text=$2 file
+    shift 2
+    mkdir -p "$scratch/kept_pages"
+    for file in "$@"; do
+        cp "$file" "$scratch/kept_pages/"
+        sed "s|href=\"${link}[^\"]*\"|href=\"index.html\"|g" "$scratch/kept_pages/${file##*/}" > "$file"
+    done
+    reports "$text"
+    cp "$scratch"/kept_pages/* "$html/"
+    rm -r "$scratch/kept_pages"
+}
+# An exercise, its section and its header know each other.
+without chapter_motion.html#section_ "the exercise drag does not link to its section" "$html/exercise_motion_drag.html"
+without drag_8hpp.html "the exercise drag does not link to include/ansatz/motion/drag.hpp" "$html/exercise_motion_drag.html"
+without exercise_motion_drag.html "no chapter links to the exercise drag" "$html"/chapter_*.html
+mapfile -t of_the_library < <(grep -l 'href="exercise_motion_drag.html' "$html"/struct*.html "$html"/class*.html "$html"/namespace*.html "$html"/*_8hpp.html)
+without exercise_motion_drag.html "no page of the API links to the exercise drag" "${of_the_library[@]}"
+
+# In the sources: a pasted listing, whether it says what it is or not.
+kept=$tree/docs/world.md
+for fence in '```cpp' '```c++' '~~~{.cpp}' '``` cpp' '\code{.cpp}' '```'; do
+    printf '\n%s\nint i = 0;\n```\n' "$fence" >> "$kept"
+    reports 'a pasted listing, docs/world.md:'
+    cp "$project/docs/world.md" "$kept"
+done
+printf '\n```sh\n./workbook docs\n```\n\n```\n wake -> rest\n```\n' >> "$kept"
+"$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a command, or a drawing, for a pasted listing"; exit 1; }
+cp "$project/docs/world.md" "$kept"
+
+# An exercise of which nobody knows.
+mkdir -p "$tree/exercises/1-motion/nobody_knows"
+printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
+reports "exercises/1-motion/nobody_knows has no page exercise_motion_nobody_knows.html"
+awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a>" } { print }' "$html/$page" > "$html/exercise_motion_nobody_knows.html"
+reports "no chapter links to the exercise nobody_knows"
+rm -r "$tree/exercises/1-motion/nobody_knows" "$html/exercise_motion_nobody_knows.html"
+"$tree/tools/docs/check" "$html" > /dev/null || { echo "The check finds faults that are mended again"; exit 1; }
+
+# What Doxygen says itself, and what it keeps quiet about, in one more build: concepts without a word (only those of a
+# namespace that is not detail count), and a reference that leads nowhere.
+{
+    printf '// SPDX-License-Identifier: BSL-1.0\n#pragma once\n/// \\file\n/// Concepts.\n\nnamespace ansatz {\n'
+    printf 'namespace detail {\nstruct Braces {\n    int i{};\n};\ntemplate <class T> concept HiddenAndPlain = true;\n} // namespace detail\n\n'
+    printf 'template <class T> concept NobodyTold = true;\n\n/// A word about it.\ntemplate <class T>\n    requires true\nconcept SomebodyTold = true;\n\n'
+    printf 'template <class T>\nconcept NobodyToldEither =\n    true;\n} // namespace ansatz\n'
+} > "$tree/include/ansatz/world/planted.hpp"
+printf '\nSee \\ref nowhere_at_all, and \\image html never_drawn.svg "A picture"\n' >> "$kept"
+if "$tree/tools/docs/build" "$scratch/build" > "$scratch/log" 2>&1; then echo "A reference that leads nowhere passes"; exit 1; fi
+expect() { grep -qF -e "$1" "$scratch/log" || { printf 'The build should say\n    %s\nbut it says\n%s\n' "$1" "$(head -n 20 "$scratch/log")"; exit 1; }; checked=$((checked + 1)); }
+expect "unable to resolve reference to 'nowhere_at_all'"
+expect "include/ansatz/world/planted.hpp:14: the concept NobodyTold is not documented"
+expect "include/ansatz/world/planted.hpp:22: the concept NobodyToldEither is not documented"
+expect "never_drawn.svg"
+for name in HiddenAndPlain SomebodyTold; do
+    if grep -q "the concept $name is not" "$scratch/log"; then echo "The check asks for documentation of $name"; exit 1; fi
+done
+if grep '^docs: ' "$scratch/log" | grep -vE 'NobodyTold|pictures are not drawn|[0-9] faults in'; then echo "The check finds more than the two concepts"; exit 1; fi
+
+echo "$checked faults, each found"

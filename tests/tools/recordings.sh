@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSL-1.0
+#
+# What the chapters say that a program prints is what it prints: docs/recordings/<number>.txt, byte for byte.
+#
+# usage: recordings.sh <folder of the project>
+#
+# The programs are those of the build that ANSATZ_SCRATCH belongs to. Another compiler or other options may differ in the
+# last digit; then this says where. tools/docs/record records anew.
+set -euo pipefail
+project=$1
+build=${ANSATZ_BUILD:-${ANSATZ_SCRATCH%/*/*}}
+mkdir -p "$ANSATZ_SCRATCH/pictures"
+cd "$project"
+shopt -s nullglob
+faults=0
+fault() { printf 'recordings: %s\n' "$*"; faults=$((faults + 1)); }
+
+programs=(chapters/*/[0-9]*-*.cpp)
+if [ ${#programs[@]} -eq 0 ]; then echo "recordings: there is no section in chapters/"; exit 1; fi
+pages=(docs/*.md exercises/*/*/README.md)
+# What the pages include, in any of Doxygen's ways.
+included=$(cat "${pages[@]}" | grep -oE '[\\@](verbinclude|include|snippet|dontinclude)(\{[^}]*\})? *[^ ]+' | awk '{ print $NF }' || true)
+
+compared=0
+for source in "${programs[@]}"; do
+    name=${source##*/}
+    number=${name%%-*}
+    recording=docs/recordings/$number.txt
+    if [ ! -f "$recording" ]; then fault "section $number has no recording; tools/docs/record $number makes it"; continue; fi
+    program=$build/chapters/section_$number
+    if [ ! -x "$program" ]; then fault "section $number is not built: there is no $program"; continue; fi
+    if ! ANSATZ_PICTURES=$ANSATZ_SCRATCH/pictures "$program" > "$ANSATZ_SCRATCH/$number.txt" 2> "$ANSATZ_SCRATCH/$number.log" < /dev/null; then
+        fault "section $number failed: $(tail -n 1 "$ANSATZ_SCRATCH/$number.log")"
+        continue
+    fi
+    compared=$((compared + 1))
+    if ! cmp -s "$recording" "$ANSATZ_SCRATCH/$number.txt"; then
+        fault "section $number prints something else than $recording; recorded (-) and printed now (+):"
+        if [ "$source" -nt "$program" ]; then echo "(the program is older than its source: build it first)"; fi
+        diff -U 0 "$recording" "$ANSATZ_SCRATCH/$number.txt" | sed -n '/^@@/d; 3,$p' || true
+    fi
+done
+for recording in docs/recordings/*; do
+    name=${recording##*/}
+    sources=(chapters/*/"${name%.txt}"-*.cpp)
+    if [ ${#sources[@]} -eq 0 ]; then fault "$recording is no section's"; continue; fi
+    grep -qE "(^|/)${name//./\\.}\$" <<< "$included" || fault "no page includes $recording"
+done
+
+if [ "$faults" -gt 0 ]; then
+    echo "recordings: $faults faults. Where the programs are right and the recordings old: tools/docs/record, then read git diff docs/recordings"
+    exit 1
+fi
+echo "$compared recordings are what the sections print"
