@@ -48,12 +48,12 @@ template <class Force> Path watch(Force force) {
     const auto heavy = world.add(position(metres(4, 0, 0)), mass(3.0 * kilogram));
     //! [pair]
     Path path;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i <= 120; ++i) {
+        if (i > 0) world.step(1.0 / 60 * second);
         path.times.push_back(world.time());
         path.first.push_back(x(world.position(light)));
         path.second.push_back(x(world.position(heavy)));
         path.centre.push_back(x(centre_of_mass(world)));
-        world.step(1.0 / 60 * second);
     }
     path.momentum = total_momentum(world);
     return path;

@@ -2,10 +2,11 @@
 // What accuracy costs in chapter 1: every integrator on four problems, and every scalar on one
 
 // Read the rows like this: for each problem, find the error that you can live with, then the cheapest row that has it.
-// The order of a method is the slope of its line; a method of higher order costs more for each step and less for each
-// correct digit. Two things that a single table would hide: on the stiff spring the explicit methods have no row at all
-// above omega dt = 2, they diverge; and after a hundred seconds of Henon and Heiles the *energy* of the symplectic ones
-// is still as good as at the beginning, although their trajectories are long wrong.
+// The error falls with the time to the power of the order, so that a line of time over error is the flatter the higher
+// the order is: such a method costs more for each step and less for each correct digit. Two things that a single table
+// would hide: on the stiff spring the explicit methods have no row at all above omega dt = 2, they diverge; and after a
+// hundred seconds of Henon and Heiles the *energy* of the symplectic ones is still as good as at the beginning,
+// although their trajectories are long wrong.
 //
 // Errors come from an untimed run of one body; the time is that of a hundred bodies, for each body.
 

@@ -81,6 +81,7 @@ inline bool same_numbers(const std::vector<double>& a, const std::vector<double>
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (std::isnan(a[i]) && std::isnan(b[i])) continue;
         if (a[i] == b[i]) continue;
+        if (!std::isfinite(a[i]) || !std::isfinite(b[i])) return false;
         if (!(std::abs(a[i] - b[i]) <= 1e-9 * std::max(std::abs(a[i]), std::abs(b[i])))) return false;
     }
     return true;

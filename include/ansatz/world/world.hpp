@@ -89,7 +89,7 @@ public:
     using Acceleration = typename S::Acceleration; ///< m/s^2
     using ClockTime = typename S::ClockTime; ///< s
 
-    /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 9, Rest's events 72.
+    /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 5, Rest's events 72.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
 
     /// \throws std::invalid_argument if a policy's parameter is not acceptable
