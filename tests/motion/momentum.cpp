@@ -242,8 +242,8 @@ TEST_CASE("Momentum: what cannot be a collision is refused with its value", "[mo
 
 TEST_CASE("a collision of masses at the ends of what a double can hold keeps its digits", "[motion][momentum]") {
     for (const double m : {1e307, 1.0, 1e-307}) {
-        const auto [a, b] = mechanics::collide(mechanics::PointMass(m * kilogram, 100.0 * metre_per_second),
-                                               mechanics::PointMass(m * kilogram, -100.0 * metre_per_second), 0.5);
+        const auto [a, b] = mechanics::collide(mechanics::PointMass{m * kilogram, 100.0 * metre_per_second},
+                                               mechanics::PointMass{m * kilogram, -100.0 * metre_per_second}, 0.5);
         CAPTURE(m);
         CHECK(a.velocity.value() == Catch::Approx(-50).epsilon(1e-14));
         CHECK(b.velocity.value() == Catch::Approx(50).epsilon(1e-14));

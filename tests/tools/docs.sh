@@ -5,6 +5,7 @@
 #
 # usage: docs.sh <folder of the project>
 #
+# Looks at every compiler: none of them has a say in it, so once on a machine is enough.
 # Works on a copy of the sources in ANSATZ_SCRATCH. Pictures that the copy does not have get stand-ins.
 set -euo pipefail
 project=$1

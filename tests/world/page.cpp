@@ -97,7 +97,7 @@ TEST_CASE("the page about worlds shows an integrator, an effect and an observer 
         for (int i = 0; i < n; ++i) falling.step(2.0 / n * second);
         return std::abs(x(falling.velocity(leaf)).value() - 4 * (1 - std::exp(-1.0)));
     };
-    CHECK(std::abs(std::log2(error(100) / error(200)) - 2) < 0.02);
+    CHECK(std::abs(std::log2(error(100) / error(200)) - Midpoint::order) < 0.02);
 }
 
 TEST_CASE("the page about worlds shows a force that works", "[world][page]") {
