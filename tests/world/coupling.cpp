@@ -49,6 +49,28 @@ TEMPLATE_TEST_CASE("a step asks the forces between bodies once for each stage, t
     CHECK(asked_in(world, 1, 0.25 * second) == stages);
 }
 
+namespace {
+struct Shake { // before the forces, in the position, which the force sees
+    using role = roles::Effect;
+    using writes = Columns<Position>;
+    static constexpr Place place = Place::before_forces;
+    template <class S> struct In {
+        explicit In(const Shake&) {}
+        void apply(auto& x, const auto&) const { x = -x; }
+    };
+};
+} // namespace
+
+TEST_CASE("an effect before the forces makes the sums stale only if a force sees what it writes", "[world][coupled]") {
+    World drawn{SemiImplicitEuler{}, Counting{}, Interpolation{}};
+    drawn.add(mass(1.0 * kilogram));
+    CHECK(asked_in(drawn, 1, 0.5 * second) == 2);
+    CHECK(asked_in(drawn, 10, 0.5 * second) == 10);
+    World shaken{SemiImplicitEuler{}, Counting{}, Shake{}};
+    shaken.add(mass(1.0 * kilogram));
+    CHECK(asked_in(shaken, 10, 0.5 * second) == 20);
+}
+
 TEST_CASE("Verlet asks once in a step, and once more for the start of a history", "[world][coupled][history]") {
     World world{Verlet{}, Counting{}};
     const auto body = world.add(mass(1.0 * kilogram));

@@ -87,6 +87,10 @@ private:
     template <class Needs> using locals = difference_of<Needs, typename C::stored>;
     using derived = std::conditional_t<C::history, Columns<Velocity>, Columns<>>;
 
+    template <class... Column> static constexpr bool couplings_see(Columns<Column...>) {
+        return (C::template couplings_read<Column> || ...);
+    }
+
     template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {
         using Load = loaded<Needs>;
         sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range), data_.bodies.end(range), kernel);
@@ -104,7 +108,8 @@ private:
     void stage_by_stage() {
         if constexpr (!decltype(bound_.before)::empty) {
             effects_only<Columns<>>(bound_.before, context_.dt().previous);
-            data_.coupled.current = false;
+            // Most of them (Interpolation) write what no force between bodies sees.
+            if constexpr (couplings_see(typename decltype(bound_.before)::writes{})) data_.coupled.current = false;
         }
         [&]<int... K>(std::integer_sequence<int, K...>) {
             (stage<K + first_stage>(), ...);
