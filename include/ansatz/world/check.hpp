@@ -131,7 +131,7 @@ template <class P, class S> using FactsFor = typename decltype(check_for<P, S>()
 template <class P, class S> using CheckFor = typename decltype(check_for<P, S>())::type::Sentences;
 
 /// A force under an integrator that solves with derivatives.
-template <class P, class S> inline constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S>;
+template <class P, class S> inline constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S> || DifferentiableCouplingIn<P, S>;
 template <class P, class S> struct CheckJacobian {
     static_assert(has_jacobian<P, S>, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none; give its "
                                       "In<S> jacobian(columns..., context), or take an explicit integrator, e.g. SemiImplicitEuler");
@@ -189,19 +189,26 @@ template <class... P> constexpr bool policies_named_apart() {
     return ((name_or_none<P>().empty() || times(name_or_none<P>()) == 1) && ...);
 }
 
+/// Whether what an integrator needs to advance all bodies together is more than a name.
+template <class I, class S> inline constexpr bool solver_is_here = requires { sizeof(typename I::template Together<S>); };
+
 template <class... P> struct TogetherFacts {
     using S = space_of<P...>;
     using I = typename Composition<P...>::Integrator;
     static constexpr bool implicit = requires { requires I::needs_jacobian; };
     static constexpr bool differentiable = !implicit || (has_jacobian<P, S> && ...);
-    static constexpr bool apart = implicit || is_staged<I> || !Composition<P...>::coupled;
+    static constexpr bool apart = solves_together<I, S> || is_staged<I> || !Composition<P...>::coupled;
+    static constexpr bool solver = !Composition<P...>::together || solver_is_here<I, S>;
     static constexpr bool named = names_differ(typename Composition<P...>::needed{});
     static constexpr bool policies_named = policies_named_apart<P...>();
-    static constexpr bool ok = differentiable && apart && named && policies_named;
+    static constexpr bool ok = differentiable && apart && solver && named && policies_named;
 };
 template <class... P> struct CheckTogether {
     static_assert(TogetherFacts<P...>::apart, "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; "
                                               "take an integrator of stages, e.g. RungeKutta4");
+    static_assert(TogetherFacts<P...>::solver, "Ansatz: where forces couple bodies, an implicit integrator solves one system for all of them, and its "
+                                               "solver is not included; add #include <ansatz/motion/integrators/conjugate_gradient.hpp> for "
+                                               "ImplicitEuler, <ansatz/motion/integrators/cholesky.hpp> for ImplicitEulerBy<Cholesky>");
     static_assert(TogetherFacts<P...>::named, "Ansatz: two columns of this world have the same name, by which they are saved and hashed; give "
                                               "each its own `static constexpr std::string_view name`");
     static_assert(TogetherFacts<P...>::policies_named, "Ansatz: two policies of this world have the same name, by which they are saved; give "

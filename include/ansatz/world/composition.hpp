@@ -6,6 +6,7 @@
 /// forces act on one body and which couple bodies, which effects act where, and the one list of columns that the world
 /// stores: the union of what its policies declared, and nothing else.
 
+#include <ansatz/world/elements.hpp>
 #include <ansatz/world/integration.hpp>
 
 #include <type_traits>
@@ -51,6 +52,15 @@ template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::
 template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};
 template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> && !couples_bodies<P>> {};
 template <class P> struct IsObserver : std::bool_constant<PlaysRole<P, roles::Observer>> {};
+template <class S> struct KeepsStateIn {
+    template <class P> struct Is : std::bool_constant<keeps_state<P, S>> {};
+};
+/// What an integrator keeps that advances all bodies together.
+template <class I, class S> inline constexpr bool solves_together = requires { typename I::template Together<S>; };
+
+template <class S> struct BreaksIn {
+    template <class P> struct Is : std::bool_constant<keeps_state<P, S> && requires { requires P::breaks; }> {};
+};
 template <class P> struct IsRester : std::bool_constant<puts_to_rest<P>> {};
 
 /// When an effect acts among those of its place: turn 0 unless it says otherwise, up to 2.
@@ -129,6 +139,7 @@ template <class... P> struct Composition {
     using couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
     using observers = detail::filter<detail::IsObserver, P...>; ///< the observers
     using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
+    using keepers = detail::filter<detail::KeepsStateIn<S>::template Is, P...>; ///< the policies that keep a state of their own
     /// The effects of a place, by their turns, so that the order of the list means nothing.
     template <Place At> using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At>::template Is, P...>>::type;
 
@@ -146,6 +157,10 @@ template <class... P> struct Composition {
     /// Whether a force between bodies sees a column, so that its sums are stale when the column changes.
     template <class C>
     static constexpr bool couplings_read = []<class... Q>(Types<Q...>) { return (detail::contains<C, reads_of<Q>> || ...); }(couplings{});
+    /// Whether the integrator takes all bodies as one system.
+    static constexpr bool together = coupled && detail::solves_together<Integrator, S> && !detail::is_staged<Integrator>;
+    using breakers = detail::filter<detail::BreaksIn<S>::template Is, P...>; ///< the forces between bodies that can break
+    static constexpr bool breaks = breakers::size > 0; ///< whether one of them can
     static constexpr bool rests = resters::size > 0; ///< whether bodies can fall asleep
     /// Position history instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;

@@ -10,6 +10,8 @@
 #include <ansatz/world/composition.hpp>
 #include <ansatz/world/view.hpp>
 
+#include <Eigen/Core>
+
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -168,6 +170,29 @@ concept DifferentiableIn = LawIn<P, S> && (!detail::depends_on_motion<P> || []<c
         law.jacobian(c..., context).velocity;
     };
 }(detail::without_clock<P>{}));
+
+namespace detail {
+/// Takes what a coupling says of its derivatives.
+template <class S> struct BlocksProbe {
+    using Block = Eigen::Matrix<typename S::Scalar, S::dimension, S::dimension>;
+    void operator()(std::size_t, std::size_t, const Block&, const Block&) const;
+};
+struct StiffnessProbe {
+    void operator()(std::size_t, std::size_t, const auto&, const auto&) const {}
+};
+} // namespace detail
+
+/// A force between bodies whose derivative is known: `In<S>` has `jacobian(view, context, add)`, which calls
+/// `add(a, b, by_position, by_velocity)` for each two slots that act on each other with the matrices of the force on a by a's
+/// own motion (raw N/m and N s/m, symmetric; on b, and by b's motion, it is the same with the signs of the third law; `b` is
+/// `view.size()` for a point that nothing moves), and `stiffnesses(view, f)`, which calls `f(a, b, k, c)` for each two that it
+/// ever couples with the largest stiffness and damping between them.
+template <class P, class S>
+concept DifferentiableCouplingIn = CouplingIn<P, S> && requires(const detail::Bound<P, S>& force, const ObserverView<S, P>& view,
+                                                               const Context<S, detail::reads_clock<P>>& context) {
+    force.jacobian(view, context, detail::BlocksProbe<S>());
+    force.stiffnesses(view, detail::StiffnessProbe());
+};
 
 /// An integrator of stages: `advance(Stage<k>, written..., scratch..., a, dt)` for every stage; where it keeps no
 /// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace ansatz {
 
@@ -24,9 +25,37 @@ template <class C> void derive_velocities([[maybe_unused]] WorldData<C>& data, [
             data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
 }
 
+/// \name Platforms within a step
+/// A platform moves on while the stages of a step ask the forces at later times; it arrives when the stages are done.
+/// @{
+
+/// Where they are when the step begins.
+template <class C> void remember_platforms([[maybe_unused]] WorldData<C>& data) {
+    if constexpr (C::coupled) {
+        const auto begin = data.bodies.begin(Motion::moving), n = data.bodies.count(Motion::moving);
+        data.coupled.platforms.resize(n * std::size_t(C::S::dimension));
+        for (int k = 0; k < C::S::dimension; ++k)
+            std::copy_n(data.lanes.template lane<Position>(k) + begin, n, data.coupled.platforms.begin() + std::ptrdiff_t(n) * k);
+    }
+}
+/// Where they are a fraction of the step later.
+template <class C> void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] double fraction, [[maybe_unused]] const typename C::S::Time& dt) {
+    if constexpr (C::coupled && C::template stores<Velocity>) {
+        const auto begin = data.bodies.begin(Motion::moving), n = data.bodies.count(Motion::moving);
+        const typename C::S::Scalar later = typename C::S::Scalar(fraction) * dt.value();
+        for (int k = 0; k < C::S::dimension; ++k)
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto& start = data.coupled.platforms[std::size_t(k) * n + i];
+                data.lanes.template lane<Position>(k)[begin + i] = fraction == 0 ? start : start + later * data.lanes.template lane<Velocity>(k)[begin + i];
+            }
+    }
+}
+/// @}
+
 namespace detail {
 template <class Q, class C, class Policies> void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
-    CouplingView<typename C::S, Q> view(data.lanes, data.bodies);
+    if constexpr (keeps_state<Q, typename C::S>) data.template state<Q>().arrange(data.bodies, data.states.layout);
+    CouplingView<typename C::S, Q> view(data.lanes, data.bodies, std::as_const(data).template state<Q>());
     Bound<Q, typename C::S> force(std::get<Q>(policies));
     const auto limited = context.template restricted<reads_clock<Q>>();
     if constexpr (requires { force.prepare(limited); }) force.prepare(limited);

@@ -62,6 +62,7 @@ template <class S> struct CoupledSums {
     bool current = false;
     bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
     std::vector<typename S::Scalar> before{};
+    std::vector<typename S::Scalar> platforms{}; ///< where they were when the step began
     typename S::Time dt{}, previous{};
 
     bool known_for(const TimeStep<S>& step) const { return current && dt.value() == step.value() && previous.value() == step.previous.value(); }
@@ -70,6 +71,35 @@ template <class S> struct CoupledSums {
         dt = step;
         previous = step.previous;
     }
+};
+/// What the policies of a world keep beside the bodies.
+template <class S, class List> struct States;
+template <class S, class... P> struct States<S, Types<P...>> {
+    std::tuple<state_of<P, S>...> each;
+    std::uint64_t layout = 0; ///< counts the exchanges of slots, so that a state may remember where bodies are
+
+    template <class F> void for_each(F&& f) { std::apply([&](auto&... state) { (f(state), ...); }, each); }
+    template <class F> void for_each(F&& f) const { std::apply([&](const auto&... state) { (f(state), ...); }, each); }
+};
+template <class S> struct States<S, Types<>> {
+    static void for_each(auto&&) {}
+};
+inline constexpr NoState no_state{};
+
+/// A cache: a copy of a world begins without it, and comes to the same bits.
+template <class T> struct Cache {
+    T value{};
+    Cache() = default;
+    Cache(const Cache&) {}
+    Cache(Cache&&) = default;
+    Cache& operator=(const Cache&) { return *this; }
+    Cache& operator=(Cache&&) = default;
+};
+template <class C, bool Together> struct TogetherOf {
+    using type = Absent;
+};
+template <class C> struct TogetherOf<C, true> {
+    using type = Cache<typename C::Integrator::template Together<typename C::S>>;
 };
 } // namespace detail
 
@@ -94,7 +124,25 @@ template <class C> struct WorldData {
     [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
     /// Whether the sums of the forces between bodies are those of the present state.
     [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<S>, detail::Absent> coupled;
-    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge
+    /// What policies keep beside the bodies, such as springs.
+    [[no_unique_address]] detail::States<S, typename C::keepers> states;
+    /// What an integrator keeps that advances all bodies together: vectors, a matrix.
+    [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
+    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
+
+    /// What policy `P` keeps; nothing, where it keeps nothing.
+    template <class P> const auto& state() const {
+        if constexpr (detail::keeps_state<P, S>)
+            return std::get<detail::place_of<P, typename C::keepers>>(states.each);
+        else
+            return detail::no_state;
+    }
+    /// The same, to change it.
+    template <class P> auto& state()
+        requires detail::keeps_state<P, S>
+    {
+        return std::get<detail::place_of<P, typename C::keepers>>(states.each);
+    }
 
     /// Room for so many bodies in everything.
     void reserve(std::size_t n) {
@@ -107,12 +155,21 @@ template <class C> struct WorldData {
     void reserve_notes([[maybe_unused]] std::size_t n) {
         if constexpr (C::history) starts.reserve(n);
         if constexpr (C::rests) events.reserve(n);
+        if constexpr (C::coupled) coupled.platforms.reserve(n * std::size_t(S::dimension));
         if constexpr (C::coupled && C::history) coupled.before.reserve(n * std::size_t(S::dimension));
+        states.for_each([](auto& state) { state.reserve_notes(); });
     }
 
     /// From one range of bodies to another.
     Slot move(Slot slot, Motion to) {
-        return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { lanes.swap(i, j); });
+        return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { swap(i, j); });
+    }
+    /// Removes a body; the others keep their order, but for one or a few.
+    void erase(Slot slot) {
+        if constexpr (C::history) starts.forget(bodies.id(slot));
+        states.for_each([&](auto& state) { state.body_removed(bodies.id(slot)); });
+        bodies.erase(slot, [&](std::size_t i, std::size_t j) { swap(i, j); });
+        lanes.pop_back();
     }
 
     /// The length of the last step; none before the first.
@@ -172,6 +229,10 @@ template <class C> struct WorldData {
     }
 
 private:
+    void swap(std::size_t i, std::size_t j) {
+        lanes.swap(i, j);
+        if constexpr (C::keepers::size > 0) ++states.layout;
+    }
     template <class... Stored, class... All>
     void load_columns(Body& row, Slot slot, Columns<Stored...>, Columns<All...>) const {
         auto one = [&]<class Which>(Columns<Which>) {

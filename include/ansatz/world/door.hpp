@@ -195,6 +195,55 @@ Handle World<P...>::add(const Property&... property) {
 }
 
 template <class... P>
+template <Element E, class... Option>
+ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
+    need_element<E>();
+    using Keeper = typename detail::KeeperOf<E, P...>::type;
+    ElementHandle<E> handle;
+    if constexpr (!std::is_void_v<Keeper>) {
+        auto& state = data_.template state<Keeper>();
+        const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
+        const auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
+        state.make_room();
+        forces_change();
+        handle = state.insert(admitted);
+        wake_ends(state, handle.id);
+    }
+    return handle;
+}
+
+template <class... P>
+template <Element E, class... Option>
+void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... option) {
+    need_element<E>();
+    using Keeper = typename detail::KeeperOf<E, P...>::type;
+    if constexpr (!std::is_void_v<Keeper>) {
+        auto& state = data_.template state<Keeper>();
+        const auto id = state.id(which, "World::set");
+        const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
+        const auto admitted = state.admit("World::set", to, data_.bodies, position, option...);
+        forces_change();
+        wake_ends(state, id);
+        state.replace(id, admitted);
+        wake_ends(state, id);
+    }
+}
+
+template <class... P>
+template <class E>
+void World<P...>::remove(ElementHandle<E> which) {
+    need_element<E>();
+    using Keeper = typename detail::KeeperOf<E, P...>::type;
+    if constexpr (!std::is_void_v<Keeper>) {
+        auto& state = data_.template state<Keeper>();
+        const auto id = state.id(which, "World::remove");
+        forces_change();
+        wake_ends(state, id);
+        state.erase(id);
+    }
+}
+
+template <class... P>
 template <class Q>
 void World<P...>::set_position(Handle body, const Q& x) {
     const auto slot = data_.bodies.slot(body, "World::set_position");
@@ -361,6 +410,7 @@ template <class... P> std::uint64_t World<P...>::hash() const {
     hash.add_number(data_.clock.now().value());
     hash.add_number(data_.clock.last().value());
     data_.bodies.add_free_to(hash);
+    data_.states.for_each([&](const auto& state) { state.add_to(hash); });
     for_each([&](Handle h) {
         const auto slot = data_.bodies.slot_of_id(h.id);
         hash.add(h.id);

@@ -10,6 +10,7 @@
 /// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
 /// couples, they run stage by stage. The step does not allocate, throw or print once the world is warm.
 
+#include <ansatz/world/coupled_system.hpp>
 #include <ansatz/world/coupling.hpp>
 #include <ansatz/world/data.hpp>
 #include <ansatz/world/view.hpp>
@@ -63,15 +64,19 @@ public:
     /// Takes it.
     void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests) data_.events.begin_step();
+        data_.states.for_each([](auto& state) { state.begin_step(); });
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
         if constexpr (C::history) complete_starts();
-        if constexpr (C::coupled)
+        if constexpr (C::together)
+            all_together();
+        else if constexpr (C::coupled)
             stage_by_stage();
         else
             body_by_body();
         advance_platforms();
         if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
         data_.clock.advance(dt);
+        if constexpr (C::breaks) let_break(typename C::breakers{});
         if constexpr (C::coupled) {
             // The forces of the state that was made: Rest looks at them, queries read them, the next step begins with them.
             data_.coupled.current = false;
@@ -105,15 +110,37 @@ private:
         walk<Needs, Written>(Motion::awake, Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
     }
 
+    /// All bodies as one system of equations.
+    void all_together() {
+        effects_before();
+        if constexpr (C::rests) {
+            refresh_coupled(data_, policies_, context_);
+            wake_the_pulled();
+        }
+        remember_platforms(data_);
+        CoupledSystem<C, Policies> system(data_, policies_, bound_.laws, context_);
+        if (!data_.together.value.solve(system, context_.dt())) ++data_.unsolved;
+        place_platforms(data_, 0, context_.dt());
+        effects_after();
+    }
+
     void stage_by_stage() {
+        effects_before();
+        remember_platforms(data_);
+        [&]<int... K>(std::integer_sequence<int, K...>) {
+            (stage<K + first_stage>(), ...);
+        }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
+        place_platforms(data_, 0, context_.dt());
+        effects_after();
+    }
+    void effects_before() {
         if constexpr (!decltype(bound_.before)::empty) {
             effects_only<Columns<>>(bound_.before, context_.dt().previous);
             // Most of them (Interpolation) write what no force between bodies sees.
             if constexpr (couplings_see(typename decltype(bound_.before)::writes{})) data_.coupled.current = false;
         }
-        [&]<int... K>(std::integer_sequence<int, K...>) {
-            (stage<K + first_stage>(), ...);
-        }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
+    }
+    void effects_after() {
         if constexpr (!decltype(bound_.after)::empty || C::transient::size > 0)
             effects_only<typename C::transient>(bound_.after, context_.dt());
     }
@@ -125,6 +152,7 @@ private:
             refresh_coupled(data_, policies_, context_);
         else {
             if constexpr (K == first_stage) derive_velocities(data_, context_.dt().previous);
+            place_platforms(data_, detail::node<I>(K), context_.dt());
             sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
         }
         if constexpr (K == first_stage && C::rests) {
@@ -217,6 +245,25 @@ private:
         return a;
     }
 
+    /// What holds bodies together breaks where the state that was made is too much for it.
+    template <class... Q> void let_break(Types<Q...>) {
+        derive_velocities(data_, context_.dt());
+        (let_break_one<Q>(), ...);
+    }
+    template <class Q> void let_break_one() {
+        const detail::Bound<Q, S> force(std::get<Q>(policies_));
+        auto& state = data_.template state<Q>();
+        force.breaking(view_of<Q>(), [&](std::uint32_t id, const auto& tension, const auto& strain) { state.note_broken(id, tension, strain, data_.bodies); });
+        if (state.broken().empty()) return;
+        // The velocity now is what the forces made it, those of the broken ones too; what is left is made good.
+        if constexpr (C::history) {
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, after());
+            data_.coupled.changed = true;
+        }
+        state.erase_broken();
+    }
+
     void wake_the_pulled() {
         for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {
             if (pull_at_rest(slot, context_) == S::template zero_vector<unit::Acceleration>()) continue;
@@ -239,8 +286,11 @@ private:
     template <class... O> void observe(Types<O...>) {
         (observe_one<O>(), ...);
     }
+    template <class Q> ObserverView<S, Q> view_of() const {
+        return {data_.lanes, data_.bodies, std::as_const(data_).template state<Q>(), data_.clock.now(), data_.clock.tick()};
+    }
     template <class O> void observe_one() {
-        ObserverView<S, O> view(data_.lanes, data_.bodies, data_.clock.now(), data_.clock.tick());
+        const auto view = view_of<O>();
         if constexpr (requires { std::get<O>(policies_).observe(view); }) std::get<O>(policies_).observe(view);
     }
 

@@ -7,6 +7,7 @@
 
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/context.hpp>
+#include <ansatz/world/elements.hpp>
 #include <ansatz/world/laws.hpp>
 
 #include <cstddef>
@@ -19,10 +20,11 @@ template <class S, class P, class Declared> class ColumnsView {
 public:
     using Scalar = typename S::Scalar;
     using Slot = Bodies::Slot; ///< a body's place in the lanes
+    using State = typename detail::StateOr<P, S>::type; ///< what the policy keeps beside the bodies
 
-    /// The columns and the bodies.
+    /// The columns, the bodies, and what the policy keeps beside them.
     template <class LanesT>
-    ColumnsView(const LanesT& lanes, const Bodies& bodies) : pointers_(collect(lanes, Declared{})), bodies_(&bodies) {}
+    ColumnsView(const LanesT& lanes, const Bodies& bodies, const State& state) : pointers_(collect(lanes, Declared{})), bodies_(&bodies), state_(&state) {}
 
     /// All bodies stand in slots 0 to size(): first the awake ones, then resting, moving, fixed.
     std::size_t size() const { return bodies_->size(); }
@@ -37,6 +39,10 @@ public:
     Slot slot(Handle h) const { return bodies_->slot(h, "view"); }
     /// The handle of the body in a slot.
     Handle handle(std::size_t slot) const { return bodies_->handle(slot); }
+    /// What the policy keeps beside the bodies, such as its springs.
+    const State& state() const { return *state_; }
+    /// Where the body with this id is; it must be there.
+    [[gnu::always_inline]] Slot slot_of_id(std::uint32_t id) const { return bodies_->slot_of_id(id); }
     /// Its id: the order in which sums must run.
     std::uint32_t id(std::size_t slot) const { return bodies_->id(slot); }
     /// Fixed, moving or resting.
@@ -90,6 +96,7 @@ private:
 
     std::array<const Scalar*, width + 1> pointers_;
     const Bodies* bodies_;
+    const State* state_;
 };
 
 /// What a force that couples bodies works on: its columns to read, and one way to write, `add_force`.
@@ -97,8 +104,8 @@ template <class S, class P> class CouplingView : public ColumnsView<S, P, detail
     using Base = ColumnsView<S, P, detail::without_clock<P>>;
 
 public:
-    /// The columns and the bodies.
-    template <class LanesT> CouplingView(LanesT& lanes, const Bodies& bodies) : Base(lanes, bodies) {
+    /// The columns, the bodies, and what the policy keeps.
+    template <class LanesT> CouplingView(LanesT& lanes, const Bodies& bodies, const typename Base::State& state) : Base(lanes, bodies, state) {
         for (int k = 0; k < S::dimension; ++k) force_[std::size_t(k)] = lanes.template lane<CoupledForce>(k);
     }
 
@@ -121,10 +128,10 @@ template <class S, class P> class ObserverView : public ColumnsView<S, P, detail
     using Base = ColumnsView<S, P, detail::without_clock<P>>;
 
 public:
-    /// The columns, the bodies, and when.
+    /// The columns, the bodies, what the policy keeps, and when.
     template <class LanesT>
-    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename S::ClockTime& time, std::uint64_t tick)
-        : Base(lanes, bodies), time_(time), tick_(tick) {}
+    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename Base::State& state, const typename S::ClockTime& time, std::uint64_t tick)
+        : Base(lanes, bodies, state), time_(time), tick_(tick) {}
 
     /// The world's time, s.
     const typename S::ClockTime& time() const { return time_; }

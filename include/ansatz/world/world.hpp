@@ -59,6 +59,17 @@ struct DatumOf<First, Rest...> {
     using type = typename First::datum_type;
 };
 
+/// The policy that keeps elements of type E.
+template <class E, class... P> struct KeeperOf {
+    using type = void;
+};
+template <class E, class First, class... Rest> struct KeeperOf<E, First, Rest...> : KeeperOf<E, Rest...> {};
+template <class E, class First, class... Rest>
+    requires keeps_element<First, E>
+struct KeeperOf<E, First, Rest...> {
+    using type = First;
+};
+
 template <class T> inline constexpr bool is_given = false;
 template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
 template <class Q> inline constexpr bool is_given<GivenMass<Q>> = true;
@@ -125,9 +136,7 @@ public:
     void remove(Handle body) {
         const auto slot = data_.bodies.slot(body, "World::remove");
         forces_change();
-        if constexpr (composition::history) data_.starts.forget(body.id);
-        data_.bodies.erase(slot, [&](std::size_t i, std::size_t j) { data_.lanes.swap(i, j); });
-        data_.lanes.pop_back();
+        data_.erase(slot);
         if constexpr (has_datum) user_.at(body.id) = Datum{};
     }
     /// Whether the handle names a body that is in this world.
@@ -158,6 +167,40 @@ public:
     }
     /// Awake, resting, moving or fixed.
     Motion motion(Handle body) const { return data_.bodies.motion(data_.bodies.slot(body, "World::motion")); }
+    /// @}
+
+    /// \name Elements: what policies keep beside the bodies, such as springs (springs/spring.hpp)
+    /// @{
+
+    /// Adds an element, e.g. `add(Spring{ball, hook, 100.0 * newton_per_metre})`, and wakes the bodies that it holds.
+    /// \param option what the policy takes beside it, e.g. `breaks_at(50.0 * newton)`
+    /// \throws std::invalid_argument if a value is not acceptable, std::out_of_range for a stale handle of a body; the
+    ///         world is then as it was
+    template <Element E, class... Option> ElementHandle<E> add(const E& element, const Option&... option);
+    /// Removes an element. Other handles stay valid; this one becomes stale. Wakes the bodies that it held.
+    /// \throws std::out_of_range for a stale handle
+    template <class E> void remove(ElementHandle<E> element);
+    /// Gives an element another description. Its handle stays; options that are not given again are gone.
+    /// \throws as `add`
+    template <Element E, class... Option> void set(ElementHandle<E> element, const E& to, const Option&... option);
+    /// The description of an element.
+    /// \throws std::out_of_range for a stale handle
+    template <class E> E get(ElementHandle<E> element) const {
+        const auto& all = elements<E>();
+        return all.describe_element(all.id(element, "World::get"), data_.bodies);
+    }
+    /// Whether the handle names an element that is in this world. One is gone with a body that it held.
+    template <class E> bool contains(ElementHandle<E> element) const { return elements<E>().contains(element); }
+    /// All elements of a type: how many, their handles, and what happened to them in the last step.
+    template <class E> const auto& elements() const {
+        need_element<E>();
+        return data_.template state<typename detail::KeeperOf<E, P...>::type>();
+    }
+    /// Makes room, so that adding `n` elements of a type in all does not allocate.
+    template <class E> void reserve(std::size_t n) {
+        need_element<E>();
+        data_.template state<typename detail::KeeperOf<E, P...>::type>().reserve(n);
+    }
     /// @}
 
     /// \name Reading a body
@@ -290,7 +333,9 @@ public:
     /// The values of one body, for the same queries.
     auto row(Handle body) const { return data_.load(data_.bodies.slot(body, "World::row")); }
     /// What policy `P_` may see of this world: the columns that it declared.
-    template <class P_> ObserverView<S, P_> view() const { return {data_.lanes, data_.bodies, data_.clock.now(), data_.clock.tick()}; }
+    template <class P_> ObserverView<S, P_> view() const {
+        return {data_.lanes, data_.bodies, data_.template state<P_>(), data_.clock.now(), data_.clock.tick()};
+    }
     /// When the next step begins.
     Context<S> context() const { return Context<S>(time(), TimeStep<S>(data_.last_dt(), data_.last_dt())); }
 
@@ -316,6 +361,10 @@ private:
     }
     static constexpr void need_datum() {
         static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    }
+    template <class E> static constexpr void need_element() {
+        static_assert((detail::keeps_element<P, E> || ...), "Ansatz: none of this world's policies keeps such elements; a Spring needs Springs{} "
+                                                           "among them, a Rope needs Ropes{}");
     }
     template <class C> static constexpr void need_column() {
         static_assert(composition::template stores<C>,
@@ -345,6 +394,9 @@ private:
             if (!data_.waiting(slot)) data_.begin_again(slot);
             data_.move(slot, Motion::awake);
         }
+    }
+    void wake_ends(const auto& state, std::uint32_t id) {
+        if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
     }
     void wake_all() {
         if constexpr (composition::rests)

@@ -10,6 +10,10 @@
 ///
 /// "Solved" is meant: Newton's method with the forces' Jacobians. Repeating x = x + v dt, v = v + a dt until nothing moves
 /// (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed (hard case I18).
+///
+/// Where nothing couples bodies, each is solved by itself. Where springs couple them, all are solved together, as one sparse
+/// system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a direct solver
+/// (cholesky.hpp).
 
 #include <ansatz/world/concepts.hpp>
 
@@ -21,15 +25,23 @@
 
 namespace ansatz {
 
+struct ConjugateGradient; // conjugate_gradient.hpp
+struct Cholesky;          // cholesky.hpp
+template <class S, class LinearSolver> class ImplicitSystem; // implicit_system.hpp, which both of them include
+
 /// \f$ v_{n+1} = v_n + a(x_{n+1}, v_{n+1})\,\Delta t, \quad x_{n+1} = x_n + v_{n+1}\,\Delta t \f$
-struct ImplicitEuler {
+/// \tparam LinearSolver for worlds whose bodies are coupled: ConjugateGradient, Cholesky, or one of your own
+template <class LinearSolver> struct ImplicitEulerBy {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static constexpr bool needs_jacobian = true;
     static constexpr int order = 1;
     static constexpr int most_iterations = 50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
 
-    /// Newton's method for the new velocity u: r(u) = u - v - dt a(x + dt u, u) = 0, with
+    /// Solves for all bodies at once, where forces couple them.
+    template <class S> using Together = ImplicitSystem<S, LinearSolver>;
+
+    /// Newton's method for the new velocity u of one body: r(u) = u - v - dt a(x + dt u, u) = 0, with
     /// dr/du = 1 - dt da/dv - dt^2 da/dx. A step that makes the residual larger is halved.
     /// \return whether it converged; if not, the body has moved with the best velocity that was found
     static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
@@ -99,6 +111,9 @@ private:
         return solution;
     }
 };
+
+/// Implicit Euler; where bodies are coupled, with conjugate gradients.
+using ImplicitEuler = ImplicitEulerBy<ConjugateGradient>;
 
 static_assert(SolvingIntegratorIn<ImplicitEuler, Space<>>);
 

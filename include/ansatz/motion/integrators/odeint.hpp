@@ -15,11 +15,14 @@
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
 #include <boost/numeric/odeint/stepper/base/explicit_error_stepper_base.hpp>
 #include <boost/numeric/odeint/stepper/base/explicit_stepper_base.hpp>
 #include <boost/numeric/odeint/util/resizer.hpp>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace ansatz {
 
@@ -31,6 +34,7 @@ template <class S> using OdeintState = std::array<typename S::Scalar, 2 * std::s
 /// in the first parameter).
 template <class Stepper, class S> struct OdeintRebind {
     using type = void;
+    using together = void;
 };
 template <template <class, class, class, class, class, class, class> class Stepper, class State, class Value, class Deriv, class Time,
           class Algebra, class Operations, class Resizer, class S>
@@ -38,6 +42,10 @@ struct OdeintRebind<Stepper<State, Value, Deriv, Time, Algebra, Operations, Resi
     using type = Stepper<OdeintState<S>, typename S::Scalar, OdeintState<S>, typename S::Scalar,
                          boost::numeric::odeint::array_algebra, boost::numeric::odeint::default_operations,
                          boost::numeric::odeint::never_resizer>;
+    /// On the state of all bodies.
+    using Long = std::vector<typename S::Scalar>;
+    using together = Stepper<Long, typename S::Scalar, Long, typename S::Scalar, boost::numeric::odeint::range_algebra,
+                             boost::numeric::odeint::default_operations, boost::numeric::odeint::always_resizer>;
 };
 
 template <class Base, unsigned short Order, class... Rest>
@@ -62,7 +70,41 @@ template <class Stepper> struct Odeint {
     using writes = Columns<Position, Velocity>;
     static constexpr int order = int(Stepper::order_value);
 
-    /// One step of the stepper for y = (x, v), y' = (v, a).
+    /// The same for all bodies at once, where forces couple them.
+    template <class S> class Together {
+    public:
+        /// One step of the stepper for y = (x, v) of all bodies.
+        template <class System, class Dt> bool solve(System& system, const Dt& dt) {
+            using Scalar = typename S::Scalar;
+            system.read(x_, v_, a_); // the masses are not needed
+            const auto n = x_.size();
+            y_.resize(2 * std::size_t(n));
+            std::copy_n(x_.data(), n, y_.begin());
+            std::copy_n(v_.data(), n, y_.begin() + n);
+            auto set = [&](const State& y) {
+                std::copy_n(y.begin(), n, x_.data());
+                std::copy_n(y.begin() + n, n, v_.data());
+                system.write(x_, v_);
+            };
+            auto slope = [&](const State& y, State& slope, const Scalar& t) {
+                set(y);
+                system.accelerations(static_cast<double>(t / dt.value()), a_);
+                std::copy_n(v_.data(), n, slope.begin());
+                std::copy_n(a_.data(), n, slope.begin() + n);
+            };
+            stepper_.do_step(slope, y_, Scalar(0), dt.value());
+            set(y_);
+            return true;
+        }
+
+    private:
+        using State = std::vector<typename S::Scalar>;
+        typename detail::OdeintRebind<Stepper, S>::together stepper_;
+        State y_;
+        Eigen::Matrix<typename S::Scalar, Eigen::Dynamic, 1> x_, v_, a_;
+    };
+
+    /// One step of the stepper for y = (x, v) of one body, y' = (v, a).
     static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
         using X = std::remove_cvref_t<decltype(x)>;
         using V = std::remove_cvref_t<decltype(v)>;

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `SpringNetwork`: the springs of a world, as its policies Springs and Ropes keep them.
+///
+/// A spring lies in one record by its id, so that the loop over all of them reads memory in order and the sums are the same
+/// to the bit whoever sleeps, wakes or is removed. What only some springs need (the place of an anchor) or only some worlds
+/// (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot concerns nobody here.
+
+#include <ansatz/springs/spring.hpp>
+#include <ansatz/world/hash.hpp>
+#include <ansatz/world/space.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace ansatz {
+
+namespace detail {
+template <class S> struct StoredDamping {
+    typename S::Scalar damping{};
+    auto damping_or_zero() const { return damping; }
+};
+struct NoDamping {
+    friend bool operator==(const NoDamping&, const NoDamping&) = default;
+};
+template <class S> struct StoredLimit {
+    typename S::Scalar force, strain;
+};
+} // namespace detail
+
+/// \tparam S the space
+/// \tparam E Spring or Rope
+/// \tparam Damped whether springs have a damping
+/// \tparam Breaks whether springs break
+template <class S, class E, bool Damped, bool Breaks> class SpringNetwork {
+public:
+    using Scalar = typename S::Scalar;
+    using Description = E; ///< Spring or Rope
+    using Handle_ = ElementHandle<E>; ///< what names one
+
+    static constexpr std::uint32_t no_body = 0xffffffffu; ///< the second end is a point
+
+    /// One spring.
+    struct Link {
+        std::uint32_t a; ///< the id of a body
+        std::uint32_t b; ///< the id of another, or `no_body`
+        Scalar rest_length, stiffness; ///< m, N/m
+        [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
+    };
+
+    /// A spring between two bodies, as the loop over all of them wants it.
+    struct Pair {
+        std::uint32_t a, b; ///< slots
+        Scalar rest_length, stiffness; ///< m, N/m
+        [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
+    };
+    /// A spring between a body and a point.
+    struct Hung {
+        std::uint32_t a; ///< slot
+        Scalar rest_length, stiffness; ///< m, N/m
+        [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
+        typename S::Position anchor; ///< m
+    };
+
+    /// How many there are.
+    std::size_t size() const { return ids_.size(); }
+    /// Ids ever given out.
+    std::size_t ids() const { return ids_.ids(); }
+    /// Whether a handle names one that is still there.
+    bool contains(const Handle_& h) const { return ids_.contains(h); }
+    /// The id of a handle.
+    /// \throws std::out_of_range for a stale one
+    std::uint32_t id(const Handle_& h, const char* where) const { return ids_.id(h, where); }
+    /// All of them, by id.
+    std::vector<Handle_> handles() const {
+        std::vector<Handle_> all;
+        all.reserve(size());
+        for_each([&](std::uint32_t id, const Link&) { all.push_back(handle(id)); });
+        return all;
+    }
+    /// The handle of a living one.
+    Handle_ handle(std::uint32_t id) const { return {id, ids_.generation(id)}; }
+    /// Those that broke in the last step.
+    std::span<const Broken<E>> broken() const
+        requires Breaks
+    {
+        return broken_;
+    }
+    /// Counts the springs that were ever added or changed their ends: while it stays, no two bodies are joined that were
+    /// not joined before.
+    std::uint64_t joined() const { return joined_; }
+
+    /// Calls `f(id, link)` for each, by id.
+    template <class F> [[gnu::always_inline]] void for_each(F&& f) const {
+        const auto n = std::uint32_t(links_.size());
+        const Link* link = links_.data();
+        for (std::uint32_t id = 0; id < n; ++id)
+            if (link[id].a != no_body) f(id, link[id]);
+    }
+    /// One of them.
+    const Link& link(std::uint32_t id) const { return links_[id]; }
+    /// Where the second end is, if it is a point.
+    typename S::Position anchor(std::uint32_t id) const { return anchors_[id]; }
+    /// Where it breaks.
+    const detail::StoredLimit<S>& limit(std::uint32_t id) const
+        requires Breaks
+    {
+        return limits_[id];
+    }
+
+    /// \name By slots, in the order of the ids: valid behind `arrange`
+    /// Neither a look-up nor a branch is left in the loop over them; both cost a sixth of its time.
+    /// @{
+    const std::vector<Pair>& pairs() const { return pairs_; } ///< between bodies
+    const std::vector<Hung>& hung() const { return hung_; } ///< at points
+    /// Makes the two lists anew, if springs or the slots of bodies changed since.
+    /// \param layout changes whenever bodies change their slots
+    void arrange(const Bodies& bodies, std::uint64_t layout) {
+        if (arranged_ && layout == layout_) return;
+        pairs_.clear();
+        hung_.clear();
+        for_each([&](std::uint32_t id, const Link& l) {
+            const auto a = bodies.slot_of_id(l.a);
+            if (l.b != no_body)
+                pairs_.push_back({a, bodies.slot_of_id(l.b), l.rest_length, l.stiffness, l.damping});
+            else
+                hung_.push_back({a, l.rest_length, l.stiffness, l.damping, anchors_[id]});
+        });
+        arranged_ = true;
+        layout_ = layout;
+    }
+    /// @}
+
+    /// What is checked and converted, before anything is changed.
+    struct Admitted {
+        Link link;
+        typename S::Position anchor;
+        BreakLimit limit;
+    };
+    /// Checks a description.
+    /// \param distance of the two ends now: the rest length, where none is given; called only then
+    /// \throws std::invalid_argument with name, value and unit; std::out_of_range for a stale handle
+    template <class Distance, class... Limit>
+    Admitted admit(const char* where, const E& spring, const Bodies& bodies, Distance&& position, const Limit&... limit) const {
+        Admitted in{};
+        const bool swapped = !spring.first.is_body();
+        const auto& first = swapped ? spring.second : spring.first;
+        const auto& second = swapped ? spring.first : spring.second;
+        if (!first.is_body()) refuse_value(where, "its ends", "two points", "one end at least is a body");
+        const auto a = bodies.slot(first.body(), where);
+        in.link.a = first.body().id;
+        in.link.b = no_body;
+        in.anchor = S::template zero_vector<unit::Length>();
+        auto to = in.anchor;
+        if (second.is_body()) {
+            const auto b = bodies.slot(second.body(), where);
+            in.link.b = second.body().id;
+            if (in.link.a == in.link.b) refuse_value(where, "its ends", "one body", "a spring joins two bodies, or a body and a point");
+            to = position(b) - position(a);
+        } else {
+            if (!second.is_point()) refuse_value(where, "its second end", "not given", "it is a body or a point");
+            require_finite(where, "anchor", second.point());
+            in.anchor = S::convert("an anchor", second.point());
+            to = in.anchor - position(a);
+        }
+        require_not_negative(where, "stiffness", spring.stiffness);
+        require_not_negative(where, "damping", spring.damping);
+        in.link.stiffness = S::convert(spring.stiffness).value();
+        if constexpr (Damped)
+            in.link.damping = S::convert(spring.damping).value();
+        else if (spring.damping.value() != 0)
+            refuse_value(where, "damping", describe(spring.damping), "the springs of this world are Undamped");
+        if (spring.rest_length) {
+            require_not_negative(where, "rest length", *spring.rest_length);
+            in.link.rest_length = S::convert(*spring.rest_length).value();
+        } else {
+            const auto distance = norm(to);
+            if (!is_finite(distance)) refuse_value(where, "rest length", describe(distance), "give it, since the ends are infinitely far apart");
+            in.link.rest_length = distance.value();
+        }
+        (add_limit(where, in, limit), ...);
+        return in;
+    }
+
+    /// Room for so many.
+    void reserve(std::size_t n) {
+        ids_.reserve(n);
+        links_.reserve(n);
+        anchors_.reserve(n);
+        pairs_.reserve(n);
+        hung_.reserve(n);
+        if constexpr (Breaks) {
+            limits_.reserve(n);
+            broken_.reserve(n);
+        }
+    }
+    /// Adds one. With room for it, it cannot fail.
+    Handle_ insert(const Admitted& in) {
+        const auto id = ids_.take();
+        if (id == links_.size()) {
+            links_.emplace_back();
+            anchors_.emplace_back();
+            if constexpr (Breaks) limits_.emplace_back();
+        }
+        put(id, in);
+        return handle(id);
+    }
+    /// Calls `f(body id)` for each body that it holds.
+    template <class F> void for_each_body(std::uint32_t id, F&& f) const {
+        f(links_[id].a);
+        if (links_[id].b != no_body) f(links_[id].b);
+    }
+    /// Room for one more, so that `insert` cannot fail.
+    void make_room() {
+        if (links_.size() == links_.capacity() && ids_.next() == links_.size()) reserve(std::max<std::size_t>(8, 2 * links_.size()));
+    }
+    /// Another description for one that is there.
+    void replace(std::uint32_t id, const Admitted& in) { put(id, in); }
+    /// Removes one.
+    void erase(std::uint32_t id) {
+        ids_.give_back(id);
+        links_[id].a = no_body;
+        arranged_ = false;
+    }
+    /// Removes all that hold this body.
+    void body_removed(std::uint32_t body) {
+        for_each([&](std::uint32_t id, const Link& link) {
+            if (link.a == body || link.b == body) erase(id);
+        });
+    }
+
+    /// The description of a living one.
+    E describe_element(std::uint32_t id, const Bodies& bodies) const {
+        const auto& l = links_[id];
+        E spring;
+        spring.first = bodies.handle(bodies.slot_of_id(l.a));
+        if (l.b != no_body)
+            spring.second = bodies.handle(bodies.slot_of_id(l.b));
+        else
+            spring.second = scalar_cast<double>(anchors_[id]);
+        spring.stiffness = static_cast<double>(l.stiffness) * newton_per_metre;
+        if constexpr (Damped) spring.damping = static_cast<double>(l.damping) * newton_second_per_metre;
+        spring.rest_length = static_cast<double>(l.rest_length) * metre;
+        return spring;
+    }
+
+    /// Forgets what broke in the step before.
+    void begin_step() {
+        if constexpr (Breaks) broken_.clear();
+    }
+    /// Notes that one breaks; it is still there.
+    void note_broken(std::uint32_t id, const typename S::template ScalarOf<unit::Force>& tension, const Scalar& strain, const Bodies& bodies)
+        requires Breaks
+    {
+        const auto spring = describe_element(id, bodies);
+        broken_.push_back({handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
+    }
+    /// Removes those that were noted.
+    void erase_broken()
+        requires Breaks
+    {
+        for (const auto& broken : broken_) erase(broken.which.id);
+    }
+    /// Room for the notes of a step.
+    void reserve_notes() {
+        if constexpr (Breaks) broken_.reserve(ids());
+    }
+
+    /// Adds everything to a hash.
+    void add_to(StateHash& hash) const {
+        ids_.add_to(hash);
+        for_each([&](std::uint32_t id, const Link& l) {
+            hash.add(std::uint64_t(l.a) << 32 | l.b);
+            numbers(*this, id, [&](const char*, const auto& number, NumberIn) { hash.add_number(number); });
+            if (l.b == no_body)
+                for (int k = 0; k < S::dimension; ++k) hash.add_number(anchors_[id].value()[k]);
+        });
+    }
+    /// Every number of one spring, by the name that it has in a file.
+    static void numbers(auto& self, std::uint32_t id, auto&& visit) {
+        auto& l = self.links_[id];
+        visit("rest length", l.rest_length, NumberIn::not_negative);
+        visit("stiffness", l.stiffness, NumberIn::not_negative);
+        if constexpr (Damped) visit("damping", l.damping, NumberIn::not_negative);
+        if constexpr (Breaks) {
+            visit("break force", self.limits_[id].force, NumberIn::positive_or_infinite);
+            visit("break strain", self.limits_[id].strain, NumberIn::positive_or_infinite);
+        }
+    }
+
+private:
+    friend struct Archive;
+
+    void put(std::uint32_t id, const Admitted& in) {
+        links_[id] = in.link;
+        anchors_[id] = in.anchor;
+        if constexpr (Breaks) limits_[id] = {Scalar(in.limit.force.value()), Scalar(in.limit.strain)};
+        ++joined_;
+        arranged_ = false;
+    }
+    static void add_limit(const char* where, Admitted& in, const BreakLimit& limit) {
+        static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies");
+        if (!(limit.force.value() > 0)) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N");
+        if (!(limit.strain > 0)) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0");
+        if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
+            refuse_value(where, "break strain", describe(limit.strain), "a spring of rest length 0 has no strain; give a force");
+        if (limit.force < in.limit.force) in.limit.force = limit.force;
+        if (limit.strain < in.limit.strain) in.limit.strain = limit.strain;
+    }
+
+    ElementIds ids_;
+    std::vector<Link> links_;                      // by id; one that is gone has no body at its first end
+    std::vector<typename S::Position> anchors_;    // by id
+    [[no_unique_address]] std::conditional_t<Breaks, std::vector<detail::StoredLimit<S>>, detail::NoState> limits_;
+    [[no_unique_address]] std::conditional_t<Breaks, std::vector<Broken<E>>, detail::NoDamping> broken_;
+    std::uint64_t joined_ = 0;
+    std::vector<Pair> pairs_;
+    std::vector<Hung> hung_;
+    bool arranged_ = false;
+    std::uint64_t layout_ = 0;
+};
+
+} // namespace ansatz

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Elements: what a policy keeps beside the bodies, such as the springs between them, added and removed at run time.
+///
+/// A policy says what its elements are (`using Element = Spring;`) and where they are kept (`template <class S> class
+/// State`). The world holds that state as a part of its value: copied, hashed and saved with the bodies; what is tied to a
+/// body goes with it. `world.add(Spring{...})` gives out a handle that survives the removal of others, works in every copy,
+/// and is known as stale when its element is gone. A world whose policies keep nothing has none of this.
+
+#include <ansatz/units/describe.hpp>
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/columns.hpp>
+#include <ansatz/world/error.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace ansatz {
+
+/// Names an element, in the world that made it and in every copy of that world.
+template <class Element> struct ElementHandle {
+    std::uint32_t id = 0xffffffffu; ///< counts up; given again only with another generation
+    std::uint32_t generation = 0;   ///< how often the id was given before
+    friend bool operator==(const ElementHandle&, const ElementHandle&) = default; ///< whether they name one element
+};
+
+/// A description that `World::add` takes for an element: it says so with `using element = ...;`, its own name.
+template <class E>
+concept Element = std::same_as<typename E::element, E>;
+
+/// Which ids of elements live: a part of a policy's State.
+class ElementIds {
+public:
+    /// Ids ever given out.
+    std::size_t ids() const { return generation_.size(); }
+    /// How many live.
+    std::size_t size() const { return generation_.size() - free_.size(); }
+    /// Whether an element has this id.
+    bool alive(std::size_t id) const { return alive_[id]; }
+    /// The generation that its handle must have.
+    std::uint32_t generation(std::size_t id) const { return generation_[id]; }
+
+    /// Whether the handle names an element that is still there.
+    template <class E> bool contains(const ElementHandle<E>& h) const {
+        return h.id < generation_.size() && alive_[h.id] && generation_[h.id] == h.generation;
+    }
+    /// The id of a handle.
+    /// \throws std::out_of_range for one whose element is gone, or that none ever had
+    template <class E> std::uint32_t id(const ElementHandle<E>& h, const char* where) const {
+        if (!contains(h)) refuse_handle(h.id, h.generation, where);
+        return h.id;
+    }
+
+    /// Room for so many.
+    void reserve(std::size_t n) {
+        generation_.reserve(n);
+        alive_.reserve(n);
+        free_.reserve(n);
+    }
+    /// The id that `take` gives out next.
+    std::uint32_t next() const { return free_.empty() ? std::uint32_t(generation_.size()) : free_.back(); }
+    /// A new element.
+    std::uint32_t take() {
+        const auto id = next();
+        if (free_.empty()) {
+            generation_.push_back(0);
+            alive_.push_back(1);
+            if (free_.capacity() < generation_.size()) free_.reserve(generation_.capacity());
+        } else {
+            free_.pop_back();
+            alive_[id] = 1;
+        }
+        return id;
+    }
+    /// It is gone; its handle is stale from now on.
+    void give_back(std::uint32_t id) {
+        alive_[id] = 0;
+        ++generation_[id];
+        free_.push_back(id);
+    }
+    /// Adds to a hash which elements there are, and which handles the next will get.
+    template <class Hash> void add_to(Hash& hash) const {
+        hash.add(generation_.size());
+        for (std::size_t id = 0; id < generation_.size(); ++id) hash.add(std::uint64_t(generation_[id]) << 1 | alive_[id]);
+        for (const auto id : free_) hash.add(id);
+    }
+
+private:
+    friend struct Archive;
+
+    [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(std::uint32_t id, std::uint32_t generation, const char* where) const {
+        std::string sentence(where);
+        if (id == 0xffffffffu)
+            sentence.append(": the handle is empty; use one that World::add returned");
+        else if (id < generation_.size())
+            sentence.append(": the handle is stale: number ").append(describe(id)).append(" of generation ").append(describe(generation)).append(
+                " was removed; ask contains(handle) first");
+        else
+            sentence.append(": the handle names number ").append(describe(id)).append(", but this world has given out only ").append(
+                describe(generation_.size())).append("; use a handle of this world or of the one it was copied from");
+        refuse(Refusal::out_of_range, sentence);
+    }
+
+    std::vector<std::uint32_t> generation_; // by id
+    std::vector<std::uint8_t> alive_;       // by id
+    std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
+};
+
+/// What a number of an element may be, in a file.
+enum class NumberIn : std::uint8_t {
+    not_negative,        ///< finite, zero or more
+    positive_or_infinite ///< a limit: greater than zero, and infinite where there is none
+};
+
+namespace detail {
+
+/// Whether a policy keeps a state of its own in the world.
+template <class P, class S> inline constexpr bool keeps_state = requires { typename P::template State<S>; };
+template <class P, class S> using state_of = typename P::template State<S>;
+
+/// Where a policy without a state would have one.
+struct NoState {};
+template <class P, class S> struct StateOr {
+    using type = NoState;
+};
+template <class P, class S>
+    requires keeps_state<P, S>
+struct StateOr<P, S> {
+    using type = state_of<P, S>;
+};
+
+/// Whether elements of type E are what policy P keeps.
+template <class P, class E> inline constexpr bool keeps_element = false;
+template <class P, class E>
+    requires requires { typename P::Element; }
+inline constexpr bool keeps_element<P, E> = std::same_as<typename P::Element, E>;
+
+} // namespace detail
+} // namespace ansatz
