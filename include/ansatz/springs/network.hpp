@@ -149,23 +149,23 @@ public:
     Admitted admit(const char* where, const E& spring, const Bodies& bodies, Distance&& position, const Limit&... limit) const {
         Admitted in{};
         const bool swapped = !spring.first.is_body();
-        const auto& first = swapped ? spring.second : spring.first;
-        const auto& second = swapped ? spring.first : spring.second;
-        if (!first.is_body()) refuse_value(where, "its ends", "two points", "one end at least is a body");
-        const auto a = bodies.slot(first.body(), where);
-        in.link.a = first.body().id;
+        const auto& held = swapped ? spring.second : spring.first;
+        const auto& other = swapped ? spring.first : spring.second;
+        if (!held.is_body()) refuse_value(where, "its ends", "two points", "one end at least is a body");
+        const auto a = bodies.slot(held.body(), where);
+        in.link.a = held.body().id;
         in.link.b = no_body;
         in.anchor = S::template zero_vector<unit::Length>();
         auto to = in.anchor;
-        if (second.is_body()) {
-            const auto b = bodies.slot(second.body(), where);
-            in.link.b = second.body().id;
+        if (other.is_body()) {
+            const auto b = bodies.slot(other.body(), where);
+            in.link.b = other.body().id;
             if (in.link.a == in.link.b) refuse_value(where, "its ends", "one body", "a spring joins two bodies, or a body and a point");
             to = position(b) - position(a);
         } else {
-            if (!second.is_point()) refuse_value(where, "its second end", "not given", "it is a body or a point");
-            require_finite(where, "anchor", second.point());
-            in.anchor = S::convert("an anchor", second.point());
+            if (!other.is_point()) refuse_value(where, "its second end", "not given", "it is a body or a point");
+            require_finite(where, "anchor", other.point());
+            in.anchor = S::convert("an anchor", other.point());
             to = in.anchor - position(a);
         }
         require_not_negative(where, "stiffness", spring.stiffness);
@@ -294,7 +294,7 @@ public:
     }
 
 private:
-    friend struct Archive;
+    friend struct ElementArchive;
 
     void put(std::uint32_t id, const Admitted& in) {
         links_[id] = in.link;

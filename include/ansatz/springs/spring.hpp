@@ -46,8 +46,8 @@ private:
 struct Spring {
     using element = Spring; ///< World::add takes it
 
-    SpringEnd first;                                    ///< a body, or a point
-    SpringEnd second;                                   ///< a body, or a point; one of them is a body
+    SpringEnd first = {};                               ///< a body, or a point
+    SpringEnd second = {};                              ///< a body, or a point; one of them is a body
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre; ///< k, N/m, finite, not negative; 0 is a mere damper
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
     std::optional<Parameter<unit::Length>> rest_length = {}; ///< m, finite, not negative; the distance when it is added, without it
@@ -57,8 +57,8 @@ struct Spring {
 struct Rope {
     using element = Rope; ///< World::add takes it
 
-    SpringEnd first;                                    ///< a body, or a point
-    SpringEnd second;                                   ///< a body, or a point; one of them is a body
+    SpringEnd first = {};                               ///< a body, or a point
+    SpringEnd second = {};                              ///< a body, or a point; one of them is a body
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre; ///< k, N/m, finite, not negative
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
     std::optional<Parameter<unit::Length>> rest_length = {}; ///< m, finite, not negative; the distance when it is added, without it

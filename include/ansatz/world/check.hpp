@@ -29,7 +29,7 @@ template <class P> struct CheckRole {
                   "Ansatz: unknown policy: this type names no role; give it one, e.g. `using role = ansatz::roles::Force;`");
     static_assert(RoleFacts<P>::known,
                   "Ansatz: unknown role: a policy's role is one of ansatz::roles: Space, Integrator, Force, Effect, Broadphase, "
-                  "Filter, Narrowphase, Response, Observer");
+                  "Filter, Narrowphase, Response, StepControl, Observer");
     static_assert(RoleFacts<P>::check, "Ansatz: a policy whose check the world cannot call; write `void check() const`");
 };
 
@@ -144,10 +144,11 @@ template <class... P> struct CountFacts {
     static constexpr int filters = count_of_role<roles::Filter, P...>;
     static constexpr int narrowphases = count_of_role<roles::Narrowphase, P...>;
     static constexpr int responses = count_of_role<roles::Response, P...>;
+    static constexpr int controls = count_of_role<roles::StepControl, P...>;
     static constexpr int resters = (0 + ... + int(puts_to_rest<P>));
     static constexpr int data = (0 + ... + int(is_datum<P>));
     static constexpr bool ok = integrators == 1 && spaces <= 1 && broadphases <= 1 && filters <= 1 && narrowphases == broadphases &&
-                               (responses >= 1) == (narrowphases == 1) && filters <= broadphases && resters <= 1 && data <= 1;
+                               (responses >= 1) == (narrowphases == 1) && filters <= broadphases && resters <= 1 && controls <= 1 && data <= 1;
 };
 template <class... P> struct CheckCounts {
     using Facts = CountFacts<P...>;
@@ -166,6 +167,7 @@ template <class... P> struct CheckCounts {
     static_assert(Facts::filters == 0 || Facts::broadphases >= 1,
                   "Ansatz: World has a collision filter but no broadphase whose pairs it could filter; add one");
     static_assert(Facts::resters <= 1, "Ansatz: World has more than one policy that puts bodies to rest; keep one");
+    static_assert(Facts::controls <= 1, "Ansatz: World has more than one policy that decides how a step is taken; keep one, e.g. StepLimit<Divide>{}");
     static_assert(Facts::data <= 1, "Ansatz: World has more than one Datum; keep one, e.g. of a struct that holds them all");
 };
 

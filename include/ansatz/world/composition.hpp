@@ -51,6 +51,7 @@ template <class P> inline constexpr bool is_datum = requires { typename P::datum
 template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
 template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};
 template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> && !couples_bodies<P>> {};
+template <class P> struct IsControl : std::bool_constant<PlaysRole<P, roles::StepControl>> {};
 template <class P> struct IsObserver : std::bool_constant<PlaysRole<P, roles::Observer>> {};
 template <class S> struct KeepsStateIn {
     template <class P> struct Is : std::bool_constant<keeps_state<P, S>> {};
@@ -137,6 +138,8 @@ template <class... P> struct Composition {
     using Integrator = typename detail::FirstOf<detail::filter<detail::IsIntegrator, P...>>::type; ///< the integrator
     using laws = detail::filter<detail::IsLaw, P...>; ///< the forces that are laws of one body
     using couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
+    using controls = detail::filter<detail::IsControl, P...>; ///< what decides how a step is taken
+    static constexpr bool controlled = controls::size > 0; ///< whether something does
     using observers = detail::filter<detail::IsObserver, P...>; ///< the observers
     using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     using keepers = detail::filter<detail::KeepsStateIn<S>::template Is, P...>; ///< the policies that keep a state of their own

@@ -95,6 +95,12 @@ template <class T> struct Cache {
     Cache& operator=(const Cache&) { return *this; }
     Cache& operator=(Cache&&) = default;
 };
+template <class List> struct ControlOf {
+    using type = Absent;
+};
+template <class First, class... Rest> struct ControlOf<Types<First, Rest...>> {
+    using type = Cache<typename First::Kept>;
+};
 template <class C, bool Together> struct TogetherOf {
     using type = Absent;
 };
@@ -128,6 +134,8 @@ template <class C> struct WorldData {
     [[no_unique_address]] detail::States<S, typename C::keepers> states;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
+    /// What decides how a step is taken keeps its numbers here.
+    [[no_unique_address]] typename detail::ControlOf<typename C::controls>::type control;
     std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
 
     /// What policy `P` keeps; nothing, where it keeps nothing.

@@ -378,10 +378,26 @@ void World<P...>::step(const T& dt) {
             return;
         }
         data_.reserve_notes(data_.bodies.ids());
-        const bool first = tick() == 0;
-        Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt()))
-            .run(scalar_cast<typename S::ClockScalar>(dt));
+        const auto whole = scalar_cast<typename S::ClockScalar>(dt);
+        if constexpr (composition::controlled) {
+            const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
+            Step<composition, Policies>::begin(data_);
+            const auto part = whole / typename S::ClockScalar(parts);
+            for (int i = 1; i < parts; ++i) take_step<Columns<>>(part);
+            take_step<typename composition::transient>(part);
+        } else {
+            Step<composition, Policies>::begin(data_);
+            take_step<typename composition::transient>(whole);
+        }
     }
+}
+
+template <class... P>
+template <class Transient>
+void World<P...>::take_step(const ClockTime& dt) {
+    const auto h = S::Time::from_value(Scalar(dt.value()));
+    const bool first = tick() == 0;
+    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt())).template run<Transient>(dt);
 }
 
 template <class... P> Status World<P...>::status() const {

@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    friend struct Archive;
+    friend struct ElementArchive;
 
     [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(std::uint32_t id, std::uint32_t generation, const char* where) const {
         std::string sentence(where);

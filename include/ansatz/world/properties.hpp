@@ -8,6 +8,7 @@
 /// never taken for a position, and each is checked for its unit at compile time and for its value at the door. A column
 /// of your own is given with `with<Temperature>(293.0 * kelvin)`.
 
+#include <ansatz/world/bodies.hpp> // before `fixed` and its like, or g++ takes the enumerators of Motion for their shadows
 #include <ansatz/world/columns.hpp>
 
 #include <type_traits>

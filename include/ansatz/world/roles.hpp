@@ -21,6 +21,7 @@ struct Broadphase {};  ///< pairs that may touch; at most one
 struct Filter {};      ///< which pairs are looked at; at most one
 struct Narrowphase {}; ///< contacts of those pairs; exactly one with a broadphase, none without
 struct Response {};    ///< what contacts do; one (or a chain) with a narrowphase, none without
+struct StepControl {}; ///< whether a step is taken as it is, in parts, or refused; at most one
 struct Observer {};    ///< sees, never changes; any number
 } // namespace roles
 
@@ -39,7 +40,7 @@ template <class R, class... Known> inline constexpr bool one_of = (std::same_as<
 
 template <class R>
 inline constexpr bool known_role = one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase,
-                                   roles::Filter, roles::Narrowphase, roles::Response, roles::Observer>;
+                                   roles::Filter, roles::Narrowphase, roles::Response, roles::StepControl, roles::Observer>;
 
 } // namespace detail
 

@@ -13,6 +13,7 @@
 ///
 /// Needs exceptions, for the parser's sake.
 
+#include <ansatz/world/save_elements.hpp>
 #include <ansatz/world/world.hpp>
 
 #include <nlohmann/json.hpp>
@@ -28,76 +29,6 @@
 namespace ansatz {
 
 namespace detail {
-
-using Json = nlohmann::ordered_json;
-
-/// A value in a file, with its place for the sentence about it.
-struct FileValue {
-    const Json& json;
-    std::string place;
-    bool root = false;
-
-    [[noreturn]] void refuse_here(const std::string& expected) const {
-        // What nests deeply is named, not shown: a file of a hundred thousand brackets must not be followed down.
-        auto shown = deeper_than(json, 4) ? std::string(json.is_array() ? "a list" : "an object") : json.dump();
-        if (shown.size() > 40) shown = shown.substr(0, 37) + "...";
-        refuse(Refusal::invalid_argument, place + " is " + shown + "; expected " + expected);
-    }
-    static bool deeper_than(const Json& json, int levels) {
-        if (!json.is_structured()) return false;
-        return levels == 0 || std::any_of(json.begin(), json.end(), [&](const Json& part) { return deeper_than(part, levels - 1); });
-    }
-    FileValue at(const char* key) const {
-        if (!json.is_object()) refuse_here(std::string("an object with \"") + key + "\"");
-        const auto found = json.find(key);
-        if (found == json.end()) refuse(Refusal::invalid_argument, place + ": expected \"" + key + "\", but there is none");
-        return {*found, place + (root ? ": " : ".") + key};
-    }
-    FileValue at(std::size_t i) const { return {json[i], place + "[" + std::to_string(i) + "]"}; }
-    std::size_t size(const char* of) const {
-        if (!json.is_array()) refuse_here(std::string("a list of ") + of);
-        return json.size();
-    }
-    void size_is(std::size_t n, const char* of) const {
-        if (size(of) != n) refuse_here("a list of " + std::to_string(n) + " " + of);
-    }
-    std::uint64_t whole(std::uint64_t most) const {
-        if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most) refuse_here("a whole number from 0 to " + std::to_string(most));
-        return json.get<std::uint64_t>();
-    }
-    bool yes() const {
-        if (!json.is_boolean()) refuse_here("true or false");
-        return json.get<bool>();
-    }
-    void is(const Json& expected, const char* why) const {
-        if (json != expected) refuse_here(expected.dump() + why);
-    }
-    /// A finite number. Class scalars stand as text, because JSON's numbers are read as doubles.
-    template <class T> T number() const {
-        T value{};
-        if constexpr (std::is_floating_point_v<T>) {
-            if (!json.is_number()) refuse_here("a finite number");
-            value = static_cast<T>(json.get<double>());
-        } else {
-            if (!json.is_string()) refuse_here("a number as text");
-            try {
-                value = T(json.get<std::string>());
-            } catch (const std::exception&) {
-                refuse_here("a number as text");
-            }
-        }
-        if (!is_finite(value)) refuse_here("a finite number that the world's scalar can hold");
-        return value;
-    }
-};
-
-template <class T> Json number_to_file(const T& x) {
-    if constexpr (std::is_floating_point_v<T>) {
-        if (is_finite(x)) return double(x);
-        return x != x ? "nan" : x > 0 ? "inf" : "-inf"; // for a person to read; load refuses it
-    } else
-        return x.str(std::numeric_limits<T>::max_digits10, std::ios_base::scientific);
-}
 
 template <class T> constexpr const char* scalar_name() {
     if constexpr (std::same_as<T, float>) return "float";
@@ -137,7 +68,7 @@ struct Archive {
         (write_policy(file["policies"], std::get<P>(world.policies_)), ...);
         if constexpr (C::keepers::size > 0) {
             auto& elements = file["elements"] = detail::Json::object();
-            [&]<class... K>(Types<K...>) { (write_elements<C>(elements[std::string(K::name)], data.template state<K>()), ...); }(typename C::keepers{});
+            [&]<class... K>(Types<K...>) { (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...); }(typename C::keepers{});
         }
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
                          {"dt", number_to_file(data.clock.dt_.value())},
@@ -186,7 +117,7 @@ struct Archive {
         if constexpr (C::keepers::size > 0) {
             const auto elements = file.at("elements");
             [&]<class... K>(Types<K...>) {
-                (read_elements<C>(data.template state<K>(), data.bodies, elements.at(std::string(K::name).c_str())), ...);
+                (ElementArchive::read<C>(data.template state<K>(), data.bodies, elements.at(std::string(K::name).c_str())), ...);
             }(typename C::keepers{});
         }
 
@@ -338,78 +269,6 @@ private:
         if (immovable && !(inverse == Scalar(0))) json.refuse_here("0, because the body is fixed or moving");
         if (!immovable && !(inverse > Scalar(0))) json.refuse_here("a number greater than 0");
         if (!immovable && !is_finite(Scalar(Scalar(1) / inverse))) json.refuse_here("the inverse of a finite mass");
-    }
-
-    /// What a policy keeps beside the bodies: its elements by id, their ends by the ids of bodies or as points.
-    template <class C, class State> static void write_elements(detail::Json& file, const State& state) {
-        file["generations"] = state.ids_.generation_;
-        file["free"] = state.ids_.free_;
-        auto& list = file["list"] = detail::Json::array();
-        state.for_each([&](std::uint32_t id, const auto& link) {
-            detail::Json element;
-            element["id"] = id;
-            element["first"] = link.a;
-            if (link.b != State::no_body)
-                element["second"] = link.b;
-            else
-                for (int k = 0; k < C::S::dimension; ++k) element["point"].push_back(detail::number_to_file(state.anchors_[id].value()[k]));
-            State::numbers(state, id, [&](const char* name, const auto& number, NumberIn) { element[name] = detail::number_to_file(number); });
-            list.push_back(std::move(element));
-        });
-    }
-    template <class C, class State> static void read_elements(State& state, const Bodies& bodies, const FileValue& file) {
-        using Scalar = typename C::S::Scalar;
-        const auto generations = file.at("generations");
-        const auto ids = generations.size("generations");
-        typename State::Admitted none{};
-        state.reserve(ids);
-        for (std::size_t id = 0; id < ids; ++id) state.insert(none);
-        auto body = [&](const FileValue& id) {
-            const auto n = id.whole(bodies.ids() == 0 ? 0 : bodies.ids() - 1);
-            if (n >= bodies.ids() || !bodies.alive(std::uint32_t(n))) id.refuse_here("the id of a body that is in the file");
-            return std::uint32_t(n);
-        };
-        std::vector<char> listed(ids);
-        const auto list = file.at("list");
-        const auto count = list.size("elements");
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto element = list.at(i);
-            const auto id = std::uint32_t(element.at("id").whole(ids == 0 ? 0 : ids - 1));
-            if (id >= ids || listed[id]) element.at("id").refuse_here("an id that no other element has");
-            listed[id] = 1;
-            auto& link = state.links_[id];
-            link.a = body(element.at("first"));
-            if (element.json.contains("second")) {
-                link.b = body(element.at("second"));
-                if (link.b == link.a) element.at("second").refuse_here("another body than the first");
-            } else {
-                link.b = State::no_body;
-                const auto point = element.at("point");
-                point.size_is(std::size_t(C::S::dimension), "numbers");
-                auto value = state.anchors_[id].value();
-                for (int k = 0; k < C::S::dimension; ++k) value[k] = point.at(std::size_t(k)).template number<Scalar>();
-                state.anchors_[id] = C::S::Position::from_value(value);
-            }
-            State::numbers(state, id, [&](const char* name, auto& number, NumberIn accepted) {
-                const auto given = element.at(name);
-                if (accepted == NumberIn::positive_or_infinite && given.json == "inf") {
-                    number = std::numeric_limits<Scalar>::infinity();
-                    return;
-                }
-                number = given.template number<Scalar>();
-                if (accepted == NumberIn::not_negative ? number < Scalar(0) : !(number > Scalar(0)))
-                    given.refuse_here(accepted == NumberIn::not_negative ? "a number that is not negative" : "a number greater than 0, or \"inf\"");
-            });
-        }
-        const auto free = file.at("free");
-        free.size_is(ids - count, "free ids");
-        for (std::size_t i = 0; i < ids - count; ++i) {
-            const auto id = std::uint32_t(free.at(i).whole(ids - 1));
-            if (listed[id]) free.at(i).refuse_here("an id that no element and no other free place has");
-            listed[id] = 1;
-            state.erase(id);
-        }
-        for (std::size_t id = 0; id < ids; ++id) state.ids_.generation_[id] = std::uint32_t(generations.at(id).whole(0xffffffffu));
     }
 
     template <class LanesT, class... Col> static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {

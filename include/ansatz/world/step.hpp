@@ -61,18 +61,22 @@ public:
         bound_.prepare(context_);
     }
 
+    /// Forgets what the step before brought.
+    static void begin(Data& data) {
+        if constexpr (C::rests) data.events.begin_step();
+        data.states.for_each([](auto& state) { state.begin_step(); });
+    }
     /// Takes it.
-    void run(const typename S::ClockTime& dt) {
-        if constexpr (C::rests) data_.events.begin_step();
-        data_.states.for_each([](auto& state) { state.begin_step(); });
+    /// \tparam Transient the columns that are set back to zero behind it: none where it is a part of a step and not the last
+    template <class Transient = typename C::transient> void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
         if constexpr (C::history) complete_starts();
         if constexpr (C::together)
-            all_together();
+            all_together<Transient>();
         else if constexpr (C::coupled)
-            stage_by_stage();
+            stage_by_stage<Transient>();
         else
-            body_by_body();
+            body_by_body<Transient>();
         advance_platforms();
         if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
         data_.clock.advance(dt);
@@ -101,17 +105,17 @@ private:
         sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range), data_.bodies.end(range), kernel);
     }
 
-    void body_by_body() {
-        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), typename C::transient>;
+    template <class Transient> void body_by_body() {
+        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient>;
         using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes, typename decltype(bound_.after)::writes,
-                                 typename C::transient>;
+                                 Transient>;
         using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
                                typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived>;
         walk<Needs, Written>(Motion::awake, Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
     }
 
     /// All bodies as one system of equations.
-    void all_together() {
+    template <class Transient> void all_together() {
         effects_before();
         if constexpr (C::rests) {
             refresh_coupled(data_, policies_, context_);
@@ -121,17 +125,17 @@ private:
         CoupledSystem<C, Policies> system(data_, policies_, bound_.laws, context_);
         if (!data_.together.value.solve(system, context_.dt())) ++data_.unsolved;
         place_platforms(data_, 0, context_.dt());
-        effects_after();
+        effects_after<Transient>();
     }
 
-    void stage_by_stage() {
+    template <class Transient> void stage_by_stage() {
         effects_before();
         remember_platforms(data_);
         [&]<int... K>(std::integer_sequence<int, K...>) {
             (stage<K + first_stage>(), ...);
         }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
         place_platforms(data_, 0, context_.dt());
-        effects_after();
+        effects_after<Transient>();
     }
     void effects_before() {
         if constexpr (!decltype(bound_.before)::empty) {
@@ -140,9 +144,8 @@ private:
             if constexpr (couplings_see(typename decltype(bound_.before)::writes{})) data_.coupled.current = false;
         }
     }
-    void effects_after() {
-        if constexpr (!decltype(bound_.after)::empty || C::transient::size > 0)
-            effects_only<typename C::transient>(bound_.after, context_.dt());
+    template <class Transient> void effects_after() {
+        if constexpr (!decltype(bound_.after)::empty || Transient::size > 0) effects_only<Transient>(bound_.after, context_.dt());
     }
 
     static constexpr int first_stage = detail::first_stage<I>(C::velocity_read);

@@ -13,6 +13,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <limits>
+
 namespace ansatz {
 
 /// Solves A x = b for a symmetric, positive definite A by its factors.
@@ -23,6 +25,8 @@ struct Cholesky {
     template <class Scalar> class Solver {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
+        /// How small a part of b it leaves, about.
+        static constexpr Scalar close = 1000 * std::numeric_limits<Scalar>::epsilon();
 
         /// The pattern is another: finds a new order of elimination.
         template <class Matrix> void pattern(const Matrix& A) { factors_.analyzePattern(A); }

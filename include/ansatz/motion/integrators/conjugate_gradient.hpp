@@ -31,12 +31,13 @@ struct ConjugateGradient {
     template <class Scalar> class Solver {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
+        /// How small a part of b it leaves.
+        static constexpr Scalar close = std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
 
         /// \param x the solution; what it holds is not used
         /// \return whether it converged
         template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x) {
             using std::sqrt;
-            const Scalar close = std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
             x.setZero(b.size());
             residual_ = b;
             const Scalar target = close * close * sum(b, b);

@@ -86,13 +86,13 @@ template <class Stepper> struct Odeint {
                 std::copy_n(y.begin() + n, n, v_.data());
                 system.write(x_, v_);
             };
-            auto slope = [&](const State& y, State& slope, const Scalar& t) {
+            auto slopes = [&](const State& y, State& slope, const Scalar& t) {
                 set(y);
                 system.accelerations(static_cast<double>(t / dt.value()), a_);
                 std::copy_n(v_.data(), n, slope.begin());
                 std::copy_n(a_.data(), n, slope.begin() + n);
             };
-            stepper_.do_step(slope, y_, Scalar(0), dt.value());
+            stepper_.do_step(slopes, y_, Scalar(0), dt.value());
             set(y_);
             return true;
         }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `StepLimit`: what a world does with a step that is too long for its springs (notes 3).
+///
+/// Add `StepLimit<Refuse>{}` and such a step is refused with the longest that would do, before anything is touched; add
+/// `StepLimit<Divide>{}` and it is taken in as many equal parts as are needed. Either looks at every spring before each step,
+/// about a tenth of what the forces cost. Not needed with ImplicitEuler, which never grows, nor where the step is known to be
+/// short enough: ask `stable_step(world)` once.
+///
+/// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that follows a
+/// step; what broke, fell asleep or woke in any of them is among the events of the step.
+
+#include <ansatz/springs/stable_step.hpp>
+#include <ansatz/world/world.hpp>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace ansatz {
+
+/// Option of StepLimit: a step that is too long is an error.
+struct Refuse {};
+/// Option of StepLimit: a step that is too long is taken in parts.
+struct Divide {};
+
+/// \tparam Beyond what a step beyond the limit is: Refuse or Divide
+template <class Beyond> struct StepLimit {
+    static_assert(std::same_as<Beyond, Refuse> || std::same_as<Beyond, Divide>, "Ansatz: a StepLimit refuses or divides; write StepLimit<Refuse>{} "
+                                                                               "or StepLimit<Divide>{}");
+    using role = roles::StepControl;
+
+    /// The part of the largest stable step that is let through; greater than 0, 1 is all of it
+    double part = 1;
+    /// Into how many parts a step is divided at most; where more are needed, it is refused
+    int most_parts = 1000;
+
+    static constexpr std::string_view name = "StepLimit";
+    static void parameters(auto&, auto&&) {}
+    void check() const {
+        if (!(part > 0) || !(part <= 1)) refuse_value("StepLimit", "part", describe(part), "it is greater than 0 and at most 1");
+        if (most_parts < 1) refuse_value("StepLimit", "most_parts", describe(most_parts), "it is at least 1");
+    }
+
+    /// What it keeps between steps, so that a step that is warm allocates nothing.
+    struct Kept {
+        StiffnessScratch scratch;
+        Stiffness of{};                  ///< for which the limit was found
+        Quantity<unit::Time> limit{};    ///< s
+        bool found = false;
+    };
+
+    /// How many parts a step is taken in.
+    /// \throws std::invalid_argument where it is refused
+    template <class World_> int parts(const World_& world, const Quantity<unit::Time>& dt, Kept& kept) const {
+        const auto now = stiffness_of(world, kept.scratch);
+        if (!kept.found || !(now == kept.of)) {
+            kept.limit = stable_step<typename World_::Integrator>(now);
+            kept.of = now;
+            kept.found = true;
+        }
+        const auto limit = part * kept.limit;
+        if (dt <= limit) return 1;
+        const double needed = limit.value() > 0 ? std::ceil(dt / limit) : HUGE_VAL;
+        if (std::same_as<Beyond, Divide> && needed <= most_parts) return int(needed);
+        refuse_step(dt, limit);
+    }
+
+private:
+    /// To four digits, for a person to read and to type.
+    static Quantity<unit::Time> rounded_down(const Quantity<unit::Time>& t) {
+        const double scale = std::pow(10.0, 3 - std::floor(std::log10(t.value())));
+        return std::floor(t.value() * scale) / scale * second;
+    }
+    [[noreturn, gnu::cold, gnu::noinline]] void refuse_step(const Quantity<unit::Time>& dt, const Quantity<unit::Time>& limit) const {
+        std::string better;
+        if (!(limit.value() > 0))
+            better = "this integrator grows with every step where springs are not damped; take SemiImplicitEuler, or ImplicitEuler";
+        else if (std::same_as<Beyond, Refuse>)
+            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) + "; take that, StepLimit<Divide>, or ImplicitEuler";
+        else
+            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) + ", and most_parts is " + describe(most_parts) +
+                     "; take a shorter step, or ImplicitEuler";
+        refuse_value("World::step", "dt", describe(dt), better);
+    }
+};
+
+} // namespace ansatz

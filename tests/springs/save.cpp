@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSL-1.0
+// Springs in a saved world: they come back to the bit, and a file that lies is refused with the place.
+
+#include <ansatz/world/save.hpp>
+#include <ansatz/world/save_elements.hpp>
+
+#include "tests/springs/support.hpp"
+
+#include <sstream>
+
+using namespace spring_tests;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+auto a_world() {
+    World world{Verlet{}, Gravity{}, Springs<Breaking>{}, Ropes<Undamped>{}, Rest{}};
+    return world;
+}
+auto filled() {
+    auto world = a_world();
+    const auto chain = hang_chain(world, 4, 0.1, 300, 0.2, 0.25);
+    const auto gone = world.add(Spring{chain[0], chain[2], 1.0 * N_per_m});
+    world.add(Spring{chain[0], chain[3], 1.0 * N_per_m}, breaks_at(40.0 * newton), breaks_at(0.5));
+    world.add(Rope{chain[1], metres(0.5, 0, 0), 20.0 * N_per_m});
+    world.remove(gone);
+    run(world, 20, 0.01);
+    return world;
+}
+} // namespace
+
+TEST_CASE("a loaded world has the springs, their handles and their places, and continues to the bit", "[springs][save]") {
+    auto world = filled();
+    std::stringstream file;
+    save(world, file);
+    auto loaded = a_world();
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+    CHECK(loaded.elements<Spring>().handles() == world.elements<Spring>().handles());
+    run(world, 50, 0.01);
+    run(loaded, 50, 0.01);
+    CHECK(loaded.hash() == world.hash());
+    const auto b = world.handles()[0];
+    CHECK(world.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}) == loaded.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}));
+}
+
+TEST_CASE("a file of springs that cannot be is refused with its place, and the world is as it was", "[springs][save]") {
+    auto world = filled();
+    std::stringstream good;
+    save(world, good);
+    const auto text = good.str();
+    auto refused = [&](const std::string& part, const std::string& by, const std::string& sentence) {
+        auto bad = text;
+        const auto elements = bad.find("\"elements\"");
+        const auto at = bad.find(part, elements);
+        REQUIRE(at != std::string::npos);
+        bad.replace(at, part.size(), by);
+        std::stringstream file(bad);
+        auto loaded = a_world();
+        const auto before = loaded.hash();
+        INFO(part << " -> " << by);
+        CHECK_THROWS_WITH(load(loaded, file, "saved"), ContainsSubstring("saved: elements.Springs") && ContainsSubstring(sentence));
+        CHECK(loaded.hash() == before);
+    };
+    refused("\"stiffness\": 300.0", "\"stiffness\": -300.0", ".stiffness is -300.0; expected a number that is not negative");
+    refused("\"stiffness\": 300.0", "\"stiffness\": \"inf\"", ".stiffness is \"inf\"; expected a finite number");
+    refused("\"break force\": \"inf\"", "\"break force\": 0.0", "a number greater than 0, or \"inf\"");
+    refused("\"first\": 1", "\"first\": 17", ".first is 17");
+    refused("\"first\": 1", "\"first\": 0", ".second is 0; expected another body than the first");
+    refused("\"id\": 1", "\"id\": 0", ".id is 0; expected an id that no other element has");
+    refused("\"rest length\": 0.25", "\"rest\": 0.25", "expected \"rest length\"");
+    refused("\"point\"", "\"place\"", "expected \"point\"");
+}
+
+TEST_CASE("a world without springs does not read one with them, nor the other way round", "[springs][save]") {
+    std::stringstream with, without;
+    save(filled(), with);
+    World plain{Verlet{}, Gravity{}, Keep<InverseMass>{}, Rest{}};
+    CHECK_THROWS_AS(load(plain, with), std::invalid_argument);
+    save(plain, without);
+    auto springs = a_world();
+    CHECK_THROWS_AS(load(springs, without), std::invalid_argument);
+}

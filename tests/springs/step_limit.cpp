@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSL-1.0
+// Steps that are too long for the springs of a world: refused with the number, or divided.
+
+#include <ansatz/springs/step_limit.hpp>
+
+#include "tests/springs/support.hpp"
+
+using namespace spring_tests;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+template <class I, class... More> auto stiff(double k, More... more) {
+    World world{I{}, Springs{}, more...};
+    const auto body = world.add(position(metres(1.001, 0, 0)), mass(1.0 * kilogram));
+    world.add(Spring{metres(0, 0, 0), body, k * N_per_m, {}, 1.0 * metre});
+    return world;
+}
+} // namespace
+
+TEST_CASE("a step beyond the limit is refused with the longest that would do, and nothing has happened", "[springs]") {
+    auto world = stiff<SemiImplicitEuler>(1e6, StepLimit<Refuse>{});
+    const auto before = world.hash();
+    CHECK_THROWS_WITH(world.step(1.0 / 60 * second), ContainsSubstring("World::step: dt is 0.01666666666666666") &&
+                                                         ContainsSubstring("the longest that is stable for these springs is 0.002 s;") &&
+                                                         ContainsSubstring("StepLimit<Divide>, or ImplicitEuler"));
+    CHECK(world.hash() == before);
+    CHECK(world.tick() == 0);
+    world.step(0.002 * second); // as the sentence says
+    CHECK(world.tick() == 1);
+    auto careful = stiff<SemiImplicitEuler>(1e6, StepLimit<Refuse>{.part = 0.5});
+    CHECK_THROWS_AS(careful.step(0.0019 * second), std::invalid_argument);
+    careful.step(0.00099 * second);
+    auto never = stiff<ExplicitEuler>(1, StepLimit<Divide>{});
+    CHECK_THROWS_WITH(never.step(1e-6 * second), ContainsSubstring("this integrator grows with every step"));
+    auto implicit = stiff<ImplicitEuler>(1e6, StepLimit<Refuse>{});
+    implicit.step(10.0 * second);
+    CHECK(implicit.tick() == 1);
+}
+
+TEST_CASE("a divided step is so many steps, to the bit, and lasts as long as it was asked to", "[springs]") {
+    auto divided = stiff<VelocityVerlet>(1e6, StepLimit<Divide>{}, Gravity{});
+    auto by_hand = stiff<VelocityVerlet>(1e6, Gravity{});
+    for (int i = 0; i < 60; ++i) divided.step(1.0 / 60 * second);
+    for (int i = 0; i < 60 * 9; ++i) by_hand.step(1.0 / 60 / 9 * second);
+    CHECK(divided.tick() == 540); // 16.7 ms in parts of at most 2 ms
+    CHECK(divided.time().value() == Approx(1).epsilon(1e-15));
+    CHECK(divided.position(divided.handles()[0]) == by_hand.position(by_hand.handles()[0]));
+    CHECK(divided.hash() == by_hand.hash());
+    auto soft = stiff<VelocityVerlet>(10, StepLimit<Divide>{});
+    soft.step(1.0 / 60 * second);
+    CHECK(soft.tick() == 1);
+    auto too_many = stiff<VelocityVerlet>(1e6, StepLimit<Divide>{.most_parts = 8});
+    CHECK_THROWS_WITH(too_many.step(1.0 / 60 * second), ContainsSubstring("and most_parts is 8"));
+    CHECK(too_many.tick() == 0);
+}
+
+TEST_CASE("the limit follows the springs and the masses as they change", "[springs]") {
+    auto world = stiff<SemiImplicitEuler>(100, StepLimit<Divide>{});
+    const auto body = world.handles()[0];
+    world.step(0.19 * second);
+    CHECK(world.tick() == 1);
+    const auto stiffer = world.add(Spring{metres(0, 0, 0), body, 300.0 * N_per_m, {}, 1.0 * metre});
+    world.step(0.19 * second); // omega 20/s: the limit is 0.1 s
+    CHECK(world.tick() == 3);
+    world.set_mass(body, 0.25 * kilogram);
+    world.step(0.19 * second);
+    CHECK(world.tick() == 7);
+    world.remove(stiffer);
+    world.step(0.19 * second);
+    CHECK(world.tick() == 9);
+}
+
+TEST_CASE("a force from outside acts in every part of a divided step, and what happened in any of them is told", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs<Breaking>{}, AppliedForces{}, StepLimit<Divide>{}};
+    const auto pushed = world.add(position(metres(5, 0, 0)), mass(2.0 * kilogram));
+    const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre}, breaks_at(500.0 * newton)); // in the first millisecond
+    world.apply_force(pushed, newtons(10, 0, 0));
+    world.step(0.1 * second);
+    CHECK(world.tick() >= 50);
+    CHECK(x(world.velocity(pushed)).value() == Approx(0.5));
+    CHECK(world.elements<Spring>().broken().size() == 1);
+    world.step(0.1 * second);
+    CHECK(x(world.velocity(pushed)).value() == Approx(0.5)); // it ended with its step
+    CHECK(world.elements<Spring>().broken().empty());
+}
+
+TEST_CASE("parameters of StepLimit that cannot be are refused", "[springs]") {
+    CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 0}), ContainsSubstring("StepLimit: part is 0"));
+    CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 1.5}), ContainsSubstring("StepLimit: part is 1.5"));
+    CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.most_parts = 0}), ContainsSubstring("StepLimit: most_parts is 0"));
+}
