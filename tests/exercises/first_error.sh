@@ -52,6 +52,51 @@ expect 8 exercises/1-a/b/exercise.hpp:8:5 "no match for 'operator=' (operand typ
 /p/exercises/1-a/b/exercise.hpp:8:5: error: no match for 'operator=' (operand types are 'boost::units::quantity<boost::units::unit<boost::units::list<boost::units::dim<boost::units::length_base_dimension, boost::units::static_rational<1> >, boost::units::list<boost::units::dim<boost::units::mass_base_dimension, boost::units::static_rational<1> >, boost::units::list<boost::units::dim<boost::units::time_base_dimension, boost::units::static_rational<-2> >, boost::units::dimensionless_type> > >, boost::units::homogeneous_system<boost::units::list<boost::units::si::meter_base_unit, boost::units::dimensionless_type> >, void>, double>' and 'boost::units::quantity<boost::units::unit<boost::units::dimensionless_type, boost::units::homogeneous_system<boost::units::list<boost::units::si::meter_base_unit, boost::units::dimensionless_type> >, void>, Eigen::Matrix<double, 3, 1> >')
 LOG
 
+# clang++ names the deleted operator first.
+expect 8 exercises/1-a/b/exercise.hpp:8:11 "this adds or compares quantities of different units" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:11: error: overload resolution selected deleted operator '+='
+/p/include/ansatz/units/x.hpp:3:1: note: candidate function [with Unit1 = a, Unit2 = b] has been explicitly deleted
+Ansatz_units_this_adds_or_compares_quantities_of_different_units operator+=(quantity<Unit1, X>&, const quantity<Unit2, Y>&) = delete;
+LOG
+
+# The linker's errors name the symbol, not the program that called the linker.
+expect 0 linking "exercise::other(double) is declared and used, but it is defined nowhere" << 'LOG'
+/usr/bin/ld: test.cpp.o: in function `probe':
+test.cpp:(.text+0x4e7): undefined reference to `exercise::other(double)'
+collect2: error: ld returned 1 exit status
+LOG
+expect 0 linking "exercise::other(double) is declared and used, but it is defined nowhere" << 'LOG'
+ld.lld: error: undefined symbol: exercise::other(double)
+clang: error: linker command failed with exit code 1 (use -v to see invocation)
+LOG
+expect 0 linking "there are two of main: the tests have their own, so that an answer has none" << 'LOG'
+/usr/bin/ld: test.cpp:(.text+0x3c): multiple definition of `main'; main.cpp.o:main.cpp:(.text+0x1fe46): first defined here
+collect2: error: ld returned 1 exit status
+LOG
+
+# Something is open at the end of the file: whoever is included next is not to blame, nor is the last line.
+expect 0 end "something is open at the end of the file: most often a closing brace } is missing" << 'LOG'
+/p/build/exercises/subjects/a.b/student/subject.hpp:3:20: error: specialization of 'template<class> struct NothingIsOpen' in different namespace
+/p/tools/exercises/expect.hpp:14:1: error: expected '}' at end of input
+LOG
+expect 0 end "something is open at the end of the file: most often a closing brace } is missing" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:31:2: error: expected ';' after struct definition
+/p/build/exercises/subjects/a.b/student/subject.hpp:3:20: error: specialization of 'template<class> struct NothingIsOpen' in different namespace
+LOG
+
+expect 22 exercises/1-a/b/exercise.hpp:22:1 "the function ends without return" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:22:1: error: no return statement in function returning non-void [-Werror=return-type]
+LOG
+expect 22 exercises/1-a/b/exercise.hpp:22:1 "the function ends without return" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:22:1: error: non-void function does not return a value [-Werror,-Wreturn-type]
+LOG
+expect 21 exercises/1-a/b/exercise.hpp:21:9 "'q' is used uninitialized" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:21:9: error: 'q' is used uninitialized [-Werror=uninitialized]
+LOG
+expect 0 disk "no space is left on the disk: make room and give the same command again" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:3:9: fatal error: error writing to /x.s: No space left on device
+LOG
+
 # No error, no answer.
 if printf 'all is well\n' | awk -v file=x -v root=/ -f "$project/tools/exercises/first_error.awk" - > /dev/null; then
     failed=$((failed + 1))

@@ -6,41 +6,10 @@
 # Looks at every compiler: one such walk on a machine is enough.
 #
 #   student.sh <the project's folder>
+# shellcheck disable=SC2154  # passed, failed, tree and the like are walk.bash's
 set -u
-project=${1:?the project folder}
-scratch=${ANSATZ_SCRATCH:?a folder for this test}
-tree=$scratch/a\ copy
-rm -rf "$scratch" && mkdir -p "$tree/exercises/1-motion" || exit 1
-cp -R "$project"/{CMakeLists.txt,CMakePresets.json,README.md,workbook,cmake,include,chapters,tools} "$tree/" || exit 1
-mkdir -p "$tree/tests" && cp "$project/tests/catch.hpp" "$tree/tests/" || exit 1
-cp "$project"/exercises/{CMakeLists.txt,precompiled.cpp} "$tree/exercises/" && cp -R "$project/exercises/1-motion/explicit_euler" "$tree/exercises/1-motion/" || exit 1
-cp "$project/exercises/.clang-format" "$tree/exercises/" 2> /dev/null
-exercise=$tree/exercises/1-motion/explicit_euler
-awk -f "$project/tools/exercises/skeleton.awk" "$exercise/solution.hpp" > "$exercise/exercise.hpp"
-
-passed=0
-failed=0
-unset COLUMNS NO_COLOR CI
-export ANSATZ_CPU_SECONDS=1
-# expect <code> <text...> -- <arguments>: every text must be there.
-expect() {
-    local code=$1 output status texts=() text
-    shift
-    while [ "$1" != -- ]; do texts+=("$1"); shift; done
-    shift
-    output=$(cd / && COLUMNS=200 "$tree/workbook" "$@" 2>&1 < /dev/null)
-    status=$?
-    output=$(printf '%s' "$output" | tr '\n' ' ' | tr -s ' ')
-    for text in "${texts[@]}"; do
-        case $output in
-            *"$text"*) [ $status -eq "$code" ] && { passed=$((passed + 1)); continue; } ;;
-        esac
-        failed=$((failed + 1))
-        printf 'FAILED: workbook %s: expected code %s and "%s", got code %s and:\n    %s\n' "$*" "$code" "$text" "$status" "$output"
-    done
-}
-answer() { sed "s|todo(1);|$1|" "$scratch/skeleton" > "$exercise/exercise.hpp"; }
-cp "$exercise/exercise.hpp" "$scratch/skeleton"
+# shellcheck source=/dev/null
+. "$(dirname "${BASH_SOURCE[0]}")/walk.bash" "$@"
 
 expect 0 "1.6.1 open explicit_euler" "0 of 1 done" -- list
 expect 2 "did you mean explicit_euler?" -- exercise explcit_euler
@@ -62,33 +31,70 @@ answer 'x += a * dt; v += a * dt;'
 expect 1 "the first error is at exercises/1-motion/explicit_euler/exercise.hpp:22" "22 | x += a * dt; v += a * dt;" \
     "this adds or compares quantities of different units: m and m/s" -- exercise
 
-answer 'int* p = nullptr; *p = 1; x += v * dt;'
-expect 1 "It crashed (segmentation fault)" -- exercise
-answer 'for (volatile int i = 0;; i = i + 1) {}'
-expect 1 "It did not come to an end within 1 s" -- exercise
-answer 'x += std::sqrt(-1.0) * v * dt;'
-expect 1 "Yours is no finite number" -- exercise
-answer 'throw std::out_of_range("nobody expects this");'
-expect 1 "It threw an exception: nobody expects this" -- exercise
-
 # Right in its own words: not the solution's letters, and rounded differently.
 answer 'const auto way = dt * v; x = x + way; v = v + dt * a;'
 expect 1 "✓ a body that falls in a world" "Task 2 is not done yet" -- exercise
 sed -i 's|return todo(2);|return 1.0 + double(omega * dt * omega * dt);|' "$exercise/exercise.hpp"
-expect 0 "Done: every test passes." -- exercise
+# What cannot be recorded is not called done.
+mv "$tree/.workbook/progress" "$scratch/progress" && mkdir "$tree/.workbook/progress"
+expect 1 ".workbook/progress could not be written" -- exercise
+rmdir "$tree/.workbook/progress" && mv "$scratch/progress" "$tree/.workbook/progress"
+# Only one at a time builds here.
+flock "$tree/build/workbook.lock" sleep 2 &
+sleep 0.2
+expect 0 "another ./workbook is at work in this folder; waiting for it" "Done: every test passes." -- exercise
+wait
 expect 0 "1.6.1 done explicit_euler" "1 of 1 done" -- list
 expect 0 "Every exercise is done." -- exercise
 expect 0 "yours -1.39043" "library -1.39043" "ns a body and step" -- play explicit_euler
 expect 0 "+ x += v * dt;" "- const auto way" -- diff explicit_euler
+expect 0 "nothing is left to hint at" -- hint
+expect 0 "hint 1 of 4" -- hint explicit_euler 1 1
+expect 0 "first verdict" "known mistakes" "save to verdict" -- doctor
 ANSATZ_WATCH_ONCE=true expect 0 "Done: every test passes." -- watch explicit_euler
+
+cp "$exercise/exercise.hpp" "$scratch/right"
+sed -i 's|^    return 1.0 +.*|&|; s|const auto way|static int n = 0; if (++n > 1000) std::_Exit(0); const auto way|' "$exercise/exercise.hpp"
+expect 1 "your answer ended the program (exit) before the scene was over" -- play explicit_euler
+sed -i 's|std::_Exit(0)|{ std::signal(SIGTERM, SIG_IGN); for (volatile int i = 0;; i = i + 1) {} }|; /^#pragma once/a #include <csignal>' "$exercise/exercise.hpp"
+ANSATZ_PLAY_SECONDS=1 expect 1 "the scene did not come to an end within 1 s" -- play explicit_euler
+sed 's|^ *using role|  using   role|' "$scratch/right" > "$exercise/exercise.hpp"
+expect 0 "+ x += v * dt;" -- diff explicit_euler
+"$tree/workbook" diff explicit_euler | grep -q '^[-+].*role' && { failed=$((failed + 1)); echo "FAILED: diff shows a line that differs in spaces only"; }
+# What was done stays done, though the build folder is gone.
+rm -rf "$tree/build"
+expect 0 "1.6.1 done explicit_euler" -- list
 
 expect 0 "what you wrote is in .workbook/attempts/motion.explicit_euler-" "is a skeleton again" -- reset explicit_euler
 grep -q 'const auto way' "$tree"/.workbook/attempts/*.hpp || { failed=$((failed + 1)); echo "FAILED: what was put aside is not what was written"; }
 cmp -s "$exercise/exercise.hpp" "$scratch/skeleton" || { failed=$((failed + 1)); echo "FAILED: reset did not bring the skeleton back"; }
 expect 0 "nothing to do" -- reset explicit_euler
-# What was done stays done, though the answer is gone and the build folder with it.
-rm -rf "$tree/build"
-expect 0 "1.6.1 done explicit_euler" -- list
+# Begun anew is not done, and the next that is not done is this one again.
+expect 0 "1.6.1 started explicit_euler" -- list
+expect 0 "hint 1 of 4" -- hint explicit_euler 1 1
+expect 2 "two digits at most" -- hint explicit_euler 1 99999999999999999999
+printf 'motion.explicit_euler\t1\t99999999999999999999\n' >> "$tree/.workbook/hints"
+expect 0 "hint 2 of 4" -- hint explicit_euler 2 2
+expect 0 "of 4" -- hint explicit_euler 1
+
+# The path that is printed is a name as well; every verb takes as many as it says.
+expect 0 "nothing to do" -- reset exercises/1-motion/explicit_euler/exercise.hpp
+for verb in verify diff exercise play reset; do expect 2 "what is 'rest'?" -- $verb explicit_euler rest; done
+# A file that is gone is named, whatever the verb, and nothing else is said.
+gone() { # <file> <arguments...>
+    mv "$exercise/$1" "$scratch/gone"
+    expect 1 "workbook: exercises/1-motion/explicit_euler/$1 is not there" -- "${@:2}"
+    mv "$scratch/gone" "$exercise/$1"
+}
+gone exercise.hpp exercise explicit_euler
+gone exercise.hpp play explicit_euler
+gone test.cpp exercise explicit_euler
+gone hints.md hint explicit_euler
+gone play.cpp play explicit_euler
+gone solution.hpp diff explicit_euler --anyway
+gone solution.hpp reset explicit_euler
+gone library.hpp verify explicit_euler
+gone README.md verify
 
 echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+[ "$failed" -eq 0 ]

@@ -66,11 +66,62 @@ expect 1 "wrong.energy_kept, taken for a student's, should be named 'energy_kept
 mv "$programs/wrong.energy_kept" "$programs/energy_kept" &&
     printf '#!/bin/bash\nhere=${0%%/*}\n[ "$1" = probe ] && exec "$here/wrong.new_velocity" "$@"\nexec "$here/energy_kept" "$@"\n' > "$programs/wrong.energy_kept" &&
     chmod +x "$programs/wrong.energy_kept" && rm -f "$programs"/*.probes
-expect 1 "wrong.energy_kept, taken for a student's, should be named 'energy_kept', but it is named 'energy_kept new_velocity '"
+expect 1 "wrong.energy_kept, taken for a student's, should be named 'energy_kept', but it is named 'energy_kept new_velocity'"
 
 # Two wrong answers with the same numbers cannot both be named.
 cp "$programs/wrong.energy_kept" "$programs/wrong.amplitude_factor" && rm -f "$programs"/*.probes
-expect 1 "but it is named 'amplitude_factor energy_kept '"
+expect 1 "but it is named 'amplitude_factor energy_kept'"
+
+# Probes that are another number each time would name anything.
+# shellcheck disable=SC2016
+mv "$programs/wrong.energy_kept" "$programs/energy_kept" &&
+    printf '#!/bin/bash\n[ "$1" = probe ] && { echo "1 $RANDOM$RANDOM" > "$3"; exit; }\nexec "${0%%/*}/energy_kept" "$@"\n' > "$programs/wrong.energy_kept" &&
+    chmod +x "$programs/wrong.energy_kept" && rm -f "$programs"/*.probes
+expect 1 "what wrong.energy_kept computes for the probes is not the same each time"
+
+# A program that ends by itself, with any code, has passed nothing.
+# shellcheck disable=SC2016
+printf '#!/bin/bash\nexit 0\n' > "$programs/library"
+expect 1 "library does not pass [old-velocity]: It ended the program (exit) before the test was over."
+
+# Lists of tests that are none: empty, twice the same name, no name, no task, and one that breaks off.
+list() { # <program> <lines, each with its \n>
+    mv "$programs/$1" "$programs/real"
+    # shellcheck disable=SC2016
+    printf '#!/bin/bash\n[ "$1" = list ] && { printf "%%b" %q > "$2"; exit 0; }\nexec "${0%%/*}/real" "$@"\n' "$2" > "$programs/$1"
+    chmod +x "$programs/$1"
+}
+two='1\told-velocity\ta\n1\tvelocity-adds-up\tb\n1\tfall\tc\n2\tenergy-factor\td\n'
+list solution 'end\n'
+expect 1 "that lists its tests"
+list solution "$two"
+expect 1 "that lists its tests"
+list solution "${two}1\\tfall\\te\\nend\\n"
+expect 1 "two tests are named [fall]"
+list solution "${two}1\\t\\te\\nend\\n"
+expect 1 "a test has no name"
+list solution "${two}\\tfree\\te\\nend\\n"
+expect 1 "the test [free] has no tag [task-<n>]"
+
+# With task 1 solved its tests pass, and those of task 2 say task 2.
+cp "$programs/skeleton" "$programs/skeleton.1"
+expect 1 "with only task 1 done, [old-velocity] belongs to task 1 and should pass, but: not done yet: task 1"
+cp "$programs/solution" "$programs/skeleton.1"
+expect 1 "with only task 1 done, [energy-factor] should say 'not done yet: task 2', but it is 'passed'"
+
+# Texts that say nothing, or that send people to where nothing is.
+: > "$exercise/README.md"
+expect 1 "README.md does not begin with"
+sed -i '2,$d' "$exercise/README.md"
+expect 1 "README.md does not say what the task is"
+: > "$exercise/play.cpp"
+expect 1 "play.cpp has no scene"
+sed -i '/^## Task 2: the key line/q' "$exercise/hints.md"
+expect 1 "hints.md has no text below '## Task 2: the line'"
+for section in 9.9.9 1.60; do
+    sed -i "s/^\/\/ Read: .*/\/\/ Read:    $section/" "$exercise/wrong/new_velocity.hpp"
+    expect 1 "wrong/new_velocity.hpp sends people to section $section, which is not there"
+done
 
 sed -i 's/^\/\/ Fails: .*/\/\/ Fails:   old-velocity/' "$exercise/wrong/new_velocity.hpp"
 expect 1 "wrong.new_velocity fails [fall], which it does not list"

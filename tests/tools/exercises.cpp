@@ -3,11 +3,14 @@
 
 #include "tests/catch.hpp"
 #include "tools/exercises/main.hpp"
+#include "tools/exercises/play.hpp"
 #include "tools/exercises/todo.hpp"
 
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <limits>
+#include <sstream>
 
 using namespace ansatz::workbook;
 
@@ -56,4 +59,19 @@ TEST_CASE("a task that is not done says which it is, whatever must be returned",
     auto nothing = [] { todo(12); };
     CHECK_THROWS_WITH(number(), "not done yet: task 3");
     CHECK_THROWS_WITH(nothing(), "not done yet: task 12");
+}
+
+TEST_CASE("a scene says what its times are for, and that it is over", "[exercises]") {
+    std::ostringstream shown, log;
+    std::streambuf* const cout = std::cout.rdbuf(shown.rdbuf());
+    std::streambuf* const clog = std::clog.rdbuf(log.rdbuf());
+    Play table("a call of a function", {"its number"});
+    table.timed("ns a call");
+    for (const char* who : {"yours", "library"}) table.row(who, {1.5}, 1, [] {});
+    table.print();
+    std::cout.rdbuf(cout);
+    std::clog.rdbuf(clog);
+    using Catch::Matchers::ContainsSubstring;
+    CHECK_THAT(shown.str(), ContainsSubstring("ns a call") && !ContainsSubstring("ns a body and step"));
+    CHECK(log.str() == "the scene is over\n");
 }

@@ -62,6 +62,34 @@ expect 2 "./workbook section 1.6 shows one section" tour 1.6
 expect 0 "build the documentation site" help docs
 expect 2 "docs takes no 'now'" docs now
 
+# Too many arguments are not silently left out, and nothing is built to find that out.
+expect 2 "what is '2'?" list 1.6 2
+expect 2 "what is '1.7'?" section 1.6 1.7
+expect 2 "doctor takes no 'x'" doctor x
+expect 2 "costs knows no option '--quik'" costs motion --quik
+expect 2 "did you mean motion?" costs --quick moton
+expect 2 "what is 'water'?" costs --quick motion water
+expect 0 "measure what accuracy costs" costs --help
+expect 0 "./workbook exercise semi_implicit_euler" exercise --help
+COLUMNS=99999999999999999999 expect 0 "Cloth of springs" list
+
+# Exercises by name, by a part of it, by a section above them, by the path of a file.
+mkdir -p "$tree/exercises/1-motion"
+for name in explicit_euler implicit_euler drag; do
+    mkdir "$tree/exercises/1-motion/$name" && : > "$tree/exercises/1-motion/$name/test.cpp"
+done
+echo '# 1.6.1 Explicit Euler' > "$tree/exercises/1-motion/explicit_euler/README.md"
+echo '# 1.6.2 Implicit Euler' > "$tree/exercises/1-motion/implicit_euler/README.md"
+for name in exercise hint; do
+    expect 2 "1.6.1 explicit_euler" $name euler
+    expect 2 "1.6.2 implicit_euler" $name 1.6
+done
+expect 1 "exercises/1-motion/drag/hints.md is not there" hint exercises/1-motion/drag/exercise.hpp
+expect 1 "exercises/1-motion/drag/hints.md is not there" hint "$tree/exercises/1-motion/drag/wrong/linear.hpp"
+expect 1 "exercises/1-motion/implicit_euler/hints.md is not there" hint implicit
+expect 0 "0      missing    drag                  motion.drag" list
+rm -r "$tree/exercises"
+
 # 1.1 is not 1.10, though they are the same number.
 lines=$(cd / && "$tree/workbook" list 1.1 | grep -c '^  1\.')
 if [ "$lines" -eq 1 ]; then passed=$((passed + 1)); else failures=$((failures + 1)); echo "FAILED: list 1.1 shows $lines sections"; fi

@@ -59,20 +59,59 @@ function sentence(text,    words, first, second) {
     return words (first != "" && second != "" ? ": " first " and " second : "")
 }
 
+# What a compiler says in its own words, where a person needs others.
+function plain(text) {
+    if (text ~ /no return statement in function|control reaches end of non-void|non-void function.* does not return a value/)
+        return "the function ends without return"
+    sub(/ *\[-Werror[^]]*\]$/, "", text)
+    return text
+}
+
+# What the linker misses, or has twice: the name between its quotes, with clang's or without.
+function symbol_of(text) {
+    sub(/^.*(undefined reference to|multiple definition of|undefined symbol:|duplicate symbol:) */, "", text)
+    sub(/^[`'"\342\200\230]+/, "", text)
+    sub(/['"\342\200\231]+;.*$/, "", text)
+    sub(/['"\342\200\231]+$/, "", text)
+    return text
+}
+function linker_message(text,    name, doubled) {
+    doubled = text ~ /multiple definition|duplicate symbol/
+    name = symbol_of(text)
+    if (doubled && name ~ /^main(\(.*)?$/) return "there are two of main: the tests have their own, so that an answer has none"
+    if (doubled) return "there are two of " name ": write it once, and 'inline' before a function of a header"
+    return name " is declared and used, but it is defined nowhere"
+}
+function found_at(place_in_file, where_it_is, text) {
+    found = 1
+    line = place_in_file
+    where = where_it_is
+    message = text
+}
+
+/No space left on device/ && !found { found_at(0, "disk", "no space is left on the disk: make room and give the same command again") }
+/(undefined reference to|multiple definition of|undefined symbol:|duplicate symbol:)/ && !found { found_at(0, "linking", linker_message($0)) }
+# The lines of subject.hpp after the answer ask whether a bracket is open there. Then the compiler has often missed another
+# one before, in a place that is right.
+/subject\.hpp:[0-9]+.*error:/ && (!found || message ~ /expected .*[;}]|function.definition is not allowed/) {
+    found_at(0, "end", "something is open at the end of the file: most often a closing brace } is missing")
+    next
+}
 /In file included from/ { near = 0 }
 !/error:/ && place($0) && /required|instantiation/ { near = place($0) }
 /error:/ && !found {
-    found = 1
     message = $0
     sub(/^.*error: /, "", message)
     if (sub(/^static assertion failed( due to requirement .*)?: /, "", message) || sub(/^static_assert failed( due to requirement .*)? "/, "", message))
         sub(/"$/, "", message)
-    message = readable(sentence(message))
-    line = index($0, file) ? place($0) : near
-    where = $0
+    deleted = message ~ /deleted operator/
+    found_at(index($0, file) ? place($0) : near, $0, plain(readable(sentence(message))))
     sub(/: (fatal )?error: .*/, "", where)
     if (index(where, root) == 1) where = substr(where, length(root) + 1)
+    next
 }
+# clang++ names the deleted operator first, and the sentence that is its type only afterwards.
+found && deleted && /Ansatz_units_/ { message = sentence($0); deleted = 0 }
 # clang++ says afterwards from where it came.
 found && !line && /note: (in instantiation|while)|required from/ && place($0) { line = place($0) }
 END {

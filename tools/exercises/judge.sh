@@ -5,82 +5,149 @@
 #
 #   judge.sh verify <the exercise's folder> <the folder of its programs>
 #
-# shows submissions x tests and ends with 0 if the exercise keeps its promises:
-#   - the library and the solution pass every test;
-#   - every task of the skeleton fails with "not done yet: task n", for that reason and no other;
-#   - each wrong answer fails exactly the tests that it lists (// Fails: ...), by a check and not by a crash;
-#   - no test catches nothing, and there are three wrong answers at least;
-#   - each wrong answer, taken for a student's, is named as the mistake it is; solution and library are named nothing.
-#
-# The workbook sources this file for a student's answer, from which the functions below are: run_test, mistake_of.
+# shows submissions x tests and ends with 0 if the exercise keeps its promises; they are listed in verify.sh beside this
+# file. The workbook sources this file for a student's answer, from which the functions below are. Those that run a program
+# leave what they found in variables, not on the standard output: in a subshell, Ctrl-C would not find the program.
 set -u
 
 JUDGE_SCRATCH=${JUDGE_SCRATCH:-$(mktemp -d)} || exit 1
 trap 'rm -rf "$JUDGE_SCRATCH"' EXIT
 CPU_SECONDS=${ANSATZ_CPU_SECONDS:-10}
+PRINTED_MEGABYTES=20
+MEMORY_GIGABYTES=4
 
-# limited <arguments...>: a program with an end: seconds of CPU, four times as long on the clock.
-limited() {
-    { (ulimit -c 0 -t "$CPU_SECONDS"; exec timeout -k 1 $((4 * CPU_SECONDS)) "$@") > "$JUDGE_SCRATCH/printed" 2>&1 < /dev/null; } 2> /dev/null
+# The address sanitizer takes terabytes of addresses for itself, so that a program with it has no limit of memory.
+memory_limit_of() {
+    if [ "$1" = "${MEMORY_KNOWN_OF:-}" ]; then return; fi
+    MEMORY_KNOWN_OF=$1 MEMORY_LIMIT=$((MEMORY_GIGABYTES * 1024 * 1024))
+    if LC_ALL=C grep -q -a __asan_init "$1"; then MEMORY_LIMIT=unlimited; fi
 }
 
-# run_test <program> <test>: OUTCOME is passed, failed, todo, threw, crashed, endless or missing; TEXT says why, PRINTED
-# holds what the program printed by itself.
+# limited <program> <arguments...>: a program with an end: seconds of CPU, four times as long on the clock, and so much
+# output and memory. It is waited for and not simply called: a trap acts while the shell waits, and else only afterwards.
+limited() {
+    local status
+    memory_limit_of "$1"
+    (
+        ulimit -c 0 -t "$CPU_SECONDS" -f $((PRINTED_MEGABYTES * 1024))
+        ulimit -v "$MEMORY_LIMIT" 2> /dev/null      # not every system has this limit
+        exec timeout -k 1 $((4 * CPU_SECONDS)) "$@"
+    ) > "$JUDGE_SCRATCH/printed" 2>&1 < /dev/null &
+    RUNNING=$!
+    { wait "$RUNNING"; } 2> /dev/null               # the shell's own remark on a program that crashes
+    status=$?
+    RUNNING=''
+    return $status
+}
+
+# Ends the program that is running, and what it has started: `timeout` leads a group of its own.
+end_running() {
+    [ -n "${RUNNING:-}" ] || return 0
+    { kill -KILL -- "-$RUNNING" || kill -KILL "$RUNNING"; } 2> /dev/null
+    RUNNING=''
+}
+
+# The text of an assertion that failed, on standard input, or nothing.
+assertion_in() { sed -n 's/.*\(Assertion .*\)/\1/p' | head -n 1; }
+
+# crash_of <status>: OUTCOME and TEXT of a program that a signal has ended; fails where none has.
+crash_of() {
+    local assertion
+    OUTCOME=crashed
+    case $1 in
+        124 | 137 | 152) OUTCOME=endless TEXT="It did not come to an end within $CPU_SECONDS s: is there a loop that never ends, or far too many steps?" ;;
+        153) OUTCOME=flooded TEXT="It printed more than $PRINTED_MEGABYTES MB: is there output in a loop that never ends?" ;;
+        139 | 138) TEXT="It crashed (segmentation fault): memory was used that is not there, or a function calls itself without end." ;;
+        136) TEXT="It crashed (arithmetic exception): an integer was divided by zero." ;;
+        134)
+            assertion=$(printf '%s\n' "$PRINTED" | assertion_in)
+            if [ -n "$assertion" ]; then TEXT="It was aborted: $assertion (an index out of range, memory overwritten, ...)"
+            else TEXT="It was aborted: something called std::abort(), or memory was overwritten."; fi
+            PRINTED=$(printf '%s\n' "$PRINTED" | grep -v 'Assertion') ;;
+        132) TEXT="It crashed (illegal instruction): something undefined was done, as using a pointer that points nowhere." ;;
+        129 | 13[0135] | 14[0-9] | 15[01]) TEXT="It was ended by signal $(($1 - 128))." ;;
+        *) return 1 ;;
+    esac
+}
+
+# thrown <what>: the sentence for an exception that nobody caught.
+thrown() {
+    case $1 in
+        std::bad_alloc) echo "It asked for more than $MEMORY_GIGABYTES GB of memory (std::bad_alloc): does something grow without end, or is a size wrong?" ;;
+        *) echo "It threw an exception: $1" ;;
+    esac
+}
+
+# run_test <program> <test>: OUTCOME is passed, failed, todo, threw, crashed, endless, flooded, ended or missing; TEXT says
+# why, PRINTED holds what the program printed by itself. What counts is what the test's own main has written at its end:
+# an answer may end the program with any code.
 run_test() {
     local program=$1 test=$2 file=$JUDGE_SCRATCH/verdict status
     rm -f "$file"
     if [ ! -x "$program" ]; then OUTCOME=missing TEXT="it was not built" PRINTED=''; return; fi
     limited "$program" run "$test" "$file"
     status=$?
-    TEXT=$(cat "$file" 2>/dev/null)
     PRINTED=$(head -c 4000 "$JUDGE_SCRATCH/printed" | tr -d '\000')
-    case $status in
-        0) OUTCOME=passed ;;
-        10) OUTCOME=failed ;;
-        11) OUTCOME=todo ;;
-        12) OUTCOME=threw TEXT="It threw an exception: $TEXT" ;;
-        124 | 137 | 152) OUTCOME=endless TEXT="It did not come to an end within $CPU_SECONDS s: is there a loop that never ends, or far too many steps?" ;;
-        139 | 138) OUTCOME=crashed TEXT="It crashed (segmentation fault): memory was used that is not there, or a function calls itself without end." ;;
-        136) OUTCOME=crashed TEXT="It crashed (arithmetic exception): an integer was divided by zero." ;;
-        134) OUTCOME=crashed TEXT="It was aborted: $(printf '%s\n' "$PRINTED" | sed -n "s/.*\\(Assertion .*\\)/\\1/p" | head -n 1) (an index out of range, memory overwritten, ...)"
-            PRINTED=$(printf '%s\n' "$PRINTED" | grep -v 'Assertion') ;;
-        132) OUTCOME=crashed TEXT="It crashed (illegal instruction): something undefined was done, as using a pointer that points nowhere." ;;
-        *) OUTCOME=crashed TEXT="It ended with code $status." ;;
+    crash_of "$status" && return
+    OUTCOME=$(head -n 1 "$file" 2> /dev/null)
+    TEXT=$(tail -n +2 "$file" 2> /dev/null)
+    case $status:$OUTCOME in
+        0:passed | 0:failed | 0:todo) ;;
+        0:threw) TEXT=$(thrown "$TEXT") ;;
+        20:*) OUTCOME=crashed TEXT="Its result could not be written: is the disk full?" ;;
+        *) OUTCOME=ended TEXT="It ended the program (exit) before the test was over." ;;
     esac
 }
 
-# tests_of <program>: every test as task<TAB>name<TAB>sentence, by task.
-tests_of() {
-    limited "$1" list || return 1
-    sort -s -n -k 1,1 "$JUDGE_SCRATCH/printed"
-}
-
-# probes_of <program> <tasks>: the file with what it computes; made anew when the program is.
-probes_of() {
-    local program=$1 tasks=$2 file=$1.probes
-    if [ ! -f "$file" ] || [ "$program" -nt "$file" ]; then
-        limited "$program" probe "$tasks" "$file.part"
-        [ -f "$file.part" ] && mv -f "$file.part" "$file"
+# list_tests <program>: LISTED is every test as task<TAB>name<TAB>sentence, by task. Where there is none, or the list has
+# no end, it fails and TEXT says why.
+list_tests() {
+    local file=$JUDGE_SCRATCH/tests status
+    LISTED='' TEXT='' PRINTED=''
+    rm -f "$file"
+    if [ ! -x "$1" ]; then TEXT="It was not built."; return 1; fi
+    limited "$1" list "$file"
+    status=$?
+    PRINTED=$(head -c 4000 "$JUDGE_SCRATCH/printed" | tr -d '\000')
+    if crash_of "$status"; then TEXT="$TEXT That was before main: look at what a global variable does."; return 1; fi
+    if [ "$(tail -n 1 "$file" 2> /dev/null)" != end ]; then
+        TEXT="It ended the program (exit) before main: look at what a global variable does."
+        return 1
     fi
-    echo "$file"
+    LISTED=$(sed '$d' "$file" | sort -s -n -k 1,1)
+    [ -n "$LISTED" ] || { TEXT="It has no test at all."; return 1; }
 }
 
-# mistake_of <the exercise's folder> <the programs' folder> <whose> <tasks>: the names of the wrong answers that compute
-# the same, one a line. A program whose wrong answer is gone from the exercise does not count.
+# probes_of <program> <tasks>: PROBES is the file with what it computes; made anew when the program is.
+probes_of() {
+    local program=$1 tasks=$2
+    PROBES=$1.probes
+    [ -f "$PROBES" ] && [ ! "$program" -nt "$PROBES" ] && return
+    limited "$program" probe "$tasks" "$PROBES.$$"
+    [ -f "$PROBES.$$" ] && mv -f "$PROBES.$$" "$PROBES"
+}
+
+# mistake_of <the exercise's folder> <the programs' folder> <whose> <tasks>: MISTAKES are the names of the wrong answers
+# that compute the same, one a line. A program whose wrong answer is gone from the exercise does not count.
 mistake_of() {
-    local exercise=$1 folder=$2 whose=$3 tasks=$4 wrong
+    local exercise=$1 folder=$2 whose=$3 tasks=$4 wrong mine solution
     local files=()
+    MISTAKES=''
     for wrong in "$exercise"/wrong/*.hpp; do
         wrong=${wrong##*/}
         wrong=$folder/wrong.${wrong%.hpp}
-        [ -x "$wrong" ] && files+=("$(probes_of "$wrong" "$tasks")")
+        [ -x "$wrong" ] || continue
+        probes_of "$wrong" "$tasks"
+        files+=("$PROBES")
     done
     [ ${#files[@]} -gt 0 ] || return 0
-    local mine solution
-    mine=$(probes_of "$folder/$whose" "$tasks")
-    solution=$(probes_of "$folder/solution" "$tasks")
+    probes_of "$folder/$whose" "$tasks"
+    mine=$PROBES
+    probes_of "$folder/solution" "$tasks"
+    solution=$PROBES
     limited "$folder/solution" mistake "$mine" "$solution" "${files[@]}"
-    sed -n 's|^.*/wrong\.\(.*\)\.probes$|\1|p' "$JUDGE_SCRATCH/printed"
+    # shellcheck disable=SC2034  # the caller's
+    MISTAKES=$(sed -n 's|^.*/wrong\.\(.*\)\.probes$|\1|p' "$JUDGE_SCRATCH/printed")
 }
 
 # line_of <file> <word>: what a wrong answer says of itself: // Mistake: ..., Why, Read, Fails; continued lines are joined.
@@ -92,105 +159,10 @@ line_of() {
         END { sub(/^ +/, "", text); print text }' "$1"
 }
 
-# ---------------------------------------------------------------------------------------------------------- verify
-
-fault() { FAULTS=$((FAULTS + 1)); printf '  %s\n' "$*" >> "$JUDGE_SCRATCH/faults"; }
-
-# A cell of the table: how a test came out, in one sign.
-cell() {
-    case $OUTCOME in
-        passed) echo "pass" ;;
-        failed) echo "fail" ;;
-        todo) echo "todo${TEXT##*task }" ;;
-        *) echo "$OUTCOME" ;;
-    esac
-}
-
-verify_subject() { # <subject> <kind>
-    local subject=$1 kind=$2 task name row='' caught='' listed=''
-    [ "$kind" = wrong ] && listed=",$(line_of "$EXERCISE/wrong/${subject#wrong.}.hpp" Fails | tr -d ' '),"
-    while IFS=$'\t' read -r task name _; do
-        run_test "$PROGRAMS/$subject" "$name"
-        row="$row $(printf '%-*s' $((${#name} > 6 ? ${#name} : 6)) "$(cell)")"
-        case $kind in
-            right) [ "$OUTCOME" = passed ] || fault "$subject does not pass [$name]: $TEXT" ;;
-            skeleton)
-                if [ "$OUTCOME" != todo ]; then fault "the skeleton's [$name] should fail with 'not done yet: task $task', but it is '$OUTCOME': $TEXT"
-                elif [ "$TEXT" != "not done yet: task $task" ]; then fault "the skeleton's [$name] belongs to task $task, but it says '$TEXT'"; fi ;;
-            wrong)
-                case $listed in
-                    *",$name,"*)
-                        case $OUTCOME in
-                            failed) CAUGHT="$CAUGHT,$name," ;;
-                            passed) fault "$subject passes [$name], which it says it fails" ;;
-                            *) fault "$subject should fail [$name] by a check, but it is '$OUTCOME': $TEXT" ;;
-                        esac ;;
-                    *) [ "$OUTCOME" = passed ] || fault "$subject fails [$name], which it does not list: $TEXT" ;;
-                esac
-                [ "$OUTCOME" = passed ] || caught=yes ;;
-        esac
-    done <<< "$TESTS"
-    printf '  %-36s%s\n' "$subject" "$row"
-    if [ "$kind" = wrong ]; then
-        local named
-        [ -n "$caught" ] || fault "$subject passes every test: no test catches this mistake"
-        for name in $(echo "$listed" | tr ',' ' '); do
-            printf '%s\n' "$TESTS" | cut -f 2 | grep -qxF "$name" || fault "$subject lists a test that is not there: $name"
-        done
-        named=$(mistake_of "$EXERCISE" "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
-        [ "$named" = "${subject#wrong.} " ] || fault "$subject, taken for a student's, should be named '${subject#wrong.}', but it is named '${named:-nothing}'"
-        for name in Mistake Why Read Fails; do
-            [ -n "$(line_of "$EXERCISE/wrong/${subject#wrong.}.hpp" $name)" ] || fault "wrong/${subject#wrong.}.hpp has no line // $name:"
-        done
-    elif [ "$kind" = right ]; then
-        named=$(mistake_of "$EXERCISE" "$PROGRAMS" "$subject" "$TASKS" | tr '\n' ' ')
-        [ -z "$named" ] || fault "$subject is right, but it is named '$named'"
-    fi
-}
-
-verify() {
-    EXERCISE=${1%/} PROGRAMS=${2%/} FAULTS=0 CAUGHT='' TESTS=''
-    local file task name wrong wrongs=0 level
-    : > "$JUDGE_SCRATCH/faults"
-    if ! TESTS=$(tests_of "$PROGRAMS/solution") || [ -z "$TESTS" ]; then
-        echo "$EXERCISE: there is no $PROGRAMS/solution that lists its tests; build the target exercise.${PROGRAMS##*/}.all_subjects"
-        return 1
-    fi
-    TASKS=$(printf '%s\n' "$TESTS" | cut -f 1 | sort -n | tail -n 1)
-    for file in README.md exercise.hpp library.hpp solution.hpp test.cpp hints.md play.cpp; do
-        [ -f "$EXERCISE/$file" ] || fault "there is no $file"
-    done
-    for task in $(seq 1 "$TASKS"); do
-        printf '%s\n' "$TESTS" | cut -f 1 | grep -qxF "$task" || fault "no test belongs to task $task"
-        for level in question place shape line; do
-            grep -q -i "^## Task $task: .*$level" "$EXERCISE/hints.md" 2>/dev/null || fault "hints.md has no '## Task $task: the $level'"
-        done
-    done
-    printf '%s\n' "${PROGRAMS##*/}"
-    printf '  %-36s' ''
-    while IFS=$'\t' read -r _ name _; do printf ' %-6s' "$name"; done <<< "$TESTS"
-    echo
-    verify_subject library right
-    verify_subject solution right
-    verify_subject skeleton skeleton
-    for wrong in "$EXERCISE"/wrong/*.hpp; do
-        [ -f "$wrong" ] || continue
-        wrongs=$((wrongs + 1))
-        wrong=${wrong##*/}
-        verify_subject "wrong.${wrong%.hpp}" wrong
-    done
-    [ "$wrongs" -ge 3 ] || fault "there are $wrongs wrong answers; an exercise has three at least"
-    while IFS=$'\t' read -r _ name _; do
-        case $CAUGHT in *",$name,"*) ;; *) fault "the test [$name] catches no wrong answer" ;; esac
-    done <<< "$TESTS"
-    if [ "$FAULTS" -gt 0 ]; then
-        echo "  $FAULTS faults in ${PROGRAMS##*/}:"
-        sed 's/^/  /' "$JUDGE_SCRATCH/faults"
-        return 1
-    fi
-}
-
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then
+    trap 'end_running; exit 130' INT TERM
+    # shellcheck source=/dev/null
+    . "$(dirname "${BASH_SOURCE[0]}")/verify.sh" || exit 1
     case ${1:-} in
         verify) verify "${2:?the folder of the exercise}" "${3:?the folder of its programs}" ;;
         *) echo "usage: judge.sh verify <exercise> <programs>" >&2; exit 2 ;;

@@ -2,10 +2,12 @@
 // The main of every subject of an exercise: one test at a time, each in a process of its own, so that a crash or an
 // endless loop is an answer like any other. tools/exercises/judge.sh calls it and says it to people.
 //
-//   <program> list                        each test:  task<TAB>name<TAB>sentence
-//   <program> run <name> <file>           runs one; 0 passed, 10 failed, 11 not done yet, 12 threw; the file says why
+//   <program> list <file>                 each test:  task<TAB>name<TAB>sentence; the last line is "end"
+//   <program> run <name> <file>           runs one; the file says in its first line how it was, in the others why
 //   <program> probe <tasks> <file>        what it computes, a line for each task
 //   <program> mistake <its probes> <the solution's> <a wrong answer's>...   the wrong answers that compute the same
+//
+// What counts stands in a file of its own, for an answer may print what it likes and end the program with any code.
 #define CATCH_CONFIG_RUNNER
 #include "tests/catch.hpp"
 #include "tools/exercises/main.hpp"
@@ -26,7 +28,9 @@ namespace {
 
 using namespace ansatz::workbook;
 
-enum Outcome { passed = 0, failed = 10, not_done_yet = 11, threw = 12 };
+enum Outcome { passed, failed, not_done_yet, threw, unfinished };
+constexpr const char* words[] = {"passed", "failed", "todo", "threw", "unfinished"};
+constexpr int not_written = 20; // what the program ends with where its file cannot be written
 
 /// The first failure of the test, in the words that a person reads.
 struct Verdict {
@@ -35,6 +39,7 @@ struct Verdict {
 };
 Verdict verdict;
 std::string verdict_file;
+int tests_run_to_their_end = 0;
 
 Outcome outcome_of_exception(const std::string& what) {
     return what.rfind("not done yet: task ", 0) == 0 ? not_done_yet : threw;
@@ -54,6 +59,7 @@ struct Listener : ListenerBase {
             if (info.type == Catch::ResultWas::Info) verdict.text += "\n" + info.message;
         return true;
     }
+    void testCaseEnded(const Catch::TestCaseStats&) override { ++tests_run_to_their_end; }
 #ifdef ANSATZ_CATCH_3
     void assertionEnded(const Catch::AssertionStats& stats) override { assertion(stats); }
 #else
@@ -62,7 +68,12 @@ struct Listener : ListenerBase {
 };
 CATCH_REGISTER_LISTENER(Listener)
 
-void write_verdict() { std::ofstream(verdict_file) << verdict.text << '\n'; }
+bool write_verdict() {
+    std::ofstream out(verdict_file);
+    out << words[verdict.outcome] << '\n' << verdict.text << '\n';
+    out.close();
+    return bool(out);
+}
 
 /// An exception that left a noexcept function, or a destructor.
 [[noreturn]] void terminated() {
@@ -74,11 +85,11 @@ void write_verdict() { std::ofstream(verdict_file) << verdict.text << '\n'; }
     } catch (...) {
         verdict.text = "something that is no std::exception";
     }
-    write_verdict();
-    std::_Exit(verdict.outcome);
+    std::_Exit(write_verdict() ? 0 : not_written);
 }
 
-int list() {
+int list(const std::string& file) {
+    std::ofstream out(file);
     for (const auto& test : all_tests()) {
         std::string task, name;
         for (const std::string& tag : test.tags)
@@ -86,9 +97,11 @@ int list() {
                 task = tag.substr(5);
             else
                 name = tag;
-        std::cout << task << '\t' << name << '\t' << test.sentence << '\n';
+        out << task << '\t' << name << '\t' << test.sentence << '\n';
     }
-    return 0;
+    out << "end\n";
+    out.close();
+    return out ? 0 : not_written;
 }
 
 int run(const std::string& name, const std::string& file) {
@@ -96,13 +109,13 @@ int run(const std::string& name, const std::string& file) {
     std::set_terminate(terminated);
     const std::string tag = "[" + name + "]";
     const char* arguments[] = {"subject", tag.c_str(), "--out", "/dev/null", "--abort"};
-    verdict = {threw, "the test did not come to an end"}; // what the file says should the process be ended from outside
-    write_verdict();
+    verdict.outcome = unfinished; // what the file says should the process end before the test
+    if (!write_verdict()) return not_written;
     verdict = {};
     const int failures = Catch::Session().run(5, arguments);
-    if (failures != 0 && verdict.outcome == passed) verdict = {failed, "a check failed"};
-    write_verdict();
-    return verdict.outcome;
+    if (verdict.outcome == passed && tests_run_to_their_end != 1) verdict = {failed, "there is not one test of this name"};
+    if (verdict.outcome == passed && failures != 0) verdict = {failed, "a check failed"};
+    return write_verdict() ? 0 : not_written;
 }
 
 int write_probes(int tasks, const std::string& file) {
@@ -138,10 +151,10 @@ int mistake(const std::vector<std::string>& files) {
 int main(int argc, char* argv[]) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const std::size_t n = arguments.size();
-    if (n == 1 && arguments[0] == "list") return list();
+    if (n == 2 && arguments[0] == "list") return list(arguments[1]);
     if (n == 3 && arguments[0] == "run") return run(arguments[1], arguments[2]);
     if (n == 3 && arguments[0] == "probe") return write_probes(std::atoi(arguments[1].c_str()), arguments[2]);
     if (n >= 3 && arguments[0] == "mistake") return mistake({arguments.begin() + 1, arguments.end()});
-    std::cerr << "usage: list | run <test> <file> | probe <tasks> <file> | mistake <probes> <solution's> <wrong answer's>...\n";
+    std::cerr << "usage: list <file> | run <test> <file> | probe <tasks> <file> | mistake <probes> <solution's> <wrong answer's>...\n";
     return 2;
 }

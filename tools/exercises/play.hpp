@@ -25,6 +25,9 @@ public:
     /// \param columns what each number of a row is, with its unit
     Play(const std::string& scene, std::vector<std::string> columns) : columns_(std::move(columns)) { std::cout << scene << "\n\n"; }
 
+    /// Says what the time is for, where there are neither bodies nor steps: "ns a call".
+    void timed(std::string what) { timed_ = std::move(what); }
+
     /// \param numbers as many as there are columns
     /// \param step    does what is timed, for `bodies` bodies at once
     void row(const std::string& who, std::vector<double> numbers, int bodies, std::function<void()> step) {
@@ -38,7 +41,7 @@ public:
         constexpr int first = 10;
         std::cout << std::setw(first) << "";
         for (const auto& column : columns_) std::cout << "  " << std::setw(width_of(column)) << column;
-        std::cout << "  ns a body and step\n";
+        std::cout << "  " << std::setw(18) << timed_ << '\n';
         for (const Row& row : rows_) {
             std::cout << std::left << std::setw(first) << row.who << std::right;
             for (std::size_t i = 0; i < columns_.size(); ++i) std::cout << "  " << std::setw(width_of(columns_[i])) << shown(row.numbers[i]);
@@ -47,6 +50,7 @@ public:
         if (rows_.size() > 1)
             std::cout << (rows_[0].numbers == rows_[1].numbers ? "\nYour numbers are the library's, to the last bit.\n"
                                                                : "\nYour numbers are not the library's to the last bit; the table says by how much they differ.\n");
+        std::clog << "the scene is over\n"; // how the workbook knows that nothing has ended the program before
         return 0;
     }
 
@@ -78,6 +82,7 @@ private:
     }
 
     std::vector<std::string> columns_;
+    std::string timed_ = "ns a body and step";
     std::vector<Row> rows_;
 };
 

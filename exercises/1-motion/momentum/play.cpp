@@ -50,6 +50,7 @@ void show(const char* who, Collide collide, workbook::Play& table, workbook::Plo
 int main() {
     workbook::Play table("1 kg with 2 m/s meets 3 kg with -1 m/s, e = 0.5. The momentum is -1 kg m/s before and after.",
                          {"cart, m/s", "wagon, m/s", "momentum off by, kg m/s", "energy left"});
+    table.timed("ns a collision");
     workbook::Plot plot("play-motion.momentum", "A collision: yours and the library's");
     plot.x("time").y("place of the cart");
     show("yours", exercise::collide, table, plot);

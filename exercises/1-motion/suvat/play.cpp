@@ -54,6 +54,7 @@ int main() {
     workbook::Play table(
         "A ball leaves a roof of 20 m upwards with 5 m/s. It passes a window at 21 m twice, and lands.",
         {"window up, s", "window down, s", "landing, s", "height then in a World, m"});
+    table.timed("ns a call");
     workbook::Plot plot("play-motion.suvat", "A throw by formulas: yours and the library's");
     plot.x("time").y("height");
     volatile double sink = 0;

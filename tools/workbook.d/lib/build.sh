@@ -28,6 +28,19 @@ jobs_here() {
     echo "$cores"
 }
 
+# Two workbooks at once would build the same files. take_turns waits until no other one builds or judges here, and says
+# so; end_turn lets the next go on. What is started in between must not inherit descriptor 8, or it would hold the turn.
+take_turns() {
+    command -v flock > /dev/null || return 0
+    mkdir -p build && exec 8> build/workbook.lock || return 0
+    if ! flock -n 8; then
+        clear_progress
+        echo "another ./workbook is at work in this folder; waiting for it"
+        flock 8
+    fi
+}
+end_turn() { { exec 8>&-; } 2> /dev/null; }
+
 configure() {
     local log=build/logs/configure.log start
     mkdir -p build/logs
@@ -44,7 +57,11 @@ configure() {
         echo "The project was in $home before; it is configured anew."
         fresh=(--fresh)
     fi
-    if cmake ${fresh[@]+"${fresh[@]}"} --preset "$PRESET" > "$log" 2>&1 < /dev/null; then
+    take_turns
+    cmake ${fresh[@]+"${fresh[@]}"} --preset "$PRESET" > "$log" 2>&1 < /dev/null 8>&-
+    local status=$?
+    end_turn
+    if [ $status -eq 0 ]; then
         clear_progress
         [ -z "$(last_duration configure)" ] && remember configure $(($(now) - start))
         return 0
@@ -90,11 +107,13 @@ build() {
         if [ -f "$BUILD/build.ninja" ]; then go_on=(-- -k 0); else go_on=(-- -k); fi
     fi
     for target in "$@"; do targets+=(--target "$target"); done
+    take_turns
     start=$(now)
     $LIVE || echo "building $what (log: $log)"
     progress "building $what"
-    cmake --build "$BUILD" -j "$(jobs_here)" ${targets[@]+"${targets[@]}"} ${go_on[@]+"${go_on[@]}"} 2>&1 < /dev/null | tee "$log" | build_progress "building $what" "$start"
+    cmake --build "$BUILD" -j "$(jobs_here)" ${targets[@]+"${targets[@]}"} ${go_on[@]+"${go_on[@]}"} 2>&1 < /dev/null 8>&- | tee "$log" | build_progress "building $what" "$start"
     local status=${PIPESTATUS[0]} took=$(($(now) - start))
+    end_turn
     clear_progress
     if [ "$status" -ne 0 ]; then
         first_error "$log"

@@ -16,7 +16,7 @@ LIVE=false
 columns() {
     local width=${COLUMNS:-}
     if [ -z "$width" ] && [ -t 1 ]; then width=$(tput cols 2>/dev/null); fi
-    case $width in '' | *[!0-9]* | 0) width=80 ;; esac
+    case $width in '' | *[!0-9]* | 0* | ?????*) width=80 ;; esac       # nobody's terminal has 10000
     echo "$width"
 }
 WIDTH=$(columns)
@@ -58,18 +58,22 @@ duration() {
     else printf '%d min %02d s' $((ms / 60000)) $((ms / 1000 % 60)); fi
 }
 remember() {
-    mkdir -p build/logs && printf '%s\t%s\t%s\n' "$1" "$2" "$(date '+%Y-%m-%d %H:%M')" >> build/logs/durations.tsv
+    { mkdir -p build/logs && printf '%s\t%s\t%s\n' "$1" "$2" "$(date '+%Y-%m-%d %H:%M')" >> build/logs/durations.tsv; } 2> /dev/null
+    return 0     # no verdict hangs on it
 }
 last_duration() {
     [ -f build/logs/durations.tsv ] || return 1
     awk -F '\t' -v what="$1" '$1 == what { last = $2 } END { if (last == "") exit 1; print last }' build/logs/durations.tsv
 }
 
-# Ctrl-C: every result is written beside its place and moved there whole, so nothing is left to repair.
+# Ctrl-C: every result is written beside its place and moved there whole, so nothing is left to repair. It is said to
+# descriptor 9, what the error stream was at the beginning: that of the command which was stopped may go nowhere.
+exec 9>&2
 stopped() {
     trap - INT TERM
+    if declare -F end_running > /dev/null; then end_running; fi
     clear_progress
-    printf '\n%s\n' "stopped; nothing is left half done, and the same command goes on from here" >&2
+    printf '\n%s\n' "stopped; nothing is left half done, and the same command goes on from here" >&9
     exit 130
 }
 

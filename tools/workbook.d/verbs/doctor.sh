@@ -24,6 +24,7 @@ version_of() {
 }
 
 verb_doctor() {
+    if [ $# -gt 0 ]; then complain "doctor takes no '$1'; ./workbook help doctor"; return 2; fi
     local name where package weight reason version missing=0
     heading "This machine"
     local system
@@ -53,12 +54,13 @@ verb_doctor() {
     heading "Times"
     fact "build folder" "$([ -f "$BUILD/CMakeCache.txt" ] && echo "$BUILD, configured" || echo "$BUILD, not configured yet")"
     if [ -f build/logs/durations.tsv ]; then
-        awk -F '\t' '{ last[$1] = $2; when[$1] = $3 } END { for (what in last) print what "\t" last[what] "\t" when[what] }' build/logs/durations.tsv |
+        # What a student waits for comes below, in words.
+        grep -v -E '^(first verdict|save to verdict|known mistakes)' build/logs/durations.tsv | awk -F '\t' '{ last[$1] = $2; when[$1] = $3 } END { for (what in last) print what "\t" last[what] "\t" when[what] }' |
             sort | while IFS=$'\t' read -r name where reason; do fact "$name" "$(duration "$where") on $reason"; done
     else
         fact "last build" "none yet"
     fi
-    verdict_fact
+    verdict_facts
     clock_facts
 
     echo
@@ -101,13 +103,19 @@ int main() {}' | "$compiler" -std=c++20 -fsyntax-only -x c++ - > /dev/null 2>&1;
     return 1
 }
 
-# How long a student waits: an exercise's skeleton compiled, linked and tested, just now. Nobody's answer is touched.
-verdict_fact() {
-    local index id skeleton start
-    index=$(exercise_index)
-    id=$(printf '%s\n' "$index" | cut -d "$SEP" -f 2 | while IFS= read -r id; do [ -x "$BUILD/exercises/$id/skeleton" ] && { echo "$id"; break; }; done)
-    if [ -z "$id" ]; then fact "save to verdict" "not measured: no exercise is built yet (./workbook verify builds them)"; return; fi
+# How long a student waits: for the first verdict on an exercise, which builds what all of them share, and for those after
+# each save. The latter is measured with a skeleton, compiled, linked and tested just now: nobody's answer is touched.
+verdict_facts() {
+    local id skeleton start
+    remembered "first verdict" "of an exercise that was never tested here before"
+    remembered "known mistakes" "more, once, after the first verdict that a test failed"
+    id=$(exercise_index | cut -d "$SEP" -f 2 | while IFS= read -r id; do [ -x "$BUILD/exercises/$id/skeleton" ] && { echo "$id"; break; }; done)
+    if [ -z "$id" ]; then
+        remembered "save to verdict" "of your answer; ./workbook verify builds what measures it anew"
+        return
+    fi
     skeleton=$BUILD/exercises/subjects/$id/skeleton.hpp
+    # shellcheck disable=SC2034  # build_quietly reads it
     local ID=$id
     # The first build may have other things to do; the second is what a save costs.
     if build_quietly "measuring" "exercise.$id.skeleton" && touch "$skeleton"; then
@@ -119,10 +127,17 @@ verdict_fact() {
     fi
     fact "save to verdict" "not measured: $id does not build (build/logs/exercise.log)"
 }
+remembered() { # <what> <in words>: the last time that was measured, with its words
+    local took
+    if took=$(last_duration "$1"); then fact "$1" "$(duration "$took") ($2)"
+    else fact "$1" "not measured yet: ./workbook exercise does it"; fi
+}
 verdicts_of() {
     local name
+    # shellcheck source=/dev/null
     . "$ROOT/tools/exercises/judge.sh"
-    tests_of "$1" | while IFS=$'\t' read -r _ name _; do run_test "$1" "$name"; done
+    list_tests "$1" || return 1
+    while IFS=$'\t' read -r _ name _; do run_test "$1" "$name"; done <<< "$LISTED"
 }
 
 # What bends measurements of time on this machine.

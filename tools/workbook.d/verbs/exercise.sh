@@ -14,8 +14,9 @@
 CPU_SECONDS=${ANSATZ_CPU_SECONDS:-5}      # somebody waits
 
 verb_exercise() {
-    if [ $# -gt 1 ]; then complain "one exercise at a time; ./workbook help exercise"; return 2; fi
+    one_exercise exercise 0 "$@" || return 2
     choose_exercise "${1:-}" || return 2
+    files_there exercise.hpp test.cpp || return 1
     prepared || return 1
     if [ $# -eq 0 ] && [ "$(progress_of "$ID")" = done ]; then
         say "Every exercise is done. ./workbook exercise <name> takes one again; this is the last:"
@@ -25,61 +26,107 @@ verb_exercise() {
 
 # Builds and tests the answer to the chosen exercise, and says how it is.
 try_exercise() {
-    local start answer=$FOLDER/exercise.hpp programs=$BUILD/exercises/$ID
-    start=$(now)
+    local start program=$BUILD/exercises/$ID/student first=false
     heading "$NUMBER $TITLE"
-    say "${DIM}the task: $FOLDER/README.md, your answer: $answer$PLAIN"
-    echo
-    if [ ! -f "$answer" ]; then
-        complain "$answer is not there; ./workbook reset ${ID#*.} makes it anew"
-        return 1
-    fi
+    files_there exercise.hpp test.cpp || return 1
+    [ -x "$program" ] || first=true
+    start=$(now)
     if ! build_quietly "compiling your answer" "exercise.$ID.student"; then
-        first_error_of_answer build/logs/exercise.log "$answer" || tail -n 5 build/logs/exercise.log >&2
-        say "${DIM}all that the compiler said: build/logs/exercise.log$PLAIN"
+        explain_failed_build
         return 1
     fi
-    local tests task name sentence
-    if ! tests=$(tests_of "$programs/student"); then complain "the tests of $ID cannot be listed: $programs/student"; return 1; fi
-    while IFS=$'\t' read -r task name sentence; do
-        run_test "$programs/student" "$name"
-        if [ "$OUTCOME" = passed ]; then
-            printf '  %s✓%s %s\n' "$GREEN" "$PLAIN" "$sentence"
-            continue
-        fi
-        [ "$OUTCOME" = todo ] || record "$ID" started
-        not_passed "$task" "$sentence" "$answer" "$(printf '%s\n' "$tests" | cut -f 1 | tail -n 1)"
-        echo
-        say "${DIM}$(duration $(($(now) - start))); again: ./workbook exercise ${ID#*.}, or ./workbook watch; help: ./workbook hint$PLAIN"
+    if ! list_tests "$program"; then
+        complain "your answer cannot be tested: $TEXT"
+        what_it_printed
+        next_steps
         return 1
+    fi
+    local tests=$LISTED task name sentence
+    while IFS=$'\t' read -r task name sentence; do
+        run_test "$program" "$name"
+        if [ "$OUTCOME" != passed ]; then
+            not_passed "$task" "$sentence"
+            time_it_took "$start" $first
+            name_the_mistake "$(printf '%s\n' "$tests" | cut -f 1 | tail -n 1)"
+            next_steps
+            return 1
+        fi
+        printf '  %s✓%s %s\n' "$GREEN" "$PLAIN" "$sentence"
     done <<< "$tests"
-    record "$ID" done
+    time_it_took "$start" $first
+    record "$ID" done || return 1
     rm -f $NOTEBOOK/at
     echo
-    say "${GREEN}Done: every test passes.$PLAIN ${DIM}$(duration $(($(now) - start)))$PLAIN"
-    say "./workbook play ${ID#*.} puts it into the world beside the library's; ./workbook diff ${ID#*.} shows our solution. ./workbook exercise goes on with the next."
+    echo "${GREEN}Done: every test passes.$PLAIN"
+    next play "puts it into the world beside the library's"
+    next diff "shows our solution"
+    echo "  ./workbook exercise  goes on with the next"
 }
 
-# not_passed <task> <sentence> <answer> <tasks>: what run_test has found, for a person.
+# A line of what may be done next with the chosen exercise.
+next() { printf '  %s  %s\n' "$(fit "./workbook $1 ${ID#*.}" $((20 + ${#ID})))" "$2"; }
+next_steps() {
+    echo
+    echo "  task   $FOLDER/README.md"
+    echo "  yours  $FOLDER/exercise.hpp"
+    echo "  next   ./workbook exercise ${ID#*.}, or ./workbook watch; ./workbook hint ${ID#*.} helps"
+}
+
+# time_it_took <start> <first>: from the call to the verdict; `doctor` shows it.
+time_it_took() {
+    local took=$(($(now) - $1))
+    if $2; then remember "first verdict" "$took"; else remember "save to verdict" "$took"; fi
+    printf '  %s%s%s\n' "$DIM" "$(duration "$took")" "$PLAIN"
+}
+
+what_it_printed() {
+    [ -n "$PRINTED" ] || return 0
+    printf '\n  your program printed:\n'
+    printf '%s\n' "$PRINTED" | head -n 8 | cut -c "1-$WIDTH" | sed 's/^/    /'
+}
+
+# not_passed <task> <sentence>: what run_test has found, for a person.
 not_passed() {
-    local task=$1 sentence=$2 answer=$3 tasks=$4 line wrong
-    mkdir -p $NOTEBOOK && printf '%s\t%s\n' "$ID" "$task" > $NOTEBOOK/at
+    local task=$1 sentence=$2 line
+    [ "$OUTCOME" = todo ] && task=${TEXT##*task }
+    note_place "$task"
+    [ "$OUTCOME" = todo ] || record "$ID" started
     printf '  %s✗%s %s\n\n' "$RED" "$PLAIN" "$sentence"
     if [ "$OUTCOME" = todo ]; then
-        line=$(grep -n "todo($task)" "$answer" | head -n 1 | cut -d : -f 1)
-        say "Task $task is not done yet: it waits at $answer${line:+:$line}."
+        line=$(grep -n "todo($task)" "$FOLDER/exercise.hpp" | head -n 1 | cut -d : -f 1)
+        echo "  Task $task is not done yet: it waits at $FOLDER/exercise.hpp${line:+:$line}."
         return
     fi
-    printf '%s\n' "$TEXT" | while IFS= read -r line; do
+    printf '%s\n' "$TEXT" | not_a_number | while IFS= read -r line; do
         case $line in ' '*) printf '  %s\n' "$line" ;; *) say "$line" | sed 's/^/  /' ;; esac
     done
-    if [ -n "$PRINTED" ]; then
-        printf '\n  your program printed:\n'
-        printf '%s\n' "$PRINTED" | head -n 8 | sed 's/^/    /'
-    fi
+    what_it_printed
+}
+
+# "-nan m" is what a machine prints; a person reads what it means.
+not_a_number() { sed -E '/^    /s/(^|[ (,])[-+]?nan(\([^)]*\))?/\1not a number/g'; }
+
+# Where `hint` goes on.
+note_place() {
+    { mkdir -p $NOTEBOOK && printf '%s\t%s\n' "$ID" "$1" > $NOTEBOOK/at; } 2> /dev/null
+}
+
+# name_the_mistake <tasks>: after the verdict, for the answers that people give may have to be built first.
+name_the_mistake() {
+    local tasks=$1 wrong start
     case $OUTCOME in failed | threw) ;; *) return ;; esac    # only numbers can be compared
-    build_quietly "preparing the answers people give (once)" "exercise.$ID.others" || return
-    for wrong in $(mistake_of "$FOLDER" "$BUILD/exercises/$ID" student "$tasks"); do
+    files_there solution.hpp 2> /dev/null || return
+    start=$(now)
+    if [ ! -x "$BUILD/exercises/$ID/solution" ]; then
+        echo
+        say "  ${DIM}The answers that people give are prepared now, once; yours may be among them.$PLAIN"
+        build_quietly "preparing the answers people give (once)" "exercise.$ID.others" || return
+        remember "known mistakes" $(($(now) - start))
+    else
+        build_quietly "preparing the answers people give" "exercise.$ID.others" || return
+    fi
+    mistake_of "$FOLDER" "$BUILD/exercises/$ID" student "$tasks"
+    for wrong in $MISTAKES; do
         wrong=$FOLDER/wrong/$wrong.hpp
         echo
         say "${YELLOW}Your numbers equal those of: $(line_of "$wrong" Mistake).$PLAIN" | sed 's/^/  /'

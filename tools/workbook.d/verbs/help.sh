@@ -24,4 +24,5 @@ verb_help() {
     done
     echo
     echo "./workbook help <verb> says more."
+    say "An update (git pull) that stops at a file which you edited: git stash, git pull, git stash pop. Or ./workbook reset <name>, which puts your answer aside."
 }

@@ -16,25 +16,42 @@ hint_text() { # <file> <task> <level>: the level's heading and text
         END { if (text != "") print text }' "$1"
 }
 
+# last_hint <id> <task>: the highest level that was seen. Somebody may have written into the notebook: what is no level
+# does not count.
+last_hint() {
+    awk -F '\t' -v id="$1" -v task="$2" '
+        $1 == id && $2 == task && $3 ~ /^[0-9][0-9]?$/ && $3 + 0 > last { last = $3 + 0 }
+        END { print last + 0 }' $NOTEBOOK/hints 2> /dev/null || echo 0
+}
+
 verb_hint() {
+    if [ $# -gt 3 ]; then complain "hint takes an exercise, a task and a level; what is '$4'?"; return 2; fi
     local task=${2:-} level=${3:-} at
     at=$(cat $NOTEBOOK/at 2> /dev/null)
     if [ $# -eq 0 ] && [ -n "$at" ]; then choose_exercise "${at%%	*}" || return 2; else choose_exercise "${1:-}" || return 2; fi
+    files_there hints.md || return 1
     local file=$FOLDER/hints.md
+    if [ -z "$task" ] && [ "$(progress_of "$ID")" = done ]; then
+        say "This exercise is done, so nothing is left to hint at. ./workbook hint ${ID#*.} 1 1 shows the first hint all the same; ./workbook diff ${ID#*.} our solution."
+        return 0
+    fi
     [ -z "$task" ] && [ "${at%%	*}" = "$ID" ] && task=${at##*	}
     [ -z "$task" ] && task=1
     case $task$level in *[!0-9]*) complain "a task and a level are numbers: ./workbook hint ${ID#*.} 1 2"; return 2 ;; esac
+    if [ ${#task} -gt 2 ] || [ ${#level} -gt 2 ]; then complain "there are not so many: a task and a level have two digits at most"; return 2; fi
+    task=$((10#$task))
     if ! grep -q "^## Task $task: " "$file"; then complain "$ID has no task $task"; return 2; fi
     if [ -z "$level" ]; then
-        level=$(($(awk -F '\t' -v id="$ID" -v task="$task" '$1 == id && $2 == task && $3 > last { last = $3 } END { print last + 0 }' $NOTEBOOK/hints 2> /dev/null || echo 0) + 1))
+        level=$(($(last_hint "$ID" "$task") + 1))
     fi
+    level=$((10#$level))
     local levels
     levels=$(grep -c "^## Task $task: " "$file")
     [ "$level" -gt "$levels" ] && level=$levels
     [ "$level" -lt 1 ] && level=1
     heading "$NUMBER $TITLE, hint $level of $levels"
     hint_text "$file" "$task" "$level" | while IFS= read -r line; do say "$line"; done
-    mkdir -p $NOTEBOOK && printf '%s\t%s\t%s\n' "$ID" "$task" "$level" >> $NOTEBOOK/hints
+    note hints "$ID" "$task" "$level" || return 1
     echo
     if [ "$level" -lt "$levels" ]; then say "${DIM}./workbook hint says more.$PLAIN"
     else say "${DIM}That was the last hint; ./workbook diff ${ID#*.} --anyway shows the solution.$PLAIN"; fi

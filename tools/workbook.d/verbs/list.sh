@@ -6,6 +6,7 @@
 #   ./workbook list [number]      all, or what lies below a number: list 1.6
 
 verb_list() {
+    if [ $# -gt 1 ]; then complain "list takes one number; what is '$2'?"; return 2; fi
     local index
     index=$(section_index)
     if [ $# -gt 0 ]; then
@@ -63,6 +64,7 @@ list_exercises() {
         case $state in
             done) shown="$GREEN$(fit done 9)$PLAIN"; done=$((done + 1)) ;;
             started) shown="$YELLOW$(fit started 9)$PLAIN" ;;
+            missing) shown="$RED$(fit "$state" 9)$PLAIN" ;;
             *) shown="$DIM$(fit "$state" 9)$PLAIN" ;;
         esac
         printf '  %s %s  %s  %s\n' "$(fit "$number" 6)" "$shown" "$(fit "${id#*.}" 20)" "$title"

@@ -6,8 +6,9 @@
 #   ./workbook reset drag
 
 verb_reset() {
-    if [ $# -ne 1 ]; then complain "which exercise? ./workbook reset <name>"; return 2; fi
+    one_exercise reset 1 "$@" || return 2
     choose_exercise "$1" || return 2
+    files_there solution.hpp || return 1
     local answer=$FOLDER/exercise.hpp aside
     if skeleton_of "$FOLDER" | cmp -s - "$answer"; then
         echo "$answer is as it was at the beginning; nothing to do"
@@ -19,5 +20,6 @@ verb_reset() {
         mkdir -p $NOTEBOOK/attempts && cp "$answer" "$aside" || { complain "your answer could not be put aside, so nothing was changed"; return 1; }
         echo "what you wrote is in $aside"
     fi
-    skeleton_of "$FOLDER" > "$answer.part" && mv -f "$answer.part" "$answer" && echo "$answer is a skeleton again"
+    skeleton_of "$FOLDER" > "$answer.part" && mv -f "$answer.part" "$answer" && echo "$answer is a skeleton again" || return 1
+    if [ "$(progress_of "$ID")" = done ]; then note progress "$ID" started "$(date '+%Y-%m-%d')"; fi
 }

@@ -18,6 +18,7 @@ verb_section() {
         echo "./workbook section <number> runs one."
         return 0
     fi
+    if [ $# -gt 1 ]; then complain "one section at a time, or all below a number; what is '$2'?"; return 2; fi
     local index chosen number
     index=$(section_index)
     chosen=$(at_or_below "$index" "${1%.}")

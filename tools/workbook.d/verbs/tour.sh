@@ -55,7 +55,8 @@ verb_tour() {
     [ "$drawn" -gt 0 ] && echo "  pictures    $PICTURES/      $drawn of them"
     ls build/costs/*.json > /dev/null 2>&1 && echo "  cost tables build/costs/"
     echo
-    echo "Next:  ./workbook section 1.6.1   one section, in the terminal"
+    echo "Next:  ./workbook exercise        the first exercise: what to edit, and whether it is right"
+    echo "       ./workbook section 1.6.1   one section, in the terminal"
     echo "       ./workbook costs --quick   what accuracy costs on this machine"
     echo "       ./workbook help            everything else"
     if [ "$failures" -gt 0 ] || $failed_build; then return 1; fi

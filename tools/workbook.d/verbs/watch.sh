@@ -13,12 +13,11 @@
 saved_at() { stat -c '%Y.%y' "$1" 2> /dev/null || stat -f '%m' "$1" 2> /dev/null; }
 
 verb_watch() {
-    if [ $# -gt 1 ]; then complain "one exercise at a time; ./workbook help watch"; return 2; fi
+    one_exercise watch 0 "$@" || return 2
     local seen=''
     choose_exercise "${1:-}" || return 2
+    files_there exercise.hpp test.cpp || return 1
     prepared || return 1
-    # An editor that does nothing else must find the wrong answers built, not wait for them at the first mistake.
-    build_quietly "preparing the answers people give (once)" "exercise.$ID.others" || true
     while :; do
         if [ "$(saved_at "$FOLDER/exercise.hpp")" != "$seen" ]; then
             seen=$(saved_at "$FOLDER/exercise.hpp")
