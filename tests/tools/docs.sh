@@ -40,6 +40,30 @@ html=$scratch/build/docs/html
 # A doubt of Doxygen that is no warning would be in the log as well.
 if grep -qE '(warning|error):' "$scratch/log"; then echo "Doxygen complained, and the build let it pass"; exit 1; fi
 
+# ---------------------------------------------------------------- the site as it is seen
+# What is wider than its box, on a screen of 1200 pixels: no listing with lines of 120 characters, and no table.
+too_wide() {
+    local page=$html/measured.html
+    awk '/<\/body>/ {
+        print "<script>window.addEventListener(\"load\", () => setTimeout(() => { const cut = [];"
+        print "document.querySelectorAll(\"div.fragment, table\").forEach(box => {"
+        print "  const longest = Math.max(0, ...[...box.querySelectorAll(\".line\")].map(line => line.textContent.length));"
+        print "  if (box.offsetParent && box.scrollWidth > box.clientWidth + 1 && longest <= 120) cut.push(box.textContent.trim().slice(0, 40)); });"
+        print "document.title = \"cut: \" + cut.length + \" \" + cut.join(\", \"); }, 1500));</script>"
+    } { print }' "$html/$1" > "$page"
+    timeout 60 chromium --headless --no-sandbox --disable-gpu --allow-file-access-from-files --user-data-dir="$scratch/chromium" \
+        --virtual-time-budget=8000 --window-size=1200,900 --dump-dom "file://$page" 2> /dev/null | tr '\n' ' ' | grep -o '<title>cut: [^<]*' || echo "<title>nothing was measured"
+    rm "$page"
+}
+if command -v chromium > /dev/null; then
+    for page in page_world.html chapter_motion.html index.html; do
+        seen=$(too_wide $page)
+        if [ "${seen# }" != "<title>cut: 0 " ]; then echo "$page on a screen of 1200 pixels: ${seen#<title>}"; exit 1; fi
+    done
+else
+    echo "no chromium here: that nothing is cut off was not looked at"
+fi
+
 # ---------------------------------------------------------------- each fault is found
 checked=0
 # reports <what it must say>: the check fails on the site, and says so.
@@ -87,6 +111,10 @@ planted $page '<a href="#nowhere_here">x</a>' "$page has no place 'nowhere_here'
 planted search/all_0.html '<a href="nowhere.html">x</a>' "there is no search/nowhere.html, to which search/all_0.html links"
 planted navtreedata.js '["A chapter", "@ref nowhere", null]' "navtreedata.js names '@ref nowhere', which no page has"
 planted navtreedata.js '["A chapter", "nowhere.html", null]' "there is no nowhere.html, to which navtreedata.js links"
+
+cp "$html/$page" "$html/md__home_somebody_CHANGELOG.html"
+reports "md__home_somebody_CHANGELOG.html is named after a folder"
+rm "$html/md__home_somebody_CHANGELOG.html"
 
 # Without the copy of MathJax. Every page that loads it has a dead link as well: said once.
 mv "$html/mathjax/MathJax.js" "$scratch/kept"

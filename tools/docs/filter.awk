@@ -170,7 +170,7 @@ function link_of(text, target,    bare, path, part, n, label, name) {
     name = part[n]
     if (path == "LICENSE") return "<a href=\"LICENSE.txt\">" bare "</a>"
     if (path == "README.md") return "\\ref index \"" bare "\""
-    if (path ~ /^docs\/[^\/]*\.md$/ && (label = label_of(path)) != "") return "\\ref " label " \"" bare "\""
+    if (path ~ /^(docs\/)?[^\/]*\.md$/ && (label = label_of(path)) != "") return "\\ref " label " \"" bare "\""
     if (path ~ /\.md$/ && path !~ /^exercises\//) return "[" text "](" path ")"
     if (path ~ /^include\/.*\.hpp$/) { sub(/^include\//, "", path); return "\\ref " path " \"" bare "\"" }
     if (path ~ /^exercises\// && n >= 3 && (n == 3 || name == "README.md") && (part[3] in exercise)) return "\\ref " exercise[part[3]] " \"" bare "\""
