@@ -64,6 +64,25 @@ else
     echo "no chromium here: that nothing is cut off was not looked at"
 fi
 
+# ---------------------------------------------------------------- what is searched is found
+# finds <word> <title>: the search's entry for the word has a link of that title.
+finds() {
+    if ! cat "$html"/search/all_*.js | grep -F "['$1_topics'," | grep -qF "1,'$2']"; then echo "The search does not find '$2' by '$1'"; exit 1; fi
+}
+finds drag "1.7 Drag"
+finds drag "Exercise 1.7: Drag"
+for section in "1.6.1 Explicit Euler" "1.6.2 Implicit Euler" "1.6.3 Semi-implicit Euler"; do finds euler "$section"; done
+finds symplectic "1.6.3 Semi-implicit Euler"
+finds momentum "1.4 Law of conservation of momentum"
+finds 1_2e7 "1.7 Drag"
+
+# ---------------------------------------------------------------- words are words
+# A link is for what is named, not for what only looks like it: a parameter x, a sentence that begins with "Keep".
+for word in '>[xyz]</a>[,;]' '>Keep</a> the' '>Zero</a> (by|if|for)' 'L\. <a [^>]*>Verlet</a>'; do
+    if grep -rlE --include='*.html' "$word" "$html"; then echo "has a link where there is only a word: $word"; exit 1; fi
+done
+if grep -rl --include='*.html' 'hard case [A-Z][0-9]' "$html"; then echo "speaks of hard cases by numbers that no reader knows"; exit 1; fi
+
 # ---------------------------------------------------------------- each fault is found
 checked=0
 # reports <what it must say>: the check fails on the site, and says so.

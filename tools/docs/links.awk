@@ -112,15 +112,18 @@ function read_style(    text) {
 
 # Strings that are pages: "world_8hpp.html#a1", '../world_8hpp.html'; and references of the navigation that lead nowhere.
 # navtreeindex*.js is no list of links but of where in the tree a page stands. In the tree's branches (world_8hpp.js) Doxygen
-# names places by the header, though it describes a member of a namespace on the page of that namespace: only pages count.
-function read_list(    text, link) {
+# names places by the header, though it describes a member of a namespace on the page of that namespace: only pages count;
+# and so in the list NAVTREEINDEX, which repeats one in some hundred of those.
+function read_list(    text, link, branches) {
     if (file ~ /^navtreeindex[0-9]*\.js$/) return
+    branches = folder == "" && file !~ /^(navtreedata|menudata)\.js$/
     while ((getline text < file) > 0) {
+        if (text ~ /^var NAVTREEINDEX/) branches = 1
         if (index(text, ".html") == 0 && index(text, "ref ") == 0) continue
         while (match(text, /["']([^"' ]*\.html(#[^"' ]*)?|[@\\]ref [^"']*)["']/)) {
             link = substr(text, RSTART + 1, RLENGTH - 2)
             text = substr(text, RSTART + RLENGTH)
-            if (folder == "" && file !~ /^(navtreedata|menudata)\.js$/) sub(/#.*/, "", link)
+            if (branches) sub(/#.*/, "", link)
             links_to(link)
         }
     }

@@ -5,8 +5,8 @@
 /// `decay(x)`: e to the power of minus x, the same to the bit in every build.
 ///
 /// Damping that does not depend on the frame rate multiplies by exp(-c dt). The standard library's exp may differ in the
-/// last bit between compilers, their options and their constant folding, and a state hash would differ with it (hard case
-/// I20); this one uses only operations that IEEE 754 defines. Accurate to about one unit in the last place.
+/// last bit between compilers, their options and their constant folding, and a state hash would differ with it;
+/// this one uses only operations that IEEE 754 defines. Accurate to about one unit in the last place.
 
 #include <ansatz/units/quantity.hpp>
 
