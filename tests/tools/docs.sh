@@ -160,6 +160,16 @@ without exercise_motion_drag.html "no chapter links to the exercise drag" "$html
 mapfile -t of_the_library < <(grep -l 'href="exercise_motion_drag.html' "$html"/struct*.html "$html"/class*.html "$html"/namespace*.html "$html"/*_8hpp.html)
 without exercise_motion_drag.html "no page of the API links to the exercise drag" "${of_the_library[@]}"
 
+for said in "./workbook exercise drag:its command" "exercises/1-motion/drag/exercise.hpp:which file to edit"; do
+    cp "$html/exercise_motion_drag.html" "$scratch/kept"
+    awk -v text="${said%%:*}" '{ while (i = index($0, text)) $0 = substr($0, 1, i - 1) substr($0, i + length(text)); print }' "$scratch/kept" > "$html/exercise_motion_drag.html"
+    reports "the page of the exercise drag does not say ${said#*:}"
+    cp "$scratch/kept" "$html/exercise_motion_drag.html"
+done
+# A role is shown by its policies.
+planted conceptansatz_1_1EffectIn.html '<h2>Concept definition</h2> detail::HasPlace' "conceptansatz_1_1EffectIn.html shows names of namespace detail"
+without structansatz "conceptansatz_1_1EffectIn.html names no policy of its kind" "$html/conceptansatz_1_1EffectIn.html"
+
 # In the sources: a pasted listing, whether it says what it is or not.
 kept=$tree/docs/world.md
 for fence in '```cpp' '```c++' '~~~{.cpp}' '``` cpp' '\code{.cpp}' '```'; do
@@ -175,7 +185,7 @@ cp "$project/docs/world.md" "$kept"
 mkdir -p "$tree/exercises/1-motion/nobody_knows"
 printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
 reports "exercises/1-motion/nobody_knows has no page exercise_motion_nobody_knows.html"
-awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a>" } { print }' "$html/$page" > "$html/exercise_motion_nobody_knows.html"
+awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/$page" > "$html/exercise_motion_nobody_knows.html"
 reports "no chapter links to the exercise nobody_knows"
 rm -r "$tree/exercises/1-motion/nobody_knows" "$html/exercise_motion_nobody_knows.html"
 "$tree/tools/docs/check" "$html" > /dev/null || { echo "The check finds faults that are mended again"; exit 1; }
