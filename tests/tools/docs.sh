@@ -64,6 +64,12 @@ else
     echo "no chromium here: that nothing is cut off was not looked at"
 fi
 
+# ---------------------------------------------------------------- what is not drawn says how to draw it
+if [ -f "$html/1.7.svg" ] && ! grep -q 'Not drawn yet. ./workbook section 1.7 draws it' "$html/1.7.svg"; then
+    echo "The stand-in of a picture does not say how to get the picture"
+    exit 1
+fi
+
 # ---------------------------------------------------------------- what is searched is found
 # finds <word> <title>: the search's entry for the word has a link of that title.
 finds() {
