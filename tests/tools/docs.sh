@@ -73,7 +73,7 @@ fi
 # ---------------------------------------------------------------- what is searched is found
 # finds <word> <title>: the search's entry for the word has a link of that title.
 finds() {
-    if ! cat "$html"/search/all_*.js | grep -F "['$1_topics'," | grep -qF "1,'$2']"; then echo "The search does not find '$2' by '$1'"; exit 1; fi
+    if ! cat "$html"/search/all_*.js | grep -F "['$1_topics'," | grep -F "1,'$2']" > /dev/null; then echo "The search does not find '$2' by '$1'"; exit 1; fi
 }
 finds drag "1.7 Drag"
 finds drag "Exercise 1.7: Drag"
@@ -133,6 +133,28 @@ planted $page '<a href="nowhere.html#at_all">x</a>' "there is no nowhere.html"
 planted $page '<img alt="" src="nowhere.png"/>' "there is no nowhere.png, to which $page links"
 planted $page '<a href="index.html#nowhere_here">x</a>' "index.html has no place 'nowhere_here', to which $page links"
 planted $page '<a href="#nowhere_here">x</a>' "$page has no place 'nowhere_here', to which $page links"
+# The same in other words: other quotes or none, capitals, a page within a page, tags and styles over several lines.
+# shellcheck disable=SC2016
+planted $page '<script>var a = `https://example.org/x`;</script>' "$page has a script that names another host"
+planted $page '<script>var a = "HTTPS://EXAMPLE.ORG/x";</script>' "$page has a script that names another host"
+planted $page '<script>fetch(a + b);</script>' "$page has a script that asks for something"
+planted $page '<img alt="" src=https://example.org/x.png>' "$page asks another host: https://example.org/x.png"
+planted $page '<IMG ALT="" SRC="HTTPS://example.org/x.png">' "$page asks another host: HTTPS://example.org/x.png"
+planted $page '<iframe srcdoc="&lt;img src=&quot;https://example.org/x.png&quot;&gt;"></iframe>' "$page has a page within that names another host"
+planted $page '<A HREF="nowhere.html">x</A>' "there is no nowhere.html, to which $page links"
+planted $page '<a href=nowhere.html>x</a>' "there is no nowhere.html, to which $page links"
+planted ansatz.css $'a { background: url(\n    "https://example.org/x.png"); }' "ansatz.css asks another host: https://example.org/x.png"
+planted ansatz.css '@IMPORT "https://fonts.example/a.css";' "ansatz.css asks another host: https://fonts.example/a.css"
+planted ansatz.css 'a { background: image-set("https://example.org/x.png" 1x); }' "ansatz.css asks another host: https://example.org/x.png"
+drawing=accuracy_against_time.svg
+planted $drawing "<image href='https://example.org/x.png'/>" "$drawing asks another host: https://example.org/x.png"
+planted $drawing $'<image\n  xlink:href="https://example.org/x.png"/>' "$drawing asks another host: https://example.org/x.png"
+planted $drawing '<feImage href="https://example.org/x.png"/>' "$drawing asks another host: https://example.org/x.png"
+: > "$html/own.js"
+planted own.js 'const a = "https://example.org/x";' "own.js has a script that names another host"
+planted own.js 'new XMLHttpRequest().open("GET", a + b);' "own.js has a script that asks for something"
+rm "$html/own.js"
+
 planted search/all_0.html '<a href="nowhere.html">x</a>' "there is no search/nowhere.html, to which search/all_0.html links"
 planted navtreedata.js '["A chapter", "@ref nowhere", null]' "navtreedata.js names '@ref nowhere', which no page has"
 planted navtreedata.js '["A chapter", "nowhere.html", null]' "there is no nowhere.html, to which navtreedata.js links"
@@ -187,6 +209,29 @@ printf '\n```sh\n./workbook docs\n```\n\n```\n wake -> rest\n```\n' >> "$kept"
 "$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a command, or a drawing, for a pasted listing"; exit 1; }
 cp "$project/docs/world.md" "$kept"
 
+# in_text <text> <what it must say>: with this at the end of a text page, and without it again.
+in_text() {
+    printf '\n%s\n' "$1" >> "$kept"
+    reports "$2"
+    cp "$project/docs/world.md" "$kept"
+}
+in_text $'    int i = 0;\n    i += 1;' 'a pasted listing, docs/world.md:'
+in_text '<pre>int i = 0;</pre>' 'a pasted listing, docs/world.md:'
+in_text $'```bash\nint i = 0;\n```' 'a pasted listing, docs/world.md:'
+# Formulas, and a picture of nobody.
+# shellcheck disable=SC2016
+{
+    in_text 'The step $x$ is long.' 'a formula would stay as TeX, write \f$...\f$: $x$'
+    in_text '$$x$$' 'a formula would stay as TeX'
+    in_text 'The step \f$ x is long.' 'a formula has no end'
+    in_text '\f$ \frca{1}{2} \f$' 'MathJax knows no \frca'
+    in_text '\f$ \frac{1}{2 \f$' 'a brace has no partner'
+}
+in_text '\image html nopic.svg "A picture"' 'docs/world.md shows nopic.svg, which no section draws'
+printf '\n- A list\n\n    goes on; and its second paragraph is no listing;\n\nIt costs $5, and `$x$` is code.\n' >> "$kept"
+"$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a list for a listing, or a price for a formula"; exit 1; }
+cp "$project/docs/world.md" "$kept"
+
 # An exercise of which nobody knows.
 mkdir -p "$tree/exercises/1-motion/nobody_knows"
 printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
@@ -214,6 +259,6 @@ expect "never_drawn.svg"
 for name in HiddenAndPlain SomebodyTold; do
     if grep -q "the concept $name is not" "$scratch/log"; then echo "The check asks for documentation of $name"; exit 1; fi
 done
-if grep '^docs: ' "$scratch/log" | grep -vE 'NobodyTold|pictures are not drawn|[0-9] faults in'; then echo "The check finds more than the two concepts"; exit 1; fi
+if grep '^docs: ' "$scratch/log" | grep -vE 'NobodyTold|never_drawn.svg|pictures are not drawn|[0-9] faults in'; then echo "The check finds more than the two concepts"; exit 1; fi
 
 echo "$checked faults, each found"
