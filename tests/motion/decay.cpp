@@ -5,6 +5,7 @@
 #include "tests/catch.hpp"
 
 #include <ansatz/motion/decay.hpp>
+#include <ansatz/units.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -55,4 +56,17 @@ TEST_CASE("decay is exactly 1 at 0, 0 far out, never above 1, never rising, and 
 
 TEST_CASE("decay in float is the double's, rounded once", "[motion][decay]") {
     for (float x = 1e-6f; x < 100; x *= 1.01f) REQUIRE(decay(x) == static_cast<float>(decay(double(x))));
+}
+
+TEST_CASE("decay of a rate times a time is that of the number", "[motion][decay]") {
+    using namespace ansatz;
+    const auto of_doubles = 3.0 / second * (0.1 * second);
+    STATIC_REQUIRE(std::is_same_v<decltype(decay(of_doubles)), double>);
+    CHECK(decay(of_doubles) == decay(of_doubles.value())); // to the bit: not by the exp of the standard library
+    CHECK(decay<double>(of_doubles) == decay(of_doubles.value()));
+    CHECK(decay(scalar_cast<float>(of_doubles)) == decay(scalar_cast<float>(of_doubles).value()));
+
+    using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<30>, boost::multiprecision::et_off>;
+    const auto of_wide = scalar_cast<Wide>(of_doubles);
+    CHECK(decay(of_wide) == exp(Wide(-of_wide.value())));
 }

@@ -40,6 +40,55 @@ html=$scratch/build/docs/html
 # A doubt of Doxygen that is no warning would be in the log as well.
 if grep -qE '(warning|error):' "$scratch/log"; then echo "Doxygen complained, and the build let it pass"; exit 1; fi
 
+# ---------------------------------------------------------------- the site as it is seen
+# What is wider than its box, on a screen of 1200 pixels: no listing with lines of 120 characters, and no table.
+too_wide() {
+    local page=$html/measured.html
+    awk '/<\/body>/ {
+        print "<script>window.addEventListener(\"load\", () => setTimeout(() => { const cut = [];"
+        print "document.querySelectorAll(\"div.fragment, table\").forEach(box => {"
+        print "  const longest = Math.max(0, ...[...box.querySelectorAll(\".line\")].map(line => line.textContent.length));"
+        print "  if (box.offsetParent && box.scrollWidth > box.clientWidth + 1 && longest <= 120) cut.push(box.textContent.trim().slice(0, 40)); });"
+        print "document.title = \"cut: \" + cut.length + \" \" + cut.join(\", \"); }, 1500));</script>"
+    } { print }' "$html/$1" > "$page"
+    timeout 60 chromium --headless --no-sandbox --disable-gpu --allow-file-access-from-files --user-data-dir="$scratch/chromium" \
+        --virtual-time-budget=8000 --window-size=1200,900 --dump-dom "file://$page" 2> /dev/null | tr '\n' ' ' | grep -o '<title>cut: [^<]*' || echo "<title>nothing was measured"
+    rm "$page"
+}
+if command -v chromium > /dev/null; then
+    for page in page_world.html chapter_motion.html index.html; do
+        seen=$(too_wide $page)
+        if [ "${seen# }" != "<title>cut: 0 " ]; then echo "$page on a screen of 1200 pixels: ${seen#<title>}"; exit 1; fi
+    done
+else
+    echo "no chromium here: that nothing is cut off was not looked at"
+fi
+
+# ---------------------------------------------------------------- what is not drawn says how to draw it
+if [ -f "$html/1.7.svg" ] && ! grep -q 'Not drawn yet. ./workbook section 1.7 draws it' "$html/1.7.svg"; then
+    echo "The stand-in of a picture does not say how to get the picture"
+    exit 1
+fi
+
+# ---------------------------------------------------------------- what is searched is found
+# finds <word> <title>: the search's entry for the word has a link of that title.
+finds() {
+    if ! cat "$html"/search/all_*.js | grep -F "['$1_topics'," | grep -F "1,'$2']" > /dev/null; then echo "The search does not find '$2' by '$1'"; exit 1; fi
+}
+finds drag "1.7 Drag"
+finds drag "Exercise 1.7: Drag"
+for section in "1.6.1 Explicit Euler" "1.6.2 Implicit Euler" "1.6.3 Semi-implicit Euler"; do finds euler "$section"; done
+finds symplectic "1.6.3 Semi-implicit Euler"
+finds momentum "1.4 Law of conservation of momentum"
+finds 1_2e7 "1.7 Drag"
+
+# ---------------------------------------------------------------- words are words
+# A link is for what is named, not for what only looks like it: a parameter x, a sentence that begins with "Keep".
+for word in '>[xyz]</a>[,;]' '>Keep</a> the' '>Zero</a> (by|if|for)' 'L\. <a [^>]*>Verlet</a>'; do
+    if grep -rlE --include='*.html' "$word" "$html"; then echo "has a link where there is only a word: $word"; exit 1; fi
+done
+if grep -rl --include='*.html' 'hard case [A-Z][0-9]' "$html"; then echo "speaks of hard cases by numbers that no reader knows"; exit 1; fi
+
 # ---------------------------------------------------------------- each fault is found
 checked=0
 # reports <what it must say>: the check fails on the site, and says so.
@@ -84,9 +133,35 @@ planted $page '<a href="nowhere.html#at_all">x</a>' "there is no nowhere.html"
 planted $page '<img alt="" src="nowhere.png"/>' "there is no nowhere.png, to which $page links"
 planted $page '<a href="index.html#nowhere_here">x</a>' "index.html has no place 'nowhere_here', to which $page links"
 planted $page '<a href="#nowhere_here">x</a>' "$page has no place 'nowhere_here', to which $page links"
+# The same in other words: other quotes or none, capitals, a page within a page, tags and styles over several lines.
+# shellcheck disable=SC2016
+planted $page '<script>var a = `https://example.org/x`;</script>' "$page has a script that names another host"
+planted $page '<script>var a = "HTTPS://EXAMPLE.ORG/x";</script>' "$page has a script that names another host"
+planted $page '<script>fetch(a + b);</script>' "$page has a script that asks for something"
+planted $page '<img alt="" src=https://example.org/x.png>' "$page asks another host: https://example.org/x.png"
+planted $page '<IMG ALT="" SRC="HTTPS://example.org/x.png">' "$page asks another host: HTTPS://example.org/x.png"
+planted $page '<iframe srcdoc="&lt;img src=&quot;https://example.org/x.png&quot;&gt;"></iframe>' "$page has a page within that names another host"
+planted $page '<A HREF="nowhere.html">x</A>' "there is no nowhere.html, to which $page links"
+planted $page '<a href=nowhere.html>x</a>' "there is no nowhere.html, to which $page links"
+planted ansatz.css $'a { background: url(\n    "https://example.org/x.png"); }' "ansatz.css asks another host: https://example.org/x.png"
+planted ansatz.css '@IMPORT "https://fonts.example/a.css";' "ansatz.css asks another host: https://fonts.example/a.css"
+planted ansatz.css 'a { background: image-set("https://example.org/x.png" 1x); }' "ansatz.css asks another host: https://example.org/x.png"
+drawing=accuracy_against_time.svg
+planted $drawing "<image href='https://example.org/x.png'/>" "$drawing asks another host: https://example.org/x.png"
+planted $drawing $'<image\n  xlink:href="https://example.org/x.png"/>' "$drawing asks another host: https://example.org/x.png"
+planted $drawing '<feImage href="https://example.org/x.png"/>' "$drawing asks another host: https://example.org/x.png"
+: > "$html/own.js"
+planted own.js 'const a = "https://example.org/x";' "own.js has a script that names another host"
+planted own.js 'new XMLHttpRequest().open("GET", a + b);' "own.js has a script that asks for something"
+rm "$html/own.js"
+
 planted search/all_0.html '<a href="nowhere.html">x</a>' "there is no search/nowhere.html, to which search/all_0.html links"
 planted navtreedata.js '["A chapter", "@ref nowhere", null]' "navtreedata.js names '@ref nowhere', which no page has"
 planted navtreedata.js '["A chapter", "nowhere.html", null]' "there is no nowhere.html, to which navtreedata.js links"
+
+cp "$html/$page" "$html/md__home_somebody_CHANGELOG.html"
+reports "md__home_somebody_CHANGELOG.html is named after a folder"
+rm "$html/md__home_somebody_CHANGELOG.html"
 
 # Without the copy of MathJax. Every page that loads it has a dead link as well: said once.
 mv "$html/mathjax/MathJax.js" "$scratch/kept"
@@ -113,6 +188,16 @@ without exercise_motion_drag.html "no chapter links to the exercise drag" "$html
 mapfile -t of_the_library < <(grep -l 'href="exercise_motion_drag.html' "$html"/struct*.html "$html"/class*.html "$html"/namespace*.html "$html"/*_8hpp.html)
 without exercise_motion_drag.html "no page of the API links to the exercise drag" "${of_the_library[@]}"
 
+for said in "./workbook exercise drag:its command" "exercises/1-motion/drag/exercise.hpp:which file to edit"; do
+    cp "$html/exercise_motion_drag.html" "$scratch/kept"
+    awk -v text="${said%%:*}" '{ while (i = index($0, text)) $0 = substr($0, 1, i - 1) substr($0, i + length(text)); print }' "$scratch/kept" > "$html/exercise_motion_drag.html"
+    reports "the page of the exercise drag does not say ${said#*:}"
+    cp "$scratch/kept" "$html/exercise_motion_drag.html"
+done
+# A role is shown by its policies.
+planted conceptansatz_1_1EffectIn.html '<h2>Concept definition</h2> detail::HasPlace' "conceptansatz_1_1EffectIn.html shows names of namespace detail"
+without structansatz "conceptansatz_1_1EffectIn.html names no policy of its kind" "$html/conceptansatz_1_1EffectIn.html"
+
 # In the sources: a pasted listing, whether it says what it is or not.
 kept=$tree/docs/world.md
 for fence in '```cpp' '```c++' '~~~{.cpp}' '``` cpp' '\code{.cpp}' '```'; do
@@ -124,11 +209,34 @@ printf '\n```sh\n./workbook docs\n```\n\n```\n wake -> rest\n```\n' >> "$kept"
 "$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a command, or a drawing, for a pasted listing"; exit 1; }
 cp "$project/docs/world.md" "$kept"
 
+# in_text <text> <what it must say>: with this at the end of a text page, and without it again.
+in_text() {
+    printf '\n%s\n' "$1" >> "$kept"
+    reports "$2"
+    cp "$project/docs/world.md" "$kept"
+}
+in_text $'    int i = 0;\n    i += 1;' 'a pasted listing, docs/world.md:'
+in_text '<pre>int i = 0;</pre>' 'a pasted listing, docs/world.md:'
+in_text $'```bash\nint i = 0;\n```' 'a pasted listing, docs/world.md:'
+# Formulas, and a picture of nobody.
+# shellcheck disable=SC2016
+{
+    in_text 'The step $x$ is long.' 'a formula would stay as TeX, write \f$...\f$: $x$'
+    in_text '$$x$$' 'a formula would stay as TeX'
+    in_text 'The step \f$ x is long.' 'a formula has no end'
+    in_text '\f$ \frca{1}{2} \f$' 'MathJax knows no \frca'
+    in_text '\f$ \frac{1}{2 \f$' 'a brace has no partner'
+}
+in_text '\image html nopic.svg "A picture"' 'docs/world.md shows nopic.svg, which no section draws'
+printf '\n- A list\n\n    goes on; and its second paragraph is no listing;\n\nIt costs $5, and `$x$` is code.\n' >> "$kept"
+"$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a list for a listing, or a price for a formula"; exit 1; }
+cp "$project/docs/world.md" "$kept"
+
 # An exercise of which nobody knows.
 mkdir -p "$tree/exercises/1-motion/nobody_knows"
 printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
 reports "exercises/1-motion/nobody_knows has no page exercise_motion_nobody_knows.html"
-awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a>" } { print }' "$html/$page" > "$html/exercise_motion_nobody_knows.html"
+awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/$page" > "$html/exercise_motion_nobody_knows.html"
 reports "no chapter links to the exercise nobody_knows"
 rm -r "$tree/exercises/1-motion/nobody_knows" "$html/exercise_motion_nobody_knows.html"
 "$tree/tools/docs/check" "$html" > /dev/null || { echo "The check finds faults that are mended again"; exit 1; }
@@ -151,6 +259,6 @@ expect "never_drawn.svg"
 for name in HiddenAndPlain SomebodyTold; do
     if grep -q "the concept $name is not" "$scratch/log"; then echo "The check asks for documentation of $name"; exit 1; fi
 done
-if grep '^docs: ' "$scratch/log" | grep -vE 'NobodyTold|pictures are not drawn|[0-9] faults in'; then echo "The check finds more than the two concepts"; exit 1; fi
+if grep '^docs: ' "$scratch/log" | grep -vE 'NobodyTold|never_drawn.svg|pictures are not drawn|[0-9] faults in'; then echo "The check finds more than the two concepts"; exit 1; fi
 
 echo "$checked faults, each found"

@@ -91,6 +91,8 @@ function with_sections(text,    done, list, number) {
     return done list text
 }
 header && /^\/\/\// { $0 = with_sections($0) }
+# Doxygen finds no name from within a concept.
+header && stem == "concepts" && /^\/\/\/ / { $0 = with_names($0) }
 FILENAME ~ /\/pages\/library\.md$/ { print with_sections($0); next }
 
 # What the header tells, kept for the page of its policy.
@@ -170,7 +172,7 @@ function link_of(text, target,    bare, path, part, n, label, name) {
     name = part[n]
     if (path == "LICENSE") return "<a href=\"LICENSE.txt\">" bare "</a>"
     if (path == "README.md") return "\\ref index \"" bare "\""
-    if (path ~ /^docs\/[^\/]*\.md$/ && (label = label_of(path)) != "") return "\\ref " label " \"" bare "\""
+    if (path ~ /^(docs\/)?[^\/]*\.md$/ && (label = label_of(path)) != "") return "\\ref " label " \"" bare "\""
     if (path ~ /\.md$/ && path !~ /^exercises\//) return "[" text "](" path ")"
     if (path ~ /^include\/.*\.hpp$/) { sub(/^include\//, "", path); return "\\ref " path " \"" bare "\"" }
     if (path ~ /^exercises\// && n >= 3 && (n == 3 || name == "README.md") && (part[3] in exercise)) return "\\ref " exercise[part[3]] " \"" bare "\""
@@ -236,6 +238,7 @@ readme && FNR == 1 {
     title = $0
     if (match(title, /^# [0-9.]+ /)) title = "# Exercise " substr(title, 3, RLENGTH - 3) ": " substr(title, RLENGTH + 1)
     print title " {#" exercise[part[n - 1]] "}"
+    printf "\n`./workbook exercise %s` builds and tests your answer, which you write in `exercises/%s/%s/exercise.hpp`.\n", part[n - 1], part[n - 2], part[n - 1]
     next
 }
 text_page && /^ *(```|~~~)/ { fenced = !fenced }

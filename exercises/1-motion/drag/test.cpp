@@ -103,8 +103,9 @@ std::vector<double> ansatz::workbook::probe(int task) {
     if (task == 2)
         return {exercise::rate_of(0.99, 60.0 / second).value(), exercise::rate_of(0.5, 30.0 / second).value()};
     std::vector<double> numbers;
-    for (const double dt : {0.02, 0.5}) {
-        const Body body = after(3.0 / second, 2, dt * second);
+    // Two rates: a number that takes no notice of the rate would pass for the factor of a frame.
+    for (const auto& [rate, dt] : {std::pair{3.0, 0.02}, std::pair{3.0, 0.5}, std::pair{0.8, 0.5}}) {
+        const Body body = after(rate / second, 2, dt * second);
         numbers.insert(numbers.end(), {x(body.x).value(), y(body.x).value(), x(body.v).value(), y(body.v).value()});
     }
     return numbers;

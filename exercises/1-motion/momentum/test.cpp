@@ -138,7 +138,8 @@ std::vector<double> ansatz::workbook::probe(int task) {
         }
         const auto [one, other] = exercise::collide(m.first, m.second, e);
         for (const Body& body : {one, other})
-            numbers.insert(numbers.end(), {x(body.velocity).value(), y(body.velocity).value()});
+            // With its mass: who gives the bodies back in the other order makes no momentum out of nothing.
+            numbers.insert(numbers.end(), {body.mass.value(), x(body.velocity).value(), y(body.velocity).value()});
     });
     return numbers;
 }

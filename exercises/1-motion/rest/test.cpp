@@ -42,7 +42,9 @@ void expect_sleep(Quantity<unit::Time> slow_for, Quantity<unit::Time> time, bool
     expect(long_enough(slow_for, time) == sleeps, text.str());
 }
 
+/// A world needs both tasks. The second is asked for first, so that whoever has done the first is told of that one.
 auto world_with_rest() {
+    (void)long_enough(none);
     return World{exercise::Rest{0.05 * metre_per_second, 0.5 * second}, SemiImplicitEuler{}, AppliedForces{}};
 }
 
@@ -83,7 +85,7 @@ TEST_CASE("a heavy body rests like a light one", "[task-1][mass]") {
     }
 }
 
-TEST_CASE("in a world, a slow body that nothing pulls sleeps after its time", "[task-1][world]") {
+TEST_CASE("in a world, a slow body that nothing pulls sleeps after its time", "[task-2][world]") {
     auto world = world_with_rest();
     const auto puck = world.add(velocity(metres_per_second(0.03, 0, 0)), mass(2.0 * kilogram));
     const auto ball = world.add(velocity(metres_per_second(0.06, 0, 0)), mass(2.0 * kilogram));
@@ -100,7 +102,7 @@ TEST_CASE("in a world, a slow body that nothing pulls sleeps after its time", "[
            "Only what is slower than the threshold may rest.");
 }
 
-TEST_CASE("a body that turns round is not put to sleep in the turning point", "[task-1][turning-point]") {
+TEST_CASE("a body that turns round is not put to sleep in the turning point", "[task-2][turning-point]") {
     // An engine brakes it from 1 m/s with 1.6 m/s^2, as a moon would. It is below 0.05 m/s for 1/16 s, eight times too
     // short.
     auto world = world_with_rest();
@@ -145,7 +147,10 @@ std::vector<double> ansatz::workbook::probe(int task) {
                                     {fast},
                                     {metres_per_second(0.04, 0.04)},
                                     {metres_per_second(-0.2, 0.2)},
-                                    {metres_per_second(-0.2, 0)}})
+                                    {metres_per_second(-0.2, 0)},
+                                    // Who looks at one component alone has not compared each of them.
+                                    {metres_per_second(0.01, 0.2)},
+                                    {metres_per_second(0.2, -0.01)}})
             numbers.push_back(clock_after(v, 0.1 * second).value());
         for (const double m : {0.001, 1000.0})
             numbers.push_back(clock_after({slow}, 0.1 * second, m * kilogram).value());

@@ -137,7 +137,7 @@ std::vector<double> ansatz::workbook::probe(int task) {
         return {one.s.value(), one.v.value(), other.s.value(), other.v.value()};
     }
     if (task == 2)
-        return {exercise::displacement_until(6.0 * mps, 2.0 * mps2, 3.0 * second).value(),
+        return {exercise::displacement_until(6.0 * mps, 1.0 * mps2, 3.0 * second).value(),
                 exercise::displacement_until(-7.0 * mps, -1.0 * mps2, 5.0 * second).value()};
     std::vector<double> numbers;
     for (const auto& [s, u, a] : std::vector<std::array<double, 3>>{

@@ -73,7 +73,7 @@ template <class Mass, class Acceleration> auto force(const Mass& mass, const Acc
     }
 }
 
-/// \f$ \mathbf a = \mathbf F / m \f$: what a resultant does to a mass (second law, notes 1.2). Zero for no force, which is
+/// \f$ \mathbf a = \mathbf F / m \f$: what a resultant does to a mass (second law, notes 1.2). %Zero for no force, which is
 /// the first law: the velocity stays what it is.
 /// \param resultant N, a number or a vector
 /// \param mass      kg, finite and greater than zero

@@ -4,7 +4,7 @@
 /// \file
 /// `QuadraticDrag`: the resistance of air or water, against the motion and with the square of the speed (beyond notes 1.7).
 ///
-/// Use it where a terminal speed matters: a falling body approaches sqrt(m g / k). It is a force, so it needs masses, and
+/// Use it where a terminal speed matters: a falling body approaches \f$ \sqrt{m g / k} \f$. It is a force, so it needs masses, and
 /// an explicit integrator is stable only while 2 k |v| dt / m stays below about 2. For a cheap fade-out take drag.hpp.
 ///
 /// | symbol | meaning                              | unit   |

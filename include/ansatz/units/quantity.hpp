@@ -28,12 +28,12 @@ using Quantity = boost::units::quantity<Unit, Value>;
 template <class Scalar, int Dim>
 using Vector = Eigen::Matrix<Scalar, Dim, 1>;
 
-/// A vector with a unit, e.g. `VectorQuantity<unit::Velocity, 2, float>`. Zero by default, like a
+/// A vector with a unit, e.g. `VectorQuantity<unit::Velocity, 2, float>`. %Zero by default, like a
 /// scalar quantity and unlike Eigen's vectors.
 template <class Unit, int Dim = 3, class Scalar = double>
 using VectorQuantity = Quantity<Unit, Vector<Scalar, Dim>>;
 
-/// A square matrix with one unit for all its entries, e.g. a Jacobian in 1/s^2. Zero by default.
+/// A square matrix with one unit for all its entries, e.g. a Jacobian in 1/s^2. %Zero by default.
 template <class Unit, int Dim = 3, class Scalar = double>
 using MatrixQuantity = Quantity<Unit, Eigen::Matrix<Scalar, Dim, Dim>>;
 
@@ -237,7 +237,7 @@ public:
 
 namespace ansatz {
 
-/// Zero of a quantity type: `zero<VectorQuantity<unit::Length>>()`.
+/// %Zero of a quantity type: `zero<VectorQuantity<unit::Length>>()`.
 template <class Q>
 [[gnu::always_inline]] constexpr Q zero() { return Q(); }
 

@@ -4,7 +4,7 @@
 /// \file
 /// The clock of a world: time as a whole number of equal steps, never as a sum of them.
 ///
-/// A float that adds 1/60 s is 2605 s wrong after a day and stands still after six (hard case I22). Here the time is
+/// A float that adds 1/60 s is 2605 s wrong after a day and stands still after six. Here the time is
 /// `start + steps * dt`, where `start` moves only when dt changes: at most one rounding away from the truth.
 
 #include <ansatz/world/space.hpp>

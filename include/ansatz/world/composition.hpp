@@ -165,7 +165,7 @@ template <class... P> struct Composition {
     using breakers = detail::filter<detail::BreaksIn<S>::template Is, P...>; ///< the forces between bodies that can break
     static constexpr bool breaks = breakers::size > 0; ///< whether one of them can
     static constexpr bool rests = resters::size > 0; ///< whether bodies can fall asleep
-    /// Position history instead of a velocity: reading and changing the velocity goes through the integrator.
+    /// The history of positions instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
 
     /// Everything that some policy needs.
@@ -190,7 +190,7 @@ template <class... P> struct Composition {
     static constexpr bool has_mass = stores<InverseMass>;
 
     /// Whether the motion runs back to its start, but for rounding, when every velocity is negated and the same steps are
-    /// made again (hard case I10). Any damping, with whatever factor, and Rest make it false.
+    /// made again. Any damping, with whatever factor, and Rest make it false.
     static constexpr bool reversible = (detail::keeps_reversible<P>() && ...);
 };
 

@@ -148,21 +148,34 @@ template <class E, class S, class... W> constexpr bool copies_what_it_changes(Co
 
 /// A force in space `S` that is a law of one body: declares `reads`, and `In<S>`, made from the policy, answers
 /// `acceleration(columns..., context)` or `force(columns..., context)` with exactly that quantity.
+///
+/// \snippet tests/world/page.cpp wind
+///
+/// `Gravity`, `QuadraticDrag` and `AppliedForces` are such laws (notes 1.2, 1.7 and 1.9).
 template <class P, class S>
 concept LawIn = PlaysRole<P, roles::Force> && !detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::Binds<P, S> &&
                 detail::PreparesIn<P, S> && detail::lawful<P, S>(detail::without_clock<P>{});
 
 /// A force in space `S` that couples bodies: `static constexpr bool couples_bodies = true;`, and `In<S>` has
 /// `couple(view, context)`, which adds forces through the view.
+///
+/// `Attraction` is one (notes 1.3); attraction.hpp shows how it is written.
 template <class P, class S>
 concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>() &&
                      detail::PreparesIn<P, S>;
 
 /// A force of either kind.
+///
+/// \snippet tests/world/page.cpp wind
+///
+/// `Gravity`, `QuadraticDrag` and `AppliedForces` are laws of one body, `Attraction` couples bodies
+/// (notes 1.2, 1.3, 1.7 and 1.9).
 template <class P, class S>
 concept ForceIn = LawIn<P, S> || CouplingIn<P, S>;
 
 /// A force whose derivative is known, or whose answer does not depend on position and velocity.
+///
+/// `QuadraticDrag` knows its derivative, `Gravity` needs none. Implicit integrators ask for it (notes 1.6.2).
 template <class P, class S>
 concept DifferentiableIn = LawIn<P, S> && (!detail::depends_on_motion<P> || []<class... C>(Columns<C...>) {
     return requires(const detail::Bound<P, S>& law, const value_of<C, S>&... c, const Context<S, detail::reads_clock<P>>& context) {
@@ -186,7 +199,7 @@ struct StiffnessProbe {
 /// `add(a, b, by_position, by_velocity)` for each two slots that act on each other with the matrices of the force on a by a's
 /// own motion (raw N/m and N s/m, symmetric; on b, and by b's motion, it is the same with the signs of the third law; `b` is
 /// `view.size()` for a point that nothing moves), and `stiffnesses(view, f)`, which calls `f(a, b, k, c)` for each two that it
-/// ever couples with the largest stiffness and damping between them.
+/// ever couples with the largest stiffness and damping between them. `Springs` have both.
 template <class P, class S>
 concept DifferentiableCouplingIn = CouplingIn<P, S> && requires(const detail::Bound<P, S>& force, const ObserverView<S, P>& view,
                                                                const Context<S, detail::reads_clock<P>>& context) {
@@ -196,6 +209,13 @@ concept DifferentiableCouplingIn = CouplingIn<P, S> && requires(const detail::Bo
 
 /// An integrator of stages: `advance(Stage<k>, written..., scratch..., a, dt)` for every stage; where it keeps no
 /// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means.
+///
+/// \snippet tests/world/page.cpp midpoint
+///
+/// `ExplicitEuler`, `SemiImplicitEuler`, `Verlet`, `VelocityVerlet` and `RungeKutta4` are such integrators (notes 1.6);
+/// the exercises \ref exercise_motion_explicit_euler "explicit_euler",
+/// \ref exercise_motion_semi_implicit_euler "semi_implicit_euler" and
+/// \ref exercise_motion_verlet "verlet" ask for one.
 template <class I, class S>
 concept StagedIntegratorIn =
     PlaysRole<I, roles::Integrator> && detail::DeclaresWrites<I> && detail::contains<Position, writes_of<I>> && detail::is_staged<I> &&
@@ -203,24 +223,43 @@ concept StagedIntegratorIn =
     (!detail::derives_velocity<I> || detail::KeepsHistory<I, S>);
 
 /// An integrator that solves for the next state: `solve(x, v, laws, dt)` answers whether it succeeded.
+///
+/// `ImplicitEuler` and `Odeint` are such integrators (notes 1.6.2); the exercise
+/// \ref exercise_motion_implicit_euler "implicit_euler" asks for one.
 template <class I, class S>
 concept SolvingIntegratorIn = PlaysRole<I, roles::Integrator> && !detail::is_staged<I> && detail::DeclaresWrites<I> &&
                               detail::contains<Position, writes_of<I>> && detail::contains<Velocity, writes_of<I>> && detail::Solves<I, S> &&
                               !detail::copies_what_it_advances<I, S>();
 
 /// An integrator of either kind.
+///
+/// \snippet tests/world/page.cpp midpoint
+///
+/// `ExplicitEuler`, `SemiImplicitEuler`, `Verlet`, `VelocityVerlet` and `RungeKutta4` go by stages, `ImplicitEuler`
+/// and `Odeint` solve (notes 1.6). The exercises \ref exercise_motion_explicit_euler "explicit_euler" and
+/// \ref exercise_motion_implicit_euler "implicit_euler" ask for one of each kind.
 template <class I, class S>
 concept IntegratorIn = StagedIntegratorIn<I, S> || SolvingIntegratorIn<I, S>;
 
 /// An effect in space `S`: declares `writes` (and `reads`), a `place`, and `In<S>` has
 /// `apply(written&..., read..., context)`. Where it matters when it acts among those of its place, it says so with
 /// `static constexpr int turn`, 0 to 2 (damping 0, StopBelow 1, Rest 2); those of one turn act as listed and should commute.
+///
+/// \snippet tests/world/page.cpp speed_limit
+///
+/// `Drag`, `FrameDrag`, `StopBelow`, `Rest` and `Interpolation` are effects (notes 1.7 and 1.8); the exercises
+/// \ref exercise_motion_drag "drag" and \ref exercise_motion_rest "rest" ask for one.
 template <class E, class S>
 concept EffectIn = PlaysRole<E, roles::Effect> && detail::DeclaresWrites<E> && detail::HasPlace<E> &&
                    detail::applies<E, S>(writes_of<E>{}, difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}) &&
                    !detail::copies_what_it_changes<E, S>(writes_of<E>{}) && detail::PreparesIn<E, S>;
 
 /// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only.
+///
+/// \snippet tests/world/page.cpp recorder
+///
+/// The library has no observer of its own: what a game or a test wants to see, it says itself. A `World`
+/// asks it after each step.
 template <class O, class S>
 concept ObserverIn = PlaysRole<O, roles::Observer> && (writes_of<O>::size == 0) &&
                      (!detail::names_observe<O> || requires(O& observer, const ObserverView<S, O>& view) { observer.observe(view); });

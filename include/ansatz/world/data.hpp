@@ -34,7 +34,7 @@ struct Absent {
 };
 
 /// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
-/// known when the step is taken (notes 1.6.4; hard case I11). Until then the body's history lane holds its *velocity*.
+/// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
 struct Starts {
     enum State : std::uint8_t { begun, waits, forgotten };
     std::vector<State> state; // by id

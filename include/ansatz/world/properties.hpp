@@ -95,7 +95,7 @@ auto velocity(const Number&...) {
     return Given<Velocity, VectorQuantity<unit::Velocity, 3>>{};
 }
 
-/// How it moves: a vector of velocity, e.g. `velocity(metres_per_second(1, 0, 0))`. Zero if it is not given.
+/// How it moves: a vector of velocity, e.g. `velocity(metres_per_second(1, 0, 0))`. %Zero if it is not given.
 template <class Q> auto velocity(const Q& v) {
     using Given_ = detail::stripped<Q>;
     static_assert(detail::has_unit<unit::Velocity, Given_> && detail::vector_valued<Given_>,

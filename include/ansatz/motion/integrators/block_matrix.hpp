@@ -26,7 +26,7 @@ public:
     /// with its transpose gathers where one with itself would scatter.
     using Matrix = Eigen::SparseMatrix<Scalar, Eigen::ColMajor, int>;
     using Block = Eigen::Matrix<Scalar, dimension, dimension>; ///< one body by another
-    using Index = Eigen::Index;
+    using Index = Eigen::Index;                                ///< counts bodies
 
     /// The matrix.
     const Matrix& matrix() const { return matrix_; }

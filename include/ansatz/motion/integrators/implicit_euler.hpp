@@ -9,7 +9,7 @@
 /// of its energy in a second. Not for orbits or anything that should keep its energy.
 ///
 /// "Solved" is meant: Newton's method with the forces' Jacobians. Repeating x = x + v dt, v = v + a dt until nothing moves
-/// (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed (hard case I18).
+/// (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed.
 ///
 /// Where nothing couples bodies, each is solved by itself. Where springs couple them, all are solved together, as one sparse
 /// system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a direct solver

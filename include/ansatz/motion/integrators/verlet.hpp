@@ -10,15 +10,15 @@
 /// present with half a step of acceleration. For forces that depend on the velocity the same is done first, at the price
 /// of one more evaluation, so that it stays of second order.
 ///
-/// The start needs x_{-1} = x_0 - v_0 dt + 1/2 a_0 dt^2 (without the last term the method is of first order, hard case
-/// I11); it is completed in the first step, when dt and a_0 are known. A step that differs from the one before is
-/// corrected for (hard case I12), which keeps the second order where the usual formula does not converge at all.
+/// The start needs \f$ x_{-1} = x_0 - v_0\,\Delta t + \tfrac12 a_0\,\Delta t^2 \f$ (without the last term the method is of
+/// first order); it is completed in the first step, when \f$ \Delta t \f$ and \f$ a_0 \f$ are known. A step that differs
+/// from the one before is corrected for, which keeps the second order where the usual formula does not converge at all.
 ///
 /// Its price: the velocity is the small difference of two positions. Far from the origin, or with tiny steps, digits of it
-/// are lost for ever: a float body at 1e6 m that moves by less than its position's rounding in a step stands still. Keep
-/// the origin near, take double, or VelocityVerlet, which stores the velocity.
+/// are lost for ever: a float body at 1e6 m that moves by less than its position's rounding in a step stands still. The
+/// origin should be near; or take double, or VelocityVerlet, which stores the velocity.
 ///
-/// L. Verlet, Phys. Rev. 159, 98 (1967). Deliberately not provided: a longer FIFO; nothing would read it.
+/// L. %Verlet, Phys. Rev. 159, 98 (1967). Deliberately not provided: a longer FIFO; nothing would read it.
 
 #include <ansatz/world/concepts.hpp>
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the two bodies given back in the other order
+// Why:     Each body keeps its mass, and its place in the answer. To exchange them keeps the sum of the momenta, but
+//          nobody has met anybody: they have changed names.
+// Read:    1.4
+// Fails:   parting
+
+#include <ansatz/world.hpp>
+
+#include <utility>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// A body in a plane: `.mass` in kg and `.velocity` in m/s.
+using Body = mechanics::PointMass<double, Vector<double, 2>>;
+
+/// 1.4: the two bodies after they met head-on.
+/// \param restitution e, from 0 (they stay together) to 1 (no energy is lost)
+inline std::pair<Body, Body> collide(const Body& first, const Body& second, double restitution) {
+    (void)restitution;
+    return {second, first};
+}
+
+/// The kinetic energy of both before such a collision, minus that after it; in J.
+inline Quantity<unit::Energy> energy_lost(const Body& first, const Body& second, double restitution) {
+    const auto reduced_mass = first.mass * second.mass / (first.mass + second.mass);
+    return 0.5 * (1 - restitution * restitution) * reduced_mass * squared_norm(first.velocity - second.velocity);
+}
+
+} // namespace exercise

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the energy after it minus the energy before
+// Why:     What is lost was there before and is gone after: before minus after, a positive number.
+// Read:    1.4
+// Fails:   balance
+
+#include <ansatz/world.hpp>
+
+#include <utility>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// A body in a plane: `.mass` in kg and `.velocity` in m/s.
+using Body = mechanics::PointMass<double, Vector<double, 2>>;
+
+/// 1.4: the two bodies after they met head-on.
+/// \param restitution e, from 0 (they stay together) to 1 (no energy is lost)
+inline std::pair<Body, Body> collide(const Body& first, const Body& second, double restitution) {
+    const auto reduced_mass = first.mass * second.mass / (first.mass + second.mass);
+    const auto impulse = (1 + restitution) * reduced_mass * (first.velocity - second.velocity);
+    return {{first.mass, first.velocity - impulse / first.mass},
+            {second.mass, second.velocity + impulse / second.mass}};
+}
+
+/// The kinetic energy of both before such a collision, minus that after it; in J.
+inline Quantity<unit::Energy> energy_lost(const Body& first, const Body& second, double restitution) {
+    const auto reduced_mass = first.mass * second.mass / (first.mass + second.mass);
+    return 0.5 * (restitution * restitution - 1) * reduced_mass * squared_norm(first.velocity - second.velocity);
+}
+
+} // namespace exercise
