@@ -54,10 +54,11 @@ TEST_CASE("S1: the implicit step of a damped spring is its closed recurrence", "
 }
 
 TEST_CASE("S2: the damped spring in its three regimes, by its closed form and with the order of each method", "[springs][hard]") {
-    const double k = 100, x0 = 0.5, T = 1;
+    const double k = 100, x0 = 0.5;
     for (const double zeta : {0.1, 1.0, 10.0}) {
         INFO("zeta " << zeta);
         const double w = std::sqrt(k), c = 2 * zeta * w;
+        const double T = zeta > 1 ? 0.02 : 1; // while what decays fast is still there
         auto exact = [&](double t) {
             if (zeta < 1) {
                 const double wd = w * std::sqrt(1 - zeta * zeta);
@@ -70,7 +71,7 @@ TEST_CASE("S2: the damped spring in its three regimes, by its closed form and wi
         for_each_type(AllIntegrators{}, [&]<class I>() {
             if constexpr (std::same_as<I, OdeintFehlberg78>) return;
             const double order = std::same_as<I, OdeintRungeKutta4> ? 4 : I::order;
-            check_order(order, 0.12, order == 4 ? 200 : 1600, 3, [&](int steps) {
+            check_order(order, 0.12, order == 4 ? (zeta > 1 ? 25 : 200) : 1600, 3, [&](int steps) {
                 auto [world, body] = on_a_spring<I, Space<>>(k, c, x0);
                 run(world, steps, T / steps);
                 return std::abs(place(world, body) - exact(T));

@@ -103,8 +103,8 @@ template <class I> Quantity<unit::Time> stable_step(const Quantity<unit::Frequen
     if (rate == 0) return std::numeric_limits<double>::infinity() * second;
     // In units of 1 / rate, so that nothing depends on how fast the oscillator is.
     auto stable = [&](double h) { return detail::is_stable<I>(k / rate / rate * h * h, c / rate * h); };
-    constexpr double least = 1e-6, most = 1e6, apart = 1.02;
-    double below = least;
+    constexpr double least = 1e-6, usual = 1e-2, most = 1e6, apart = 1.05;
+    double below = stable(usual) ? usual : least;
     if (!stable(below)) return 0.0 * second;
     while (below < most && stable(below * apart)) below *= apart;
     if (below >= most) return std::numeric_limits<double>::infinity() * second;
@@ -118,6 +118,7 @@ struct Stiffness {
     Quantity<unit::FrequencySquared> largest{}; ///< no eigenvalue of M^-1 K is larger, 1/s^2, whatever the springs' lengths
     Quantity<unit::Frequency> damping{};        ///< no eigenvalue of M^-1 C is larger, 1/s
     Quantity<unit::Time> least_ratio{};         ///< the least c/k of a spring, s
+    Quantity<unit::Time> most_ratio{};          ///< the largest, infinite where a damper has no stiffness
     friend bool operator==(const Stiffness&, const Stiffness&) = default; ///< the same numbers
 };
 /// What the bound is computed in; kept by those who ask in every step.
@@ -140,7 +141,7 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
         auto& damped = scratch.damped;
         stiff.assign(world.size() + 1, 0);
         damped.assign(world.size() + 1, 0);
-        double least_ratio = std::numeric_limits<double>::infinity(), largest = 0, damping = 0;
+        double least_ratio = std::numeric_limits<double>::infinity(), most_ratio = 0, largest = 0, damping = 0;
         auto each = [&](auto&& f) {
             [&]<class... Q>(Types<Q...>) { (detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f), ...); }(typename C::couplings{});
         };
@@ -150,13 +151,16 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
             stiff[b] += static_cast<double>(k);
             damped[a] += static_cast<double>(c);
             damped[b] += static_cast<double>(c);
-            if (moves(a) + moves(b) > 0 && k > 0) least_ratio = std::min(least_ratio, static_cast<double>(c) / static_cast<double>(k));
+            if (!(moves(a) + moves(b) > 0) || !(k > 0 || c > 0)) return;
+            const double ratio = k > 0 ? static_cast<double>(c) / static_cast<double>(k) : std::numeric_limits<double>::infinity();
+            least_ratio = std::min(least_ratio, ratio);
+            most_ratio = std::max(most_ratio, ratio);
         });
         each([&](std::size_t a, std::size_t b, const auto& k, const auto& c) {
             if (k > 0) largest = std::max(largest, stiff[a] * moves(a) + stiff[b] * moves(b));
             if (c > 0) damping = std::max(damping, damped[a] * moves(a) + damped[b] * moves(b));
         });
-        all = {largest / (second * second), damping / second, (largest > 0 ? least_ratio : 0) * second};
+        all = {largest / (second * second), damping / second, (largest > 0 ? least_ratio : 0) * second, most_ratio * second};
     }
     return all;
 }
@@ -224,13 +228,17 @@ template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const 
 /// The largest time step that integrator `I` takes without growing, whatever such springs do, s.
 template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
     if (springs.largest.value() == 0 && springs.damping.value() == 0) return std::numeric_limits<double>::infinity() * second;
-    // What is stiffest may be damped like the most damped spring, like the least, or anything between; and not every method is
-    // held most by the same (semi-implicit Euler by the most, explicit Euler by the least, velocity Verlet by something between).
-    const auto least = std::min(springs.damping, springs.least_ratio * springs.largest);
+    // A network swings in many ways, each with some stiffness up to the largest and some damping between the least and the
+    // most that goes with it, and not every method is held most by the same of them: semi-implicit Euler by what is stiffest
+    // and most damped, explicit Euler by what is damped least, Runge-Kutta by what is damped much and hardly stiff.
     auto limit = stable_step<I>(springs.largest, springs.damping);
-    constexpr int between = 16;
-    for (int i = 0; i < between && least < springs.damping; ++i)
-        limit = std::min(limit, stable_step<I>(springs.largest, least + (springs.damping - least) * (double(i) / between)));
+    constexpr int parts = 8;
+    for (int i = 0; i <= parts; ++i) {
+        const auto stiffness = springs.largest * (double(i) / parts);
+        const auto at_most = [&](const auto& ratio) { return is_finite(ratio) ? std::min(springs.damping, ratio * stiffness) : springs.damping; };
+        const auto least = at_most(springs.least_ratio), most = at_most(springs.most_ratio);
+        for (int j = 0; j <= parts; ++j) limit = std::min(limit, stable_step<I>(stiffness, least + (most - least) * (double(j) / parts)));
+    }
     return limit;
 }
 
