@@ -2,6 +2,7 @@
 // Springs as things of a world: handles, changes at run time, refusals, copies, hashes.
 
 #include <ansatz/springs/network.hpp>
+#include <ansatz/world/element_door.hpp>
 #include <ansatz/springs/spring.hpp>
 
 #include "tests/springs/support.hpp"

@@ -3,6 +3,8 @@
 
 #include <ansatz/world/keep.hpp>
 
+#include <ansatz/world/user_data.hpp>
+
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"
 

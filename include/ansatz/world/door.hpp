@@ -195,55 +195,6 @@ Handle World<P...>::add(const Property&... property) {
 }
 
 template <class... P>
-template <Element E, class... Option>
-ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
-    need_element<E>();
-    using Keeper = typename detail::KeeperOf<E, P...>::type;
-    ElementHandle<E> handle;
-    if constexpr (!std::is_void_v<Keeper>) {
-        auto& state = data_.template state<Keeper>();
-        const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
-        const auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
-        state.make_room();
-        forces_change();
-        handle = state.insert(admitted);
-        wake_ends(state, handle.id);
-    }
-    return handle;
-}
-
-template <class... P>
-template <Element E, class... Option>
-void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... option) {
-    need_element<E>();
-    using Keeper = typename detail::KeeperOf<E, P...>::type;
-    if constexpr (!std::is_void_v<Keeper>) {
-        auto& state = data_.template state<Keeper>();
-        const auto id = state.id(which, "World::set");
-        const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
-        const auto admitted = state.admit("World::set", to, data_.bodies, position, option...);
-        forces_change();
-        wake_ends(state, id);
-        state.replace(id, admitted);
-        wake_ends(state, id);
-    }
-}
-
-template <class... P>
-template <class E>
-void World<P...>::remove(ElementHandle<E> which) {
-    need_element<E>();
-    using Keeper = typename detail::KeeperOf<E, P...>::type;
-    if constexpr (!std::is_void_v<Keeper>) {
-        auto& state = data_.template state<Keeper>();
-        const auto id = state.id(which, "World::remove");
-        forces_change();
-        wake_ends(state, id);
-        state.erase(id);
-    }
-}
-
-template <class... P>
 template <class Q>
 void World<P...>::set_position(Handle body, const Q& x) {
     const auto slot = data_.bodies.slot(body, "World::set_position");
@@ -398,19 +349,6 @@ void World<P...>::take_step(const ClockTime& dt) {
     const auto h = S::Time::from_value(Scalar(dt.value()));
     const bool first = tick() == 0;
     Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt())).template run<Transient>(dt);
-}
-
-template <class... P> Status World<P...>::status() const {
-    Status s;
-    s.unsolved = data_.unsolved;
-    for_each([&](Handle h) {
-        const auto body = row(h);
-        bool finite = true;
-        [&]<class... C>(Columns<C...>) { ((finite = finite && is_finite(body.template get<C>())), ...); }(typename Data::AllColumns{});
-        if (finite) return;
-        if (s.not_finite++ == 0) s.first_not_finite = h;
-    });
-    return s;
 }
 
 template <class... P> std::uint64_t World<P...>::hash() const {

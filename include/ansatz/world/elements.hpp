@@ -140,5 +140,16 @@ template <class P, class E>
     requires requires { typename P::Element; }
 inline constexpr bool keeps_element<P, E> = std::same_as<typename P::Element, E>;
 
+/// The policy that keeps elements of type E.
+template <class E, class... P> struct KeeperOf {
+    using type = void;
+};
+template <class E, class First, class... Rest> struct KeeperOf<E, First, Rest...> : KeeperOf<E, Rest...> {};
+template <class E, class First, class... Rest>
+    requires keeps_element<First, E>
+struct KeeperOf<E, First, Rest...> {
+    using type = First;
+};
+
 } // namespace detail
 } // namespace ansatz

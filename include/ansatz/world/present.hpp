@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// What a body's acceleration and velocity are at the present time, and what keeps the velocity when the forces change:
-/// members of `World`. Where the integrator stores a velocity, most of this is nothing. Where it keeps the history of
+/// What a body's acceleration and velocity are at the present time, what keeps the velocity when the forces change, and
+/// whether something went wrong: members of `World`. Where the integrator stores a velocity, most of this is nothing. Where it keeps the history of
 /// positions (Verlet), the velocity is the mean of the last step and half a step of the present acceleration, so that
 /// whatever changes a force would change the velocity as well, were it not held here. Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
@@ -97,6 +97,19 @@ template <class... P> void World<P...>::forces_change() {
             }
         data_.coupled.current = false;
     }
+}
+
+template <class... P> Status World<P...>::status() const {
+    Status s;
+    s.unsolved = data_.unsolved;
+    for_each([&](Handle h) {
+        const auto body = row(h);
+        bool finite = true;
+        [&]<class... C>(Columns<C...>) { ((finite = finite && is_finite(body.template get<C>())), ...); }(typename Data::AllColumns{});
+        if (finite) return;
+        if (s.not_finite++ == 0) s.first_not_finite = h;
+    });
+    return s;
 }
 
 } // namespace ansatz

@@ -14,6 +14,7 @@
 #include <ansatz/world/check.hpp>
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/step.hpp>
+#include <ansatz/world/user_data.hpp>
 
 #include <algorithm>
 #include <span>
@@ -27,48 +28,6 @@ namespace ansatz {
 struct Archive; // save.hpp reads and writes the parts of a world
 
 namespace detail {
-
-/// The user's own datum for each body, by id; in a struct, because a vector of bool has no elements.
-template <class T> struct DataOfUser {
-    struct Kept {
-        T datum{};
-    };
-    std::vector<Kept> by_id;
-
-    void make_room(std::uint32_t id) {
-        if (by_id.size() <= id) by_id.resize(id + 1);
-    }
-    T& at(std::uint32_t id) { return by_id[id].datum; }
-    const T& at(std::uint32_t id) const { return by_id[id].datum; }
-};
-template <> struct DataOfUser<void> {
-    Absent& at(std::uint32_t) const; // never defined: who asks has read a sentence
-};
-/// Never defined either.
-template <class T> const T& nowhere();
-
-template <class... P> struct DatumOf {
-    using type = void;
-};
-template <class First, class... Rest> struct DatumOf<First, Rest...> {
-    using type = typename DatumOf<Rest...>::type;
-};
-template <class First, class... Rest>
-    requires is_datum<First>
-struct DatumOf<First, Rest...> {
-    using type = typename First::datum_type;
-};
-
-/// The policy that keeps elements of type E.
-template <class E, class... P> struct KeeperOf {
-    using type = void;
-};
-template <class E, class First, class... Rest> struct KeeperOf<E, First, Rest...> : KeeperOf<E, Rest...> {};
-template <class E, class First, class... Rest>
-    requires keeps_element<First, E>
-struct KeeperOf<E, First, Rest...> {
-    using type = First;
-};
 
 template <class T> inline constexpr bool is_given = false;
 template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
@@ -421,4 +380,5 @@ template <class... P> World(P...) -> World<P...>; ///< the list of policies is t
 } // namespace ansatz
 
 #include <ansatz/world/door.hpp>
+#include <ansatz/world/element_door.hpp>
 #include <ansatz/world/present.hpp>
