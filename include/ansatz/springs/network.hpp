@@ -21,10 +21,6 @@
 namespace ansatz {
 
 namespace detail {
-template <class S> struct StoredDamping {
-    typename S::Scalar damping{};
-    auto damping_or_zero() const { return damping; }
-};
 struct NoDamping {
     friend bool operator==(const NoDamping&, const NoDamping&) = default;
 };
@@ -49,20 +45,24 @@ public:
     struct Link {
         std::uint32_t a; ///< the id of a body
         std::uint32_t b; ///< the id of another, or `no_body`
-        Scalar rest_length, stiffness; ///< m, N/m
+        Scalar rest_length; ///< m
+        Scalar stiffness;   ///< N/m
         [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
     };
 
     /// A spring between two bodies, as the loop over all of them wants it.
     struct Pair {
-        std::uint32_t a, b; ///< slots
-        Scalar rest_length, stiffness; ///< m, N/m
+        std::uint32_t a;    ///< the slot of the first body
+        std::uint32_t b;    ///< that of the second
+        Scalar rest_length; ///< m
+        Scalar stiffness;   ///< N/m
         [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
     };
     /// A spring between a body and a point.
     struct Hung {
-        std::uint32_t a; ///< slot
-        Scalar rest_length, stiffness; ///< m, N/m
+        std::uint32_t a;    ///< the slot of the body
+        Scalar rest_length; ///< m
+        Scalar stiffness;   ///< N/m
         [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::NoDamping> damping; ///< N s/m
         typename S::Position anchor; ///< m
     };
@@ -138,15 +138,19 @@ public:
 
     /// What is checked and converted, before anything is changed.
     struct Admitted {
-        Link link;
-        typename S::Position anchor;
-        BreakLimit limit;
+        Link link;                   ///< its ends and numbers
+        typename S::Position anchor; ///< m, where the second end is a point
+        BreakLimit limit;            ///< where it breaks
     };
     /// Checks a description.
-    /// \param distance of the two ends now: the rest length, where none is given; called only then
+    /// \param where    for the sentence of a refusal
+    /// \param spring   what is asked for
+    /// \param bodies   of the world
+    /// \param position answers where the body in a slot is: the distance is the rest length, where none is given
+    /// \param limit    where it breaks, if it may: what `breaks_at` made
     /// \throws std::invalid_argument with name, value and unit; std::out_of_range for a stale handle
-    template <class Distance, class... Limit>
-    Admitted admit(const char* where, const E& spring, const Bodies& bodies, Distance&& position, const Limit&... limit) const {
+    template <class Where, class... Limit>
+    Admitted admit(const char* where, const E& spring, const Bodies& bodies, Where&& position, const Limit&... limit) const {
         Admitted in{};
         const bool swapped = !spring.first.is_body();
         const auto& held = swapped ? spring.second : spring.first;

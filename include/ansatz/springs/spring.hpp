@@ -95,7 +95,8 @@ BreakLimit breaks_at(Number strain) {
 /// \tparam Element Spring or Rope
 template <class Element> struct Broken {
     ElementHandle<Element> which;     ///< its handle, stale by now
-    SpringEnd first, second;          ///< what it held together; points are double
+    SpringEnd first;                  ///< what it held: a body
+    SpringEnd second;                 ///< and another, or a point
     Quantity<unit::Force> tension;    ///< N, with which it pulled; negative where it pushed
     double strain;                    ///< (length - rest length) / rest length; 0 where the rest length is 0
 };

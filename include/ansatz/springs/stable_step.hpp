@@ -3,7 +3,7 @@
 
 /// \file
 /// `stable_step`: the largest time step that an integrator takes without growing, for one oscillator and for the springs of
-/// a world (notes 3; hard cases I5, I6, S3, S6).
+/// a world (notes 3).
 ///
 /// Use it before a simulation is started and whenever springs were added: a step beyond it does not make a spring a bit
 /// wrong, it makes it explode. Damping that is computed explicitly makes the limit smaller, not larger. To have every step
@@ -123,7 +123,8 @@ struct Stiffness {
 };
 /// What the bound is computed in; kept by those who ask in every step.
 struct StiffnessScratch {
-    std::vector<double> stiff, damped; ///< sums at each body
+    std::vector<double> stiff;  ///< the sum of the stiffnesses at each body, N/m
+    std::vector<double> damped; ///< that of the dampings, N s/m
 };
 
 /// A bound of the stiffness of a world's springs, from one look at each of them.

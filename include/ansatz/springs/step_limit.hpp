@@ -46,10 +46,10 @@ template <class Beyond> struct StepLimit {
 
     /// What it keeps between steps, so that a step that is warm allocates nothing.
     struct Kept {
-        StiffnessScratch scratch;
-        Stiffness of{};                  ///< for which the limit was found
-        Quantity<unit::Time> limit{};    ///< s
-        bool found = false;
+        StiffnessScratch scratch;     ///< room for the sums at each body
+        Stiffness of{};               ///< for which the limit was found
+        Quantity<unit::Time> limit{}; ///< s
+        bool found = false;           ///< whether there is a limit yet
     };
 
     /// How many parts a step is taken in.
