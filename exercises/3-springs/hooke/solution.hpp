@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "todo.hpp"
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 3: what a spring does to a body that is displaced by so much from where the spring would rest.
+inline Quantity<unit::Force> force(Quantity<unit::Stiffness> stiffness, Quantity<unit::Length> displacement) {
+    // task 1: return todo(1);
+    return -stiffness * displacement;
+    // end of task 1
+}
+
+/// What a spring holds that is displaced by so much; in J.
+inline Quantity<unit::Energy> energy(Quantity<unit::Stiffness> stiffness, Quantity<unit::Length> displacement) {
+    // task 2: return todo(2);
+    return 0.5 * stiffness * displacement * displacement;
+    // end of task 2
+}
+
+/// What a spring between two places on a line does to its end in the first place. The places are coordinates on that
+/// line, in any order; a positive force points to where coordinates are larger.
+inline Quantity<unit::Force> force_on_first(Quantity<unit::Length> first, Quantity<unit::Length> second,
+                                            Quantity<unit::Length> rest_length, Quantity<unit::Stiffness> stiffness) {
+    // task 3: return todo(3);
+    const auto pull = stiffness * (abs(second - first) - rest_length);
+    return second > first ? pull : -pull;
+    // end of task 3
+}
+
+} // namespace exercise

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: half of h^2 in the denominator
+// Why:     a t^2 / 2 is the way under a constant acceleration. Here x' is x + h v', and h k times h v' has no half.
+// Read:    1.5, 1.6.2
+// Fails:   equation, sixty
+
+#include <ansatz/world.hpp>
+
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// A mass on a spring, with a damper beside it.
+struct OnSpring {
+    Quantity<unit::Mass> mass;           ///< m, kg
+    Quantity<unit::Stiffness> stiffness; ///< k, N/m
+    Quantity<unit::Damping> damping;     ///< c, N s/m
+};
+/// How it moves: the displacement from the rest, and the velocity.
+struct State {
+    Quantity<unit::Length> x;   ///< m
+    Quantity<unit::Velocity> v; ///< m/s
+};
+
+/// 3.5: where implicit Euler is after a step of h, under the force -kx - cv at the end of the step.
+inline State after_a_step(const OnSpring& body, const State& now, Quantity<unit::Time> h) {
+    const double spring = 0.5 * h * h * body.stiffness / body.mass, damper = h * body.damping / body.mass;
+    const auto v = (now.v - h * body.stiffness * now.x / body.mass) / (1 + damper + spring);
+    return {now.x + h * v, v};
+}
+
+/// What part of its energy is left to a body without damping, after so many steps of h. It does not matter how it
+/// moves.
+inline double energy_factor(const OnSpring& body, Quantity<unit::Time> h, int steps) {
+    return std::pow(1 + h * h * body.stiffness / body.mass, -steps);
+}
+
+} // namespace exercise

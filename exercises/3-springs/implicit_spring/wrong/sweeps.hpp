@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the equation solved by sweeps: the guess is put in, again and again
+// Why:     Such a fixed-point iteration is right for soft springs. Where omega h is above 1 each sweep is farther off
+//          than the one before it. The equation is linear: divide instead.
+// Read:    1.6.2, 3.5
+// Fails:   equation, sixty, never-grows, damper
+
+#include <ansatz/world.hpp>
+
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// A mass on a spring, with a damper beside it.
+struct OnSpring {
+    Quantity<unit::Mass> mass;           ///< m, kg
+    Quantity<unit::Stiffness> stiffness; ///< k, N/m
+    Quantity<unit::Damping> damping;     ///< c, N s/m
+};
+/// How it moves: the displacement from the rest, and the velocity.
+struct State {
+    Quantity<unit::Length> x;   ///< m
+    Quantity<unit::Velocity> v; ///< m/s
+};
+
+/// 3.5: where implicit Euler is after a step of h, under the force -kx - cv at the end of the step.
+inline State after_a_step(const OnSpring& body, const State& now, Quantity<unit::Time> h) {
+    auto v = now.v;
+    for (int sweep = 0; sweep < 10; ++sweep)
+        v = now.v - h * (body.stiffness * (now.x + h * v) + body.damping * v) / body.mass;
+    return {now.x + h * v, v};
+}
+
+/// What part of its energy is left to a body without damping, after so many steps of h. It does not matter how it
+/// moves.
+inline double energy_factor(const OnSpring& body, Quantity<unit::Time> h, int steps) {
+    return std::pow(1 + h * h * body.stiffness / body.mass, -steps);
+}
+
+} // namespace exercise

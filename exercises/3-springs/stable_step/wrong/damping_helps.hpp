@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: damping that makes the largest step longer
+// Why:     The other root with its sign turned round. Damping calms nature, but in a step it looks at the old
+//          velocity, and pushes too far.
+// Read:    3.5
+// Fails:   damped, damper, shorter
+
+#include <ansatz/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 3.5: the step beyond which semi-implicit Euler explodes, for a mass on a damped spring. The mass is positive;
+/// stiffness and damping are not negative, and not both zero.
+inline Quantity<unit::Time> largest_step(Quantity<unit::Mass> mass, Quantity<unit::Stiffness> stiffness,
+                                         Quantity<unit::Damping> damping) {
+    return (sqrt(damping * damping + 4.0 * stiffness * mass) + damping) / stiffness;
+}
+
+/// How many equal parts of a frame are each no longer than the limit; 1 at least. The frame is not negative, and the
+/// limit is positive or infinite.
+inline int parts_of(Quantity<unit::Time> frame, Quantity<unit::Time> limit) {
+    return std::max(1, int(std::ceil(frame / limit)));
+}
+
+} // namespace exercise

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the period of the spring
+// Why:     A step of one swing cannot follow that swing. 2 pi sqrt(m / k) is more than three times the limit.
+// Read:    3.1, 3.5
+// Fails:   damped, undamped, damper, shorter
+
+#include <ansatz/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 3.5: the step beyond which semi-implicit Euler explodes, for a mass on a damped spring. The mass is positive;
+/// stiffness and damping are not negative, and not both zero.
+inline Quantity<unit::Time> largest_step(Quantity<unit::Mass> mass, Quantity<unit::Stiffness> stiffness,
+                                         Quantity<unit::Damping> damping) {
+    return 2.0 * M_PI * sqrt(mass / stiffness);
+}
+
+/// How many equal parts of a frame are each no longer than the limit; 1 at least. The frame is not negative, and the
+/// limit is positive or infinite.
+inline int parts_of(Quantity<unit::Time> frame, Quantity<unit::Time> limit) {
+    return std::max(1, int(std::ceil(frame / limit)));
+}
+
+} // namespace exercise

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: rounded to the nearest
+// Why:     In half of all cases that is down, and each part is longer than the limit.
+// Read:    3.5
+// Fails:   short-enough
+
+#include <ansatz/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 3.5: the step beyond which semi-implicit Euler explodes, for a mass on a damped spring. The mass is positive;
+/// stiffness and damping are not negative, and not both zero.
+inline Quantity<unit::Time> largest_step(Quantity<unit::Mass> mass, Quantity<unit::Stiffness> stiffness,
+                                         Quantity<unit::Damping> damping) {
+    // The root of k h^2 + 2 c h = 4 m, in the form that does not cancel when c is large.
+    return 4.0 * mass / (damping + sqrt(damping * damping + 4.0 * stiffness * mass));
+}
+
+/// How many equal parts of a frame are each no longer than the limit; 1 at least. The frame is not negative, and the
+/// limit is positive or infinite.
+inline int parts_of(Quantity<unit::Time> frame, Quantity<unit::Time> limit) {
+    return std::max(1, int(std::round(frame / limit)));
+}
+
+} // namespace exercise
