@@ -243,7 +243,7 @@ readme && FNR == 1 {
 }
 text_page && /^ *(```|~~~)/ { fenced = !fenced }
 text_page && !fenced {
-    if (readme && match($0, /[Nn]otes [0-9]+(\.[0-9]+)+/)) {
+    if (readme && match($0, /[Nn]otes [0-9]+(\.[0-9]+)*/)) {
         number = substr($0, RSTART + 6, RLENGTH - 6)
         $0 = substr($0, 1, RSTART + 5) linked(number) substr($0, RSTART + RLENGTH)
     }
