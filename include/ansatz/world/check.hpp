@@ -192,7 +192,15 @@ template <class... P> constexpr bool policies_named_apart() {
 }
 
 /// Whether what an integrator needs to advance all bodies together is more than a name.
-template <class I, class S> inline constexpr bool solver_is_here = requires { sizeof(typename I::template Together<S>); };
+template <class I> inline constexpr bool linear_solver_is_here = true;
+template <class I>
+    requires requires { typename I::linear_solver; }
+inline constexpr bool linear_solver_is_here<I> = requires { sizeof(typename I::linear_solver); };
+template <class I, class S> constexpr bool solver_is_there() {
+    if constexpr (linear_solver_is_here<I>) return requires { sizeof(typename I::template Together<S>); };
+    return false;
+}
+template <class I, class S> inline constexpr bool solver_is_here = solver_is_there<I, S>();
 
 template <class... P> struct TogetherFacts {
     using S = space_of<P...>;

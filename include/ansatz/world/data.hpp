@@ -163,7 +163,7 @@ template <class C> struct WorldData {
     void reserve_notes([[maybe_unused]] std::size_t n) {
         if constexpr (C::history) starts.reserve(n);
         if constexpr (C::rests) events.reserve(n);
-        if constexpr (C::coupled) coupled.platforms.reserve(n * std::size_t(S::dimension));
+        if constexpr (C::coupled) coupled.platforms.reserve(bodies.count(Motion::moving) * std::size_t(S::dimension));
         if constexpr (C::coupled && C::history) coupled.before.reserve(n * std::size_t(S::dimension));
         states.for_each([](auto& state) { state.reserve_notes(); });
     }

@@ -38,6 +38,7 @@ template <class LinearSolver> struct ImplicitEulerBy {
     static constexpr int order = 1;
     static constexpr int most_iterations = 50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
 
+    using linear_solver = LinearSolver; ///< for worlds whose bodies are coupled
     /// Solves for all bodies at once, where forces couple them.
     template <class S> using Together = ImplicitSystem<S, LinearSolver>;
 
