@@ -170,7 +170,12 @@ template <class C> struct WorldData {
 
     /// From one range of bodies to another.
     Slot move(Slot slot, Motion to) {
-        return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { swap(i, j); });
+        slot = bodies.move(slot, to, [&](std::size_t i, std::size_t j) { swap(i, j); });
+        if constexpr (C::coupled) { // here, so that no step needs to
+            const auto needed = bodies.count(Motion::moving) * std::size_t(S::dimension);
+            if (coupled.platforms.capacity() < needed) coupled.platforms.reserve(2 * needed);
+        }
+        return slot;
     }
     /// Removes a body; the others keep their order, but for one or a few.
     void erase(Slot slot) {
