@@ -21,7 +21,7 @@ cd "$scratch"
 
 # What is looked for: policies, and the columns of which a world without them knows nothing.
 sought=(Drag FrameDrag QuadraticDrag StopBelow Rest Attraction AppliedForces Interpolation
-    Verlet VelocityVerlet RungeKutta4 ImplicitEuler ExplicitEuler
+    Verlet VelocityVerlet RungeKutta4 ImplicitEulerBy ExplicitEuler
     InverseMass PreviousPosition CoupledForce AppliedForce RestTime DrawnPosition decay)
 
 program() {    # <its name> <the policies of a world> <properties of its bodies>, and so on for each of its worlds

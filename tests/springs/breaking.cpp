@@ -35,7 +35,7 @@ TEST_CASE("a spring breaks in the step after which it pulls or pushes too hard, 
     });
 }
 
-TEST_CASE("by strain: stretched and pressed, of the rest length; ropes too; a limit of force and one of strain", "[springs]") {
+TEST_CASE("by strain: stretched and pressed, of the rest length, ropes too, a limit of force and one of strain", "[springs]") {
     for (const double direction : {1.0, -1.0}) {
         World world{SemiImplicitEuler{}, Springs<Breaking>{}};
         const auto body = world.add(position(metres(2, 0, 0)), velocity(metres_per_second(direction, 0, 0)), mass(1.0 * kilogram));

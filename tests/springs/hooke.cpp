@@ -17,7 +17,7 @@ TEST_CASE("a spring's force is against its displacement, and damped against its 
     CHECK(springs::energy(k, -0.5 * metre) == 12.5 * joule);
 }
 
-TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest; what moves across is not damped", "[springs]", float, double) {
+TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest, what moves across is not damped", "[springs]", float, double) {
     using T = TestType;
     using S2 = Space<T, 2>;
     const auto rest = S2::Length::from_value(T(2));

@@ -55,7 +55,7 @@ TEST_CASE("momentum and angular momentum stay, with every integrator and in ever
     });
 }
 
-TEST_CASE("an undamped spring keeps its energy as the method does; a damped one loses it in every step", "[springs]") {
+TEST_CASE("an undamped spring keeps its energy as the method does, a damped one loses it in every step", "[springs]") {
     World free{VelocityVerlet{}, Springs<Undamped>{}};
     const auto body = free.add(position(metres(1.5, 0, 0)), mass(1.0 * kilogram));
     free.add(Spring{body, metres(0, 0, 0), 100.0 * N_per_m, {}, 1.0 * metre});
