@@ -2,6 +2,8 @@
 
 // Forces from outside: summed as vectors, constant through all stages of one step, then gone.
 
+#include <ansatz/motion/applied_forces.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

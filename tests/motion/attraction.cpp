@@ -2,6 +2,8 @@
 
 // Attraction: the force that couples bodies, and with it the third law and the conservation of momentum in a world.
 
+#include <ansatz/motion/attraction.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

@@ -2,6 +2,8 @@
 
 // FrameDrag: the notes' factor for each frame, and what is wrong with it (hard case I23).
 
+#include <ansatz/motion/frame_drag.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

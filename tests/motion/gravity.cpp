@@ -2,6 +2,8 @@
 
 // Gravity: the same for every mass, and hard case I8, the offset that each scheme shows in free fall.
 
+#include <ansatz/motion/gravity.hpp>
+
 #include "tests/motion/support.hpp"
 
 #include <string>

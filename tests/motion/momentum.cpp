@@ -4,6 +4,7 @@
 // speed at which they met. Both are tested for random pairs; everything else is a symmetry or a limit.
 
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 #include <ansatz/motion/momentum.hpp>
 #include <ansatz/motion/suvat.hpp>
@@ -20,17 +21,9 @@
 
 using namespace ansatz;
 using namespace ansatz::mechanics;
+using ansatz::test::refusal;
 
 namespace {
-
-template <class F> std::string refusal(F&& f) {
-    try {
-        f();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "nothing was refused";
-}
 
 /// Seeded numbers, the same everywhere.
 class Numbers {

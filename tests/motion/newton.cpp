@@ -3,6 +3,7 @@
 // Newton's laws as functions, notes 1.1 to 1.3: each test is one of the laws, or what follows from it.
 
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 #include <ansatz/motion/newton.hpp>
 #include <ansatz/motion/suvat.hpp>
@@ -16,19 +17,7 @@
 
 using namespace ansatz;
 using namespace ansatz::mechanics;
-
-namespace {
-
-template <class F> std::string refusal(F&& f) {
-    try {
-        f();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "nothing was refused";
-}
-
-} // namespace
+using ansatz::test::refusal;
 
 TEST_CASE("Newton: F = m a, along a line and in space", "[motion][newton]") {
     CHECK(force(2 * kilogram, 3 * metre_per_second_squared) == 6 * newton);

@@ -2,6 +2,8 @@
 
 // QuadraticDrag against its closed forms: hard case I9.
 
+#include <ansatz/motion/quadratic_drag.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

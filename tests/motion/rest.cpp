@@ -3,6 +3,8 @@
 // Rest: slow for long enough, and nothing pulls. (Islands, waking through contacts and support are tests/world's and
 // chapter 2's.)
 
+#include <ansatz/motion/rest.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

@@ -2,6 +2,8 @@
 
 // StopBelow, the notes' rule to the letter: what it does, and that it holds a thrown ball at the top of its flight.
 
+#include <ansatz/motion/stop_below.hpp>
+
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;

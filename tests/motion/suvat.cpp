@@ -3,10 +3,9 @@
 // SUVAT, notes 1.5. The oracle is the textbook's formula in a hundred digits, for the same three rounded values: so the
 // bounds below say how many units in the last place an answer may be off, whatever the condition of the question.
 
-#include "tests/catch.hpp"
+#include "tests/motion/suvat.hpp"
 
-#include <ansatz/motion/suvat.hpp>
-#include <ansatz/units/print.hpp>
+#include "tests/catch.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
@@ -18,40 +17,17 @@
 #include <vector>
 
 using namespace ansatz;
+using ansatz::test::Five;
+using ansatz::test::solve;
 
 namespace {
 
 namespace mp = boost::multiprecision;
 using Hundred = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
-template <class S> struct Five {
-    S s, u, v, a, t;
-};
-
 const std::vector<std::string> combinations{"suv", "sua", "sut", "sva", "svt", "sat", "uva", "uvt", "uat", "vat"};
 
 bool has_two(const std::string& knowns) { return knowns == "sua" || knowns == "sva"; }
-
-template <class Unit, class S> Quantity<Unit, S> of(const S& x) { return Quantity<Unit, S>::from_value(x); }
-
-/// `solve` by the letters of what is known.
-template <class S> suvat::Solutions<S> solve(const std::string& knowns, const Five<S>& m) {
-    const auto s = suvat::displacement(of<unit::Length>(m.s));
-    const auto u = suvat::initial_velocity(of<unit::Velocity>(m.u));
-    const auto v = suvat::final_velocity(of<unit::Velocity>(m.v));
-    const auto a = suvat::acceleration(of<unit::Acceleration>(m.a));
-    const auto t = suvat::time(of<unit::Time>(m.t));
-    if (knowns == "suv") return suvat::solve(s, u, v);
-    if (knowns == "sua") return suvat::solve(s, u, a);
-    if (knowns == "sut") return suvat::solve(s, u, t);
-    if (knowns == "sva") return suvat::solve(s, v, a);
-    if (knowns == "svt") return suvat::solve(s, v, t);
-    if (knowns == "sat") return suvat::solve(s, a, t);
-    if (knowns == "uva") return suvat::solve(u, v, a);
-    if (knowns == "uvt") return suvat::solve(u, v, t);
-    if (knowns == "uat") return suvat::solve(u, a, t);
-    return suvat::solve(v, a, t);
-}
 
 /// The textbook, in a hundred digits. Where there are two, the earlier and the later.
 std::vector<Five<Hundred>> textbook(const std::string& knowns, const Five<Hundred>& m) {
@@ -115,15 +91,6 @@ template <class S> bool at_turning_point(const std::string& knowns, const Five<S
     const Hundred square = knowns == "sua" ? w.u * w.u : w.v * w.v;
     const Hundred twice = (knowns == "sua" ? 2 : -2) * w.a * w.s;
     return abs(square + twice) < 8 * Hundred(std::numeric_limits<S>::epsilon()) * square;
-}
-
-template <class F> std::string refusal(F&& f) {
-    try {
-        f();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "nothing was refused";
 }
 
 template <class S> S next(S x, int steps) {
@@ -368,48 +335,4 @@ TEST_CASE("SUVAT: a high-precision scalar keeps its digits", "[motion][suvat]") 
     const auto truth = textbook("sua", {Hundred(-20), Hundred(5), Hundred(0), Hundred(Fifty("-9.81")), Hundred(0)});
     REQUIRE(found.size() == 2);
     for (std::size_t k = 0; k < 2; ++k) CHECK(error_of(found.begin()[k], truth[k]) < 8);
-}
-
-TEST_CASE("SUVAT: what cannot be is refused with the values and the reason", "[motion][suvat]") {
-    auto sentence = [](const std::string& knowns, const Five<double>& m) { return refusal([&] { solve(knowns, m); }); };
-    CHECK(sentence("sua", {20, 5, 0, -9.81, 0}) ==
-          "suvat::solve: displacement 20 m, initial velocity 5 m/s, acceleration -9.81 m/s^2: it is out of reach: the motion turns "
-          "round before it, because u^2 + 2 a s is negative");
-    CHECK(sentence("sva", {20, 0, 5, 9.81, 0}) ==
-          "suvat::solve: displacement 20 m, final velocity 5 m/s, acceleration 9.81 m/s^2: it is out of reach: no motion ends so, "
-          "because v^2 - 2 a s is negative");
-    CHECK(sentence("uva", {0, 1, 2, 0, 0}) == "suvat::solve: initial velocity 1 m/s, final velocity 2 m/s, acceleration 0 m/s^2: they "
-                                              "contradict each other: without acceleration the velocity stays");
-    CHECK(sentence("uva", {0, 2, 2, 0, 0}) == "suvat::solve: initial velocity 2 m/s, final velocity 2 m/s, acceleration 0 m/s^2: nothing "
-                                              "changes, so any time would do; give the time");
-    CHECK(sentence("suv", {3, 2, -2, 0, 0}).find("the mean velocity is 0 m/s") != std::string::npos);
-    CHECK(sentence("suv", {0, 2, -2, 0, 0}).find("back where it was after any time") != std::string::npos);
-    CHECK(sentence("suv", {0, 2, 3, 0, 0}).find("in no time the velocity does not change") != std::string::npos);
-    CHECK(sentence("suv", {0, 2, 2, 0, 0}).find("any acceleration would do") != std::string::npos);
-    CHECK(sentence("sua", {3, 0, 0, 0, 0}).find("a body at rest stays where it is") != std::string::npos);
-    CHECK(sentence("sua", {0, 0, 0, 0, 0}).find("any time would do") != std::string::npos);
-    CHECK(sentence("sva", {3, 0, 0, 0, 0}).find("a body at rest stays where it is") != std::string::npos);
-    for (const auto* knowns : {"sut", "svt", "sat"}) {
-        CHECK(sentence(knowns, {3, 2, 2, 1, 0}).find("in no time there is no displacement") != std::string::npos);
-        CHECK(sentence(knowns, {0, 2, 2, 1, 0}).find("would do; give another quantity") != std::string::npos);
-    }
-    CHECK(sentence("uvt", {0, 2, 3, 0, 0}).find("in no time the velocity does not change") != std::string::npos);
-    CHECK(sentence("uvt", {0, 2, 2, 0, 0}).find("any acceleration would do") != std::string::npos);
-    CHECK(sentence("uva", {0, 0, 1e300, 1e-300, 0}).find("a value that the scalar cannot hold") != std::string::npos);
-    CHECK(sentence("uat", {0, std::nan(""), 0, 1, 1}) == "suvat::solve: initial velocity is nan m/s; it must be finite");
-    CHECK(sentence("uat", {0, 1, 0, 1, HUGE_VAL}) == "suvat::solve: time is inf s; it must be finite");
-}
-
-TEST_CASE("SUVAT: no time at all is a motion when the velocity is asked for", "[motion][suvat]") {
-    const auto now = solve<double>("uat", {0, 3, 0, 2, 0});
-    CHECK(now.front().s == 0 * metre);
-    CHECK(now.front().v == 3 * metre_per_second);
-    CHECK(solve<double>("uva", {0, 3, 3, 2, 0}).front().t == 0 * second);
-}
-
-TEST_CASE("SUVAT: parameters and the world's own quantities are taken", "[motion][suvat]") {
-    const Parameter<unit::Acceleration> g = -10 * metre_per_second_squared;
-    const auto fall = suvat::solve(suvat::initial_velocity(0 * metre_per_second), suvat::acceleration(g), suvat::time(scalar_cast<double>(1.f * second)));
-    CHECK(fall.front().s == -5 * metre);
-    static_assert(std::is_same_v<decltype(fall.front().v), Quantity<unit::Velocity>>);
 }

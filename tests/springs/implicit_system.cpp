@@ -151,6 +151,25 @@ TEST_CASE("both solvers come to the same chain, and a chain of bodies by themsel
     CHECK(distance(state(together, together.handles()[0]), state(alone, alone.handles()[0])) <= 1e-11);
 }
 
+TEMPLATE_TEST_CASE("what dies away is solved to the end: no square of a small number is taken for nothing", "[springs][implicit]", float, double) {
+    for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
+        using S = Space<TestType, 2>;
+        World world{I{}, S{}, Springs{}};
+        const auto body = world.add(at<S>(1e-3), mass(0.01 * kilogram));
+        world.add(Spring{point(world, 0), body, 1.0 * N_per_m, {}, 0.0 * metre});
+        double expected = 1e-3, v = 0;
+        const double smallest = 1e3 * double(std::numeric_limits<TestType>::min());
+        for (int n = 0; n < 2500; ++n) { // h^2 k/m = 1: it loses half of its energy in a step, and is at rest in double behind 2200
+            world.step(0.1 * second);
+            v = (v - 0.1 * 100 * expected) / 2;
+            expected += 0.1 * v;
+            REQUIRE(world.status().ok());
+            const double size = std::abs(expected) + 0.1 * std::abs(v);
+            REQUIRE(std::abs(double(world.position(body).value()[0]) - expected) <= 1e-3 * (size + smallest));
+        }
+    });
+}
+
 TEST_CASE("springs added, removed and broken, bodies added, removed and asleep: the pattern follows", "[springs][implicit]") {
     for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
         World world{I{}, Gravity{}, Springs<Breaking>{}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Angles: degrees only where they are spelled, radians everywhere else.
 
+#include <ansatz/units/angle.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

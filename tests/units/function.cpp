@@ -3,6 +3,7 @@
 // the range, where sums of squares vanish or overflow.
 
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 #include "tests/units/spaces.hpp"
 
@@ -60,17 +61,6 @@ static_assert(HasThird<VectorQuantity<unit::Length, 3>> && !HasThird<VectorQuant
 template <class Q, class U>
 concept Readable = requires(Q q, U u) { in(q, u); };
 static_assert(Readable<Quantity<unit::Velocity>, unit::Velocity> && !Readable<Quantity<unit::Velocity>, unit::Length>);
-
-/// What a function says when it refuses.
-template <class Function>
-std::string refusal(Function f) {
-    try {
-        f();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
-    return "(it did not refuse)";
-}
 
 template <class S>
 S distance(const S& a, const S& b) {

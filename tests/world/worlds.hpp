@@ -7,6 +7,8 @@
 
 #include <ansatz/world.hpp>
 
+#include "tests/refusal.hpp"
+
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -106,18 +108,6 @@ template <class A, class B> bool same_state(const A& a, const B& b) {
         if (!same) return false;
     }
     return true;
-}
-
-/// What a call throws, as text; "nothing" if it does not.
-template <class Exception, class F> std::string sentence(F&& f) {
-    try {
-        f();
-    } catch (const Exception& e) {
-        return e.what();
-    } catch (const std::exception& e) {
-        return std::string("another exception: ") + e.what();
-    }
-    return "nothing";
 }
 
 /// Numbers that are the same on every machine.

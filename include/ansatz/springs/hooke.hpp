@@ -86,6 +86,19 @@ template <Acts How = Acts::both_ways, class L, class R, class V, class K, class 
     }
 }
 
+namespace detail {
+/// The same for ends so near that the square of their distance is nothing: a spring that comes to rest passes through such
+/// lengths.
+template <Acts How, class Force, class X, class V, class R, class K, class C>
+[[gnu::cold, gnu::noinline]] Force between_near(X to, V departing, R rest_length, K stiffness, C damping) { // copies: the loop keeps its own in registers
+    const auto length = robust_norm(to);
+    if (length.value() == 0) return zero<Force>();
+    auto axis = to.value();
+    if (!ansatz::detail::unit_vector(to.value(), axis)) axis /= length.value(); // not a number: nor is the force
+    return Force(tension<How>(length, rest_length, dot(departing, axis), stiffness, damping) * axis);
+}
+} // namespace detail
+
 /// \f$ \mathbf F_a = T \mathbf n \f$ with \f$ \mathbf n = \mathbf d / |\mathbf d| \f$: the force of a spring on its first end;
 /// on the second it is the opposite (notes 1.3). Damped is what moves along the axis, nothing else. Ends in one place have no
 /// axis and feel nothing.
@@ -100,11 +113,11 @@ template <Acts How = Acts::both_ways, class X, class V, class R, class K, class 
                            "write e.g. between(metres(0, -1, 0), metres_per_second(0, 0, 0), 1.0 * metre, 100.0 * newton_per_metre, 2.0 * "
                            "newton_second_per_metre)");
     if constexpr (vectors) {
-        const auto length = norm(to);
-        using Length = ansatz::detail::stripped<decltype(length)>;
-        using Scalar = typename Length::value_type;
         using Force = ansatz::detail::stripped<decltype(stiffness * to)>;
-        if (!(length.value() > Scalar(0))) return zero<Force>();
+        const auto squared = squared_norm(to);
+        using Scalar = typename ansatz::detail::stripped<decltype(squared)>::value_type;
+        if (!(squared.value() >= ansatz::detail::smallest_square<Scalar>())) return detail::between_near<How, Force>(to, departing, rest_length, stiffness, damping);
+        const auto length = sqrt(squared);
         const auto per_length = Scalar(1) / length;
         const auto pull = tension<How>(length, rest_length, dot(departing, to) * per_length, stiffness, damping);
         return Force((pull * per_length) * to);

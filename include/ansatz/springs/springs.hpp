@@ -78,7 +78,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
                 const bool anchored = link.b == Network::no_body;
                 const std::size_t b = anchored ? view.size() : std::size_t(view.slot_of_id(link.b));
                 const auto to = (anchored ? view.state().anchor(id) : view.template get<Position>(b)) - view.template get<Position>(a);
-                const auto length = norm(to);
+                const auto length = robust_norm(to);
                 const Scalar slack = length.value() - link.rest_length;
                 if (!(length.value() > Scalar(0)) || (How == springs::Acts::pulling && !(slack > Scalar(0)))) return;
                 const auto axis = Vector<Scalar, S::dimension>(to.value() / length.value());
@@ -105,7 +105,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         typename S::Energy potential_energy(const auto& view) const {
             typename S::Energy sum{};
             each(view, [&](std::uint32_t id, const Link& link, std::size_t a) {
-                const auto stretched = norm(end(view, id, link) - view.template get<Position>(a)) - S::Length::from_value(link.rest_length);
+                const auto stretched = robust_norm(typename S::Position(end(view, id, link) - view.template get<Position>(a))) - S::Length::from_value(link.rest_length);
                 if (How == springs::Acts::pulling && !(stretched.value() > Scalar(0))) return;
                 sum += springs::energy(S::template ScalarOf<unit::Stiffness>::from_value(link.stiffness), stretched);
             });
@@ -117,7 +117,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         void tensions(const auto& view, auto&& f) const {
             each(view, [&](std::uint32_t id, const Link& link, std::size_t a) {
                 const auto to = end(view, id, link) - view.template get<Position>(a);
-                const auto length = norm(to);
+                const auto length = robust_norm(to);
                 const auto v = link.b == Network::no_body ? leaving(view, a) : departing(view, a, view.slot_of_id(link.b));
                 const auto speed = length.value() > Scalar(0) ? dot(v, to) / length : typename S::Speed();
                 const auto rest = S::Length::from_value(link.rest_length);

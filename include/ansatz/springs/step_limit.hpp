@@ -6,8 +6,8 @@
 ///
 /// Add `StepLimit<Refuse>{}` and such a step is refused with the longest that would do, before anything is touched; add
 /// `StepLimit<Divide>{}` and it is taken in as many equal parts as are needed. Either looks at every spring before each step,
-/// about a tenth of what the forces cost. Not needed with ImplicitEuler, which never grows, nor where the step is known to be
-/// short enough: ask `stable_step(world)` once.
+/// which costs nearly as much as their forces (0.8 to 0.9 of a step, 10,000 bodies in a grid): for worlds whose springs
+/// change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never grows.
 ///
 /// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that follows a
 /// step; what broke, fell asleep or woke in any of them is among the events of the step.

@@ -194,11 +194,15 @@ template <class Unit, class Value>
 
 namespace detail {
 
+/// The |v|^2 below which the rounding errors of the squares reach |v|.
+template <class S>
+[[gnu::always_inline]] inline constexpr S smallest_square() {
+    return std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
+}
 /// True where |v|^2 is neither so large nor so small that its rounding errors reach |v|.
 template <class S>
 [[gnu::always_inline]] inline bool squares_well(const S& squared) {
-    return squared >= std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon() &&
-           squared <= std::numeric_limits<S>::max();
+    return squared >= smallest_square<S>() && squared <= std::numeric_limits<S>::max();
 }
 
 /// The largest component by size; 0 for a vector that has an infinite or a NaN component.

@@ -42,6 +42,24 @@ inline const char* name_of(Motion m) {
     return names[std::size_t(m)];
 }
 
+namespace detail {
+/// A handle that names nothing any more, or never did; of a body, or of a number of another kind.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std::size_t given_out,
+                                                                 const char* where) {
+    std::string sentence(where);
+    if (id == Handle{}.id && generation == Handle{}.generation)
+        sentence.append(": the handle is empty; use one that World::add returned");
+    else if (id < given_out) {
+        sentence.append(": the handle is stale: ").append(what).append(" ").append(describe(id)).append(" of generation ").append(describe(generation));
+        sentence.append(" was removed; ask contains(handle) first");
+    } else {
+        sentence.append(": the handle names ").append(what).append(" ").append(describe(id)).append(", but this world has given out only ");
+        sentence.append(describe(given_out)).append("; use a handle of this world or of the one it was copied from");
+    }
+    refuse(Refusal::out_of_range, sentence);
+}
+} // namespace detail
+
 /// The directory of a world's bodies. Slots are positions in the lanes; the owner of the lanes is told of every swap.
 class Bodies {
 public:
@@ -62,7 +80,7 @@ public:
     /// \throws std::out_of_range for a handle whose body was removed, or that no body ever had
     Slot slot(Handle h, const char* where) const {
         if (contains(h)) return slot_of_[h.id];
-        refuse_handle(h, where);
+        detail::refuse_handle("body", h.id, h.generation, ids(), where);
     }
 
     /// In which range a slot lies.
@@ -175,20 +193,6 @@ private:
         std::size_t& operator[](std::size_t i) { return end[i]; }
         const std::size_t& operator[](std::size_t i) const { return end[i]; }
     };
-
-    [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(Handle h, const char* where) const {
-        std::string sentence(where);
-        if (h == Handle{})
-            sentence.append(": the handle is empty; use one that World::add returned");
-        else if (h.id < slot_of_.size()) {
-            sentence.append(": the handle is stale: body ").append(describe(h.id)).append(" of generation ").append(describe(h.generation));
-            sentence.append(" was removed; ask contains(handle) first");
-        } else {
-            sentence.append(": the handle names body ").append(describe(h.id)).append(", but this world has given out only ");
-            sentence.append(describe(slot_of_.size())).append("; use a handle of this world or of the one it was copied from");
-        }
-        refuse(Refusal::out_of_range, sentence);
-    }
 
     template <class Swap> void exchange(Slot i, Slot j, Swap& swap) {
         if (i == j) return;

@@ -29,10 +29,6 @@ struct Status {
 };
 
 namespace detail {
-struct Absent {
-    friend bool operator==(const Absent&, const Absent&) = default;
-};
-
 /// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
 /// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
 struct Starts {
@@ -84,7 +80,7 @@ template <class S, class... P> struct States<S, Types<P...>> {
 template <class S> struct States<S, Types<>> {
     static void for_each(auto&&) {}
 };
-inline constexpr NoState no_state{};
+inline constexpr Absent absent{};
 
 /// A cache: a copy of a world begins without it, and comes to the same bits.
 template <class T> struct Cache {
@@ -143,7 +139,7 @@ template <class C> struct WorldData {
         if constexpr (detail::keeps_state<P, S>)
             return std::get<detail::place_of<P, typename C::keepers>>(states.each);
         else
-            return detail::no_state;
+            return detail::absent;
     }
     /// The same, to change it.
     template <class P> auto& state()

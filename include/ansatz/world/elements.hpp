@@ -9,14 +9,11 @@
 /// body goes with it. `world.add(Spring{...})` gives out a handle that survives the removal of others, works in every copy,
 /// and is known as stale when its element is gone. A world whose policies keep nothing has none of this.
 
-#include <ansatz/units/describe.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/columns.hpp>
-#include <ansatz/world/error.hpp>
 
 #include <concepts>
 #include <cstdint>
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -52,7 +49,7 @@ public:
     /// The id of a handle.
     /// \throws std::out_of_range for one whose element is gone, or that none ever had
     template <class E> std::uint32_t id(const ElementHandle<E>& h, const char* where) const {
-        if (!contains(h)) refuse_handle(h.id, h.generation, where);
+        if (!contains(h)) detail::refuse_handle("number", h.id, h.generation, ids(), where);
         return h.id;
     }
 
@@ -93,19 +90,6 @@ public:
 private:
     friend struct ElementArchive;
 
-    [[noreturn, gnu::cold, gnu::noinline]] void refuse_handle(std::uint32_t id, std::uint32_t generation, const char* where) const {
-        std::string sentence(where);
-        if (id == 0xffffffffu)
-            sentence.append(": the handle is empty; use one that World::add returned");
-        else if (id < generation_.size())
-            sentence.append(": the handle is stale: number ").append(describe(id)).append(" of generation ").append(describe(generation)).append(
-                " was removed; ask contains(handle) first");
-        else
-            sentence.append(": the handle names number ").append(describe(id)).append(", but this world has given out only ").append(
-                describe(generation_.size())).append("; use a handle of this world or of the one it was copied from");
-        refuse(Refusal::out_of_range, sentence);
-    }
-
     std::vector<std::uint32_t> generation_; // by id
     std::vector<std::uint8_t> alive_;       // by id
     std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
@@ -123,10 +107,12 @@ namespace detail {
 template <class P, class S> inline constexpr bool keeps_state = requires { typename P::template State<S>; };
 template <class P, class S> using state_of = typename P::template State<S>;
 
-/// Where a policy without a state would have one.
-struct NoState {};
+/// Takes the place of what is not there.
+struct Absent {
+    friend bool operator==(const Absent&, const Absent&) = default;
+};
 template <class P, class S> struct StateOr {
-    using type = NoState;
+    using type = Absent;
 };
 template <class P, class S>
     requires keeps_state<P, S>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
+#include <ansatz/motion/integrators/verlet.hpp>
+
 #include "tests/motion/integrators/closed_form.hpp"
 
 using namespace motion_tests;

@@ -17,7 +17,6 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ansatz {
@@ -37,11 +36,12 @@ struct ConjugateGradient {
         /// \param x the solution; what it holds is not used
         /// \return whether it converged
         template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x) {
-            using std::sqrt;
             x.setZero(b.size());
-            residual_ = b;
-            const Scalar target = close * close * sum(b, b);
-            if (!(target > Scalar(0))) return sum(b, b) == Scalar(0);
+            // In units of the largest of b: the square of what dies away is nothing long before it is.
+            const Scalar unit = b.size() > 0 ? b.cwiseAbs().maxCoeff() : Scalar(0);
+            if (!(unit > Scalar(0))) return unit == Scalar(0);
+            residual_ = b / unit;
+            const Scalar target = close * close * sum(residual_, residual_);
             preconditioner_.compute(A);
             towards_ = preconditioner_.solve(residual_);
             Scalar steep = sum(residual_, towards_);
@@ -52,13 +52,17 @@ struct ConjugateGradient {
                 x += length * towards_;
                 residual_ -= length * image_;
                 const Scalar left = sum(residual_, residual_);
-                if (left <= target) return true;
+                if (left <= target) {
+                    x *= unit;
+                    return true;
+                }
                 if (!(left - left == Scalar(0))) return false; // infinite, or not a number
                 scaled_ = preconditioner_.solve(residual_);
                 const Scalar steepness = sum(residual_, scaled_);
                 towards_ = scaled_ + (steepness / steep) * towards_;
                 steep = steepness;
             }
+            x *= unit;
             return false;
         }
         /// How many iterations the last solution took.

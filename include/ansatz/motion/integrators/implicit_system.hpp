@@ -15,6 +15,7 @@
 #include <ansatz/motion/integrators/block_matrix.hpp>
 #include <ansatz/motion/integrators/implicit_euler.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -38,7 +39,8 @@ public:
         if (x_.size() == 0) return true;
         u_ = v_;
         Scalar left = residual(system, u_, h, r_);
-        const Scalar enough = LinearSolver::template Solver<Scalar>::close * LinearSolver::template Solver<Scalar>::close * left;
+        // Below the smallest normal number there are too few digits left to come any closer.
+        const Scalar enough = std::max(Scalar(LinearSolver::template Solver<Scalar>::close * left), std::numeric_limits<Scalar>::min());
         bool converged = left == Scalar(0), solved = true;
         for (iterations_ = 0; iterations_ < most_iterations && !converged && is_finite(left); ++iterations_) {
             linearise(system, h);
@@ -79,16 +81,19 @@ public:
 
 private:
     /// r = M (u - v) - dt f at the end of the step with velocities u.
-    /// \return r^2 in units of each mass: what Newton's method must make small
+    /// \return |r|, each row by the square root of its mass: what Newton's method must make small
     template <class System> Scalar residual(System& system, const Column& u, const Scalar& h, Column& r) {
         end_ = x_ + h * u;
         system.write(end_, u);
         system.accelerations(1.0, a_);
         r = mass_.cwiseProduct(u - v_ - h * a_);
+        using std::sqrt;
+        const Scalar unit = r.cwiseAbs().maxCoeff(); // or the square of what dies away would be nothing
+        if (!(unit > Scalar(0))) return unit;
         Scalar sum(0);
         for (Eigen::Index i = 0; i < r.size(); ++i)
-            if (mass_[i] > Scalar(0)) sum += r[i] * r[i] / mass_[i];
-        return sum;
+            if (mass_[i] > Scalar(0)) sum += (r[i] / unit) * (r[i] / unit) / mass_[i];
+        return unit * sqrt(sum);
     }
 
     /// M - dt df/dv - dt^2 df/dx at the end of the step; the rows of bodies that do not take part say "no change".
