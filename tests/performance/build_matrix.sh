@@ -20,10 +20,13 @@ mkdir -p "$scratch"
 cd "$scratch"
 
 cat > worlds.cpp <<'END'
+#include <ansatz/motion/integrators/cholesky.hpp>
+#include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
 
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 using namespace ansatz;
 
@@ -39,6 +42,7 @@ struct Numbers {
 
 template <class W> void show(const char* name, W world) {
     Numbers n;
+    std::vector<Handle> bodies;
     for (int i = 0; i < 20; ++i) {
         auto vector = [&](auto unit, double size) {
             const double x = size * n.around_zero(), y = size * n.around_zero(), z = size * n.around_zero();
@@ -51,9 +55,14 @@ template <class W> void show(const char* name, W world) {
         const auto v = vector(metre_per_second, 5);
         const auto m = (0.5 + n.next()) * kilogram;
         if constexpr (W::composition::has_mass)
-            world.add(position(x), velocity(v), mass(m));
+            bodies.push_back(world.add(position(x), velocity(v), mass(m)));
         else
-            world.add(position(x), velocity(v));
+            bodies.push_back(world.add(position(x), velocity(v)));
+    }
+    if constexpr (W::composition::keepers::size > 0) { // a closed chain of springs, each of another stiffness
+        using Element = typename detail::FirstOf<typename W::composition::keepers>::type::Element;
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            world.add(Element{bodies[i], bodies[(i + 1) % bodies.size()], (20 + 30 * n.next()) * newton_per_metre, 0.5 * newton_second_per_metre, 2.0 * metre});
     }
     for (int i = 0; i < 300; ++i) world.step((1 + i % 3) * 0.005 * second); // the step varies
     std::printf("%-68s %016llx%s\n", name, static_cast<unsigned long long>(world.hash()), world.status().ok() ? "" : "  NOT FINITE");
@@ -71,6 +80,10 @@ int main() {
     SHOW(VelocityVerlet{}, strong);
     SHOW(Solid{}, RungeKutta4{}, Gravity{}, QuadraticDrag{});
     SHOW(ImplicitEuler{}, Gravity{}, QuadraticDrag{});
+    SHOW(Solid{}, VelocityVerlet{}, Gravity{}, Springs{});
+    SHOW(Flat{}, SemiImplicitEuler{}, Ropes{}, StepLimit<Divide>{});
+    SHOW(ImplicitEuler{}, Gravity{}, Springs{});
+    SHOW(ImplicitEulerBy<Cholesky>{}, Gravity{}, Springs{});
 }
 END
 
@@ -91,8 +104,8 @@ all_done
 
 reference=$(file_of "${compilers[0]}" "${options[0]}")
 cat "$reference.txt"
-[ "$(sort -u -k1 "$reference.txt" | wc -l)" -eq 7 ] || { echo "seven worlds should have seven lines"; exit 1; }
-[ "$(awk '{ print $NF }' "$reference.txt" | sort -u | wc -l)" -eq 7 ] || { echo "seven worlds should have seven hashes"; exit 1; }
+[ "$(sort -u -k1 "$reference.txt" | wc -l)" -eq 11 ] || { echo "eleven worlds should have eleven lines"; exit 1; }
+[ "$(awk '{ print $NF }' "$reference.txt" | sort -u | wc -l)" -eq 11 ] || { echo "eleven worlds should have eleven hashes"; exit 1; }
 echo
 faults=0
 same() {    # what is compared, and two files

@@ -207,6 +207,14 @@ concept DifferentiableCouplingIn = CouplingIn<P, S> && requires(const detail::Bo
     force.stiffnesses(view, detail::StiffnessProbe());
 };
 
+/// What decides how a step of a world `W` is taken: `parts(world, dt, kept)` says in how many equal parts, at least 1, or
+/// refuses, before anything is touched; `Kept` is what it keeps between steps. `StepLimit` is one.
+template <class P, class W>
+concept StepControlFor = PlaysRole<P, roles::StepControl> &&
+                         requires(const P& control, const W& world, const Quantity<unit::Time>& dt, typename P::Kept& kept) {
+                             { control.parts(world, dt, kept) } -> std::same_as<int>;
+                         };
+
 /// An integrator of stages: `advance(Stage<k>, written..., scratch..., a, dt)` for every stage; where it keeps no
 /// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means.
 ///

@@ -91,10 +91,12 @@ template <class T> struct Cache {
     Cache& operator=(const Cache&) { return *this; }
     Cache& operator=(Cache&&) = default;
 };
-template <class List> struct ControlOf {
-    using type = Absent;
+template <class List> struct ControlOf { // nothing decides, or something that is refused with a sentence
+    using type = Cache<Absent>;
 };
-template <class First, class... Rest> struct ControlOf<Types<First, Rest...>> {
+template <class First, class... Rest>
+    requires requires { typename First::Kept; }
+struct ControlOf<Types<First, Rest...>> {
     using type = Cache<typename First::Kept>;
 };
 template <class C, bool Together> struct TogetherOf {

@@ -331,11 +331,16 @@ void World<P...>::step(const T& dt) {
         data_.reserve_notes(data_.bodies.ids());
         const auto whole = scalar_cast<typename S::ClockScalar>(dt);
         if constexpr (composition::controlled) {
-            const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
-            Step<composition, Policies>::begin(data_);
-            const auto part = whole / typename S::ClockScalar(parts);
-            for (int i = 1; i < parts; ++i) take_step<Columns<>>(part);
-            take_step<typename composition::transient>(part);
+            constexpr bool understood = StepControlFor<std::decay_t<decltype(control())>, World>;
+            static_assert(understood, "Ansatz: a policy that decides how a step is taken, with a wrong signature; it needs `struct Kept` and "
+                                      "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
+            if constexpr (understood) {
+                const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
+                Step<composition, Policies>::begin(data_);
+                const auto part = whole / typename S::ClockScalar(parts);
+                for (int i = 1; i < parts; ++i) take_step<Columns<>>(part);
+                take_step<typename composition::transient>(part);
+            }
         } else {
             Step<composition, Policies>::begin(data_);
             take_step<typename composition::transient>(whole);
