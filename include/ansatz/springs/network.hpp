@@ -176,17 +176,14 @@ public:
         return in;
     }
 
-    /// Room for so many.
+    /// Room for so many. That for notes is made when a step begins: who reads what broke may add springs as he goes.
     void reserve(std::size_t n) {
         ids_.reserve(n);
         links_.reserve(n);
         anchors_.reserve(n);
         pairs_.reserve(n);
         hung_.reserve(n);
-        if constexpr (Breaks) {
-            limits_.reserve(n);
-            broken_.reserve(n);
-        }
+        if constexpr (Breaks) limits_.reserve(n);
     }
     /// Adds one. With room for it, it cannot fail.
     Handle_ insert(const Admitted& in) {
@@ -249,15 +246,15 @@ public:
         const auto spring = describe_element(id, bodies);
         broken_.push_back({handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
     }
-    /// Removes those that were noted.
-    void erase_broken()
+    /// Removes those that were noted behind the first `known`, which were removed in an earlier part of the step.
+    void erase_broken(std::size_t known)
         requires Breaks
     {
-        for (const auto& broken : broken_) erase(broken.which.id);
+        for (const auto& broken : std::span(broken_).subspan(known)) erase(broken.which.id);
     }
     /// Room for the notes of a step.
     void reserve_notes() {
-        if constexpr (Breaks) broken_.reserve(ids());
+        if constexpr (Breaks) broken_.reserve(std::max(ids(), links_.capacity()));
     }
 
     /// Adds everything to a hash.
