@@ -85,6 +85,18 @@ TEST_CASE("a force from outside acts in every part of a divided step, and what h
     CHECK(world.elements<Spring>().broken().empty());
 }
 
+TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not looked at", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs{}, Attraction{}, StepLimit<Refuse>{}};
+    const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
+    world.add(Spring{metres(0, 0, 0), body, 100.0 * N_per_m, {}, 1.0 * metre});
+    CHECK(in(stable_step(world), second) == Approx(0.2));
+    CHECK(measured_stiffness(world).value() == Approx(100));
+    CHECK_THROWS_AS(world.step(0.201 * second), std::invalid_argument);
+    world.step(0.199 * second);
+    World alone{SemiImplicitEuler{}, Attraction{}};
+    CHECK(!is_finite(stable_step(alone)));
+}
+
 TEST_CASE("what broke in one part of a divided step is gone once, whatever parts follow", "[springs]") {
     World world{SemiImplicitEuler{}, Springs<Breaking>{}, StepLimit<Divide>{}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));

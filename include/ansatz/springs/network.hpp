@@ -290,12 +290,17 @@ private:
     }
     static void add_limit(const char* where, Admitted& in, const BreakLimit& limit) {
         static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies");
-        if (!(limit.force.value() > 0)) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N");
-        if (!(limit.strain > 0)) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0");
+        // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it back.
+        if (!(Scalar(limit.force.value()) > Scalar(0))) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
+        if (!(Scalar(limit.strain) > Scalar(0))) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
         if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
             refuse_value(where, "break strain", describe(limit.strain), "a spring of rest length 0 has no strain; give a force");
         if (limit.force < in.limit.force) in.limit.force = limit.force;
         if (limit.strain < in.limit.strain) in.limit.strain = limit.strain;
+    }
+    template <class Other> static void add_limit(const char*, Admitted&, const Other&) {
+        constexpr bool is_limit = sizeof(Other) == 0;
+        static_assert(is_limit, "Ansatz: World::add and World::set take beside a spring or a rope where it breaks; write e.g. breaks_at(50.0 * newton)");
     }
 
     ElementIds ids_;
