@@ -236,6 +236,7 @@ void World<P...>::set_mass(Handle body, const Q& m) {
     if (kind == Motion::fixed || kind == Motion::moving)
         refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
     hold_velocity(slot);
+    if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
     column_changes<ansatz::InverseMass>();
     data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
     wake_slot(slot);
