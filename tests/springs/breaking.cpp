@@ -90,3 +90,34 @@ TEST_CASE("many break in one step, those of two policies too, and the events of 
     world.step(0.01 * second);
     CHECK(broken<Spring>(world).empty());
 }
+
+TEST_CASE("a limit that the world's scalar cannot tell from zero is refused", "[springs]") {
+    World world{SemiImplicitEuler{}, Space<float, 2>{}, Springs<Breaking>{}};
+    const auto body = world.add(position(metres(1, 0)), mass(1.0 * kilogram));
+    const Spring spring{metres(0, 0), body, 100.0 * N_per_m};
+    CHECK_THROWS_WITH(world.add(spring, breaks_at(1e-60)), Catch::Matchers::ContainsSubstring("World::add: break strain is 1e-60"));
+    CHECK_THROWS_WITH(world.add(spring, breaks_at(1e-60 * newton)), Catch::Matchers::ContainsSubstring("World::add: break force is 1e-60 N"));
+    CHECK(world.elements<Spring>().size() == 0);
+    world.add(spring, breaks_at(50.0f * newton)); // in the world's own scalar
+    CHECK(world.elements<Spring>().limit(0).force == 50);
+}
+
+TEST_CASE("who reads what broke may add springs as he goes, more than broke", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs<Breaking>{}};
+    std::vector<Handle> bodies;
+    for (int i = 0; i < 8; ++i) {
+        bodies.push_back(world.add(position(metres(i, 0, 0)), mass(1.0 * kilogram)));
+        world.add(Spring{bodies.back(), metres(i, 2, 0), 100.0 * N_per_m, {}, 1.0 * metre}, breaks_at(50.0 * newton));
+    }
+    world.step(0.001 * second);
+    const auto gone = broken<Spring>(world);
+    REQUIRE(gone.size() == 8);
+    std::size_t read = 0;
+    for (const auto& b : gone) {
+        CHECK(b.first.body() == bodies[read++]);
+        for (int i = 0; i < 5; ++i) world.add(Spring{b.first, b.second, 1.0 * N_per_m});
+        REQUIRE(broken<Spring>(world).data() == gone.data()); // they stay where they are
+    }
+    CHECK(read == 8);
+    CHECK(world.elements<Spring>().size() == 40);
+}

@@ -85,6 +85,54 @@ TEST_CASE("a force from outside acts in every part of a divided step, and what h
     CHECK(world.elements<Spring>().broken().empty());
 }
 
+TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not looked at", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs{}, Attraction{}, StepLimit<Refuse>{}};
+    const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
+    world.add(Spring{metres(0, 0, 0), body, 100.0 * N_per_m, {}, 1.0 * metre});
+    CHECK(in(stable_step(world), second) == Approx(0.2));
+    CHECK(measured_stiffness(world).value() == Approx(100));
+    CHECK_THROWS_AS(world.step(0.201 * second), std::invalid_argument);
+    world.step(0.199 * second);
+    World alone{SemiImplicitEuler{}, Attraction{}};
+    CHECK(!is_finite(stable_step(alone)));
+}
+
+TEST_CASE("what broke in one part of a divided step is gone once, whatever parts follow", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs<Breaking>{}, StepLimit<Divide>{}};
+    const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    const auto first = world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre}, breaks_at(500.0 * newton)); // in the first part
+    const auto later = world.add(Spring{metres(0, 0, 0), body, 1.0 * N_per_m, {}, 1.0 * metre}, breaks_at(0.03 * newton));  // in another
+    const auto stays = world.add(Spring{metres(0, 0, 0), body, 1.0 * N_per_m, {}, 1.0 * metre});
+    world.step(0.1 * second);
+    REQUIRE(world.tick() >= 50);
+    CHECK(broken<Spring>(world).size() == 2);
+    CHECK(world.elements<Spring>().size() == 1);
+    CHECK((!world.contains(first) && !world.contains(later) && world.contains(stays)));
+    const auto one = world.add(Spring{metres(0, 0, 0), body, 2.0 * N_per_m}), other = world.add(Spring{metres(0, 0, 0), body, 3.0 * N_per_m});
+    CHECK(one.generation == 1);
+    CHECK(one.id != other.id);
+    CHECK(world.get(one).stiffness.value() == 2);
+    CHECK(world.elements<Spring>().size() == 3);
+}
+
+TEST_CASE("a divided step is drawn as the one that it is: from where bodies were before all of its parts", "[springs]") {
+    for_each_type(Types<SemiImplicitEuler, Verlet, RungeKutta4>{}, [&]<class I>() {
+        World world{I{}, Springs{}, Interpolation{}, Drag{0.1 / second}, StepLimit<Divide>{}};
+        const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
+        const auto platform = world.add(position(metres(0, 0, 0)), velocity(metres_per_second(1, 0, 0)), moving);
+        world.add(Spring{platform, body, 1e5 * N_per_m, {}, 1.0 * metre});
+        for (int i = 0; i < 3; ++i) {
+            const auto before = world.tick();
+            const auto x = world.position(body), at = world.position(platform);
+            world.step(1.0 / 60 * second);
+            CHECK(world.tick() - before >= 2);
+            CHECK(interpolated_position(world, body, 0.0) == x);
+            CHECK(interpolated_position(world, platform, 0.0) == at);
+            CHECK(interpolated_position(world, body, 1.0).value().isApprox(world.position(body).value()));
+        }
+    });
+}
+
 TEST_CASE("parameters of StepLimit that cannot be are refused", "[springs]") {
     CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 0}), ContainsSubstring("StepLimit: part is 0"));
     CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 1.5}), ContainsSubstring("StepLimit: part is 1.5"));

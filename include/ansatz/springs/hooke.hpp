@@ -109,10 +109,13 @@ template <Acts How = Acts::both_ways, class X, class V, class R, class K, class 
 [[gnu::always_inline]] inline auto between(const X& to, const V& departing, const R& rest_length, const K& stiffness, const C& damping) {
     constexpr bool vectors = detail::is_in<unit::Length, X> && detail::is_in<unit::Velocity, V> && !detail::is_number_in<unit::Length, X> &&
                              !detail::is_number_in<unit::Velocity, V>;
+    constexpr bool numbers = detail::is_number_in<unit::Length, R> && detail::is_number_in<unit::Stiffness, K> && detail::is_number_in<unit::Damping, C>;
     static_assert(vectors, "Ansatz: springs::between takes the vector from the first end to the second, and the second's velocity less the first's; "
                            "write e.g. between(metres(0, -1, 0), metres_per_second(0, 0, 0), 1.0 * metre, 100.0 * newton_per_metre, 2.0 * "
                            "newton_second_per_metre)");
-    if constexpr (vectors) {
+    static_assert(numbers || !vectors, "Ansatz: springs::between takes behind its two vectors a rest length, a stiffness and a damping; write e.g. "
+                                       "1.0 * metre, 100.0 * newton_per_metre, 2.0 * newton_second_per_metre");
+    if constexpr (vectors && numbers) {
         using Force = ansatz::detail::stripped<decltype(stiffness * to)>;
         const auto squared = squared_norm(to);
         using Scalar = typename ansatz::detail::stripped<decltype(squared)>::value_type;
@@ -137,46 +140,77 @@ template <class K, class X> auto energy(const K& stiffness, const X& displacemen
 /// @{
 
 /// \f$ m_1 m_2 / (m_1 + m_2) \f$: the mass that swings when a spring joins two free ones, kg.
-template <class M> auto reduced_mass(const M& first, const M& second) {
-    require_positive("springs::reduced_mass", "first", first);
-    require_positive("springs::reduced_mass", "second", second);
-    return ansatz::detail::stripped<M>(first * (second / (first + second)));
+template <class M1, class M2> auto reduced_mass(const M1& first, const M2& second) {
+    constexpr bool units = detail::is_number_in<unit::Mass, M1> && detail::is_number_in<unit::Mass, M2>;
+    static_assert(units, "Ansatz: springs::reduced_mass takes two masses; write e.g. reduced_mass(1.0 * kilogram, 3.0 * kilogram)");
+    if constexpr (units) {
+        require_positive("springs::reduced_mass", "first", first);
+        require_positive("springs::reduced_mass", "second", second);
+        return ansatz::detail::stripped<M1>(first * (second / (first + second)));
+    }
 }
 /// \f$ k = m (2 \pi f)^2 \f$, N/m.
 /// \param frequency swings per second, 1/s
 template <class F, class M> auto stiffness(const F& frequency, const M& mass) {
-    require_not_negative("springs::stiffness", "frequency", frequency);
-    require_positive("springs::stiffness", "mass", mass);
-    const auto omega = detail::two_pi * frequency;
-    return mass * omega * omega;
+    constexpr bool units = detail::is_number_in<unit::Frequency, F> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::stiffness takes a frequency and a mass; write e.g. stiffness(2.0 / second, 1.0 * kilogram)");
+    if constexpr (units) {
+        require_not_negative("springs::stiffness", "frequency", frequency);
+        require_positive("springs::stiffness", "mass", mass);
+        const auto omega = detail::two_pi * frequency;
+        return mass * omega * omega;
+    }
 }
 /// \f$ c = 2 \zeta m\, 2 \pi f \f$, N s/m.
 /// \param ratio zeta: 1 returns fastest without swinging over, less swings, more creeps
-template <class F, class M> auto damping(const F& frequency, double ratio, const M& mass) {
-    require_not_negative("springs::damping", "frequency", frequency);
-    require_not_negative("springs::damping", "ratio", ratio * unit::Dimensionless());
-    require_positive("springs::damping", "mass", mass);
-    return (2 * ratio * detail::two_pi) * frequency * mass;
+template <class F, class R, class M> auto damping(const F& frequency, const R& ratio, const M& mass) {
+    constexpr bool units = detail::is_number_in<unit::Frequency, F> && std::is_convertible_v<R, double> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::damping takes a frequency, a damping ratio and a mass; write e.g. damping(2.0 / second, 0.1, 1.0 * kilogram)");
+    if constexpr (units) {
+        const double zeta = ratio;
+        require_not_negative("springs::damping", "frequency", frequency);
+        require_not_negative("springs::damping", "ratio", zeta * unit::Dimensionless());
+        require_positive("springs::damping", "mass", mass);
+        return (2 * zeta * detail::two_pi) * frequency * mass;
+    }
 }
 /// \f$ \omega = \sqrt{k / m} \f$ of the undamped spring, 1/s.
 template <class K, class M> auto angular_frequency(const K& stiffness, const M& mass) {
-    require_not_negative("springs::angular_frequency", "stiffness", stiffness);
-    require_positive("springs::angular_frequency", "mass", mass);
-    return sqrt(stiffness / mass);
+    constexpr bool units = detail::is_number_in<unit::Stiffness, K> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::angular_frequency takes a stiffness and a mass; write e.g. angular_frequency(100.0 * newton_per_metre, 1.0 * kilogram)");
+    if constexpr (units) {
+        require_not_negative("springs::angular_frequency", "stiffness", stiffness);
+        require_positive("springs::angular_frequency", "mass", mass);
+        return sqrt(stiffness / mass);
+    }
 }
 /// \f$ f = \omega / 2 \pi \f$: swings per second of the undamped spring, 1/s.
-template <class K, class M> auto frequency(const K& stiffness, const M& mass) { return angular_frequency(stiffness, mass) / detail::two_pi; }
+template <class K, class M> auto frequency(const K& stiffness, const M& mass) {
+    constexpr bool units = detail::is_number_in<unit::Stiffness, K> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::frequency takes a stiffness and a mass; write e.g. frequency(100.0 * newton_per_metre, 1.0 * kilogram)");
+    if constexpr (units) return angular_frequency(stiffness, mass) / detail::two_pi;
+}
 /// \f$ 2 \sqrt{k m} \f$: the damping above which nothing swings, N s/m. Not sqrt(k m).
 template <class K, class M> auto critical_damping(const K& stiffness, const M& mass) {
-    require_not_negative("springs::critical_damping", "stiffness", stiffness);
-    require_positive("springs::critical_damping", "mass", mass);
-    return 2.0 * (sqrt(stiffness / mass) * mass);
+    constexpr bool units = detail::is_number_in<unit::Stiffness, K> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::critical_damping takes a stiffness and a mass; write e.g. critical_damping(100.0 * newton_per_metre, 1.0 * kilogram)");
+    if constexpr (units) {
+        require_not_negative("springs::critical_damping", "stiffness", stiffness);
+        require_positive("springs::critical_damping", "mass", mass);
+        return 2.0 * (sqrt(stiffness / mass) * mass);
+    }
 }
 /// \f$ \zeta = c / (2 \sqrt{k m}) \f$, a number; infinite for a damper without stiffness.
 template <class K, class C, class M> double damping_ratio(const K& stiffness, const C& damping, const M& mass) {
-    require_not_negative("springs::damping_ratio", "damping", damping);
-    const auto critical = critical_damping(stiffness, mass);
-    return damping.value() == 0 ? 0.0 : double(damping.value() / critical.value());
+    constexpr bool units = detail::is_number_in<unit::Stiffness, K> && detail::is_number_in<unit::Damping, C> && detail::is_number_in<unit::Mass, M>;
+    static_assert(units, "Ansatz: springs::damping_ratio takes a stiffness, a damping and a mass; write e.g. damping_ratio(100.0 * newton_per_metre, "
+                         "2.0 * newton_second_per_metre, 1.0 * kilogram)");
+    if constexpr (units) {
+        require_not_negative("springs::damping_ratio", "damping", damping);
+        const auto critical = critical_damping(stiffness, mass);
+        return damping.value() == 0 ? 0.0 : double(damping.value() / critical.value());
+    } else
+        return 0;
 }
 /// @}
 

@@ -176,17 +176,14 @@ public:
         return in;
     }
 
-    /// Room for so many.
+    /// Room for so many. That for notes is made when a step begins: who reads what broke may add springs as he goes.
     void reserve(std::size_t n) {
         ids_.reserve(n);
         links_.reserve(n);
         anchors_.reserve(n);
         pairs_.reserve(n);
         hung_.reserve(n);
-        if constexpr (Breaks) {
-            limits_.reserve(n);
-            broken_.reserve(n);
-        }
+        if constexpr (Breaks) limits_.reserve(n);
     }
     /// Adds one. With room for it, it cannot fail.
     Handle_ insert(const Admitted& in) {
@@ -249,15 +246,15 @@ public:
         const auto spring = describe_element(id, bodies);
         broken_.push_back({handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
     }
-    /// Removes those that were noted.
-    void erase_broken()
+    /// Removes those that were noted behind the first `known`, which were removed in an earlier part of the step.
+    void erase_broken(std::size_t known)
         requires Breaks
     {
-        for (const auto& broken : broken_) erase(broken.which.id);
+        for (const auto& broken : std::span(broken_).subspan(known)) erase(broken.which.id);
     }
     /// Room for the notes of a step.
     void reserve_notes() {
-        if constexpr (Breaks) broken_.reserve(ids());
+        if constexpr (Breaks) broken_.reserve(std::max(ids(), links_.capacity()));
     }
 
     /// Adds everything to a hash.
@@ -293,12 +290,17 @@ private:
     }
     static void add_limit(const char* where, Admitted& in, const BreakLimit& limit) {
         static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies");
-        if (!(limit.force.value() > 0)) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N");
-        if (!(limit.strain > 0)) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0");
+        // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it back.
+        if (!(Scalar(limit.force.value()) > Scalar(0))) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
+        if (!(Scalar(limit.strain) > Scalar(0))) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
         if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
             refuse_value(where, "break strain", describe(limit.strain), "a spring of rest length 0 has no strain; give a force");
         if (limit.force < in.limit.force) in.limit.force = limit.force;
         if (limit.strain < in.limit.strain) in.limit.strain = limit.strain;
+    }
+    template <class Other> static void add_limit(const char*, Admitted&, const Other&) {
+        constexpr bool is_limit = sizeof(Other) == 0;
+        static_assert(is_limit, "Ansatz: World::add and World::set take beside a spring or a rope where it breaks; write e.g. breaks_at(50.0 * newton)");
     }
 
     ElementIds ids_;

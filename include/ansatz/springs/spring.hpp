@@ -30,6 +30,13 @@ public:
     template <class Q>
         requires(detail::has_unit<unit::Length, detail::stripped<Q>> && detail::vector_valued<detail::stripped<Q>>)
     SpringEnd(const Q& point) : point_(detail::stripped<Q>(point)), is_point_(true) {}
+    /// Another quantity: a mistake.
+    template <class Unit, class Value>
+        requires(!(std::same_as<Unit, unit::Length> && detail::vector_valued<detail::stripped<boost::units::quantity<Unit, Value>>>))
+    SpringEnd(const boost::units::quantity<Unit, Value>&) {
+        constexpr bool is_place = sizeof(Value) == 0;
+        static_assert(is_place, "Ansatz: an end of a spring is the handle of a body, or a point; write e.g. metres(0, 2, 0)");
+    }
 
     bool is_body() const { return is_body_; } ///< whether it is a body
     bool is_point() const { return is_point_; } ///< whether it is a point
@@ -77,8 +84,8 @@ struct BreakLimit {
 
 /// A spring breaks when it pulls or pushes with more than this.
 /// \param force N, greater than zero
-template <class Unit> BreakLimit breaks_at(const boost::units::quantity<Unit, double>& force) {
-    constexpr bool is_force = std::same_as<Unit, unit::Force>;
+template <class Unit, class Value> BreakLimit breaks_at(const boost::units::quantity<Unit, Value>& force) {
+    constexpr bool is_force = std::same_as<Unit, unit::Force> && std::is_arithmetic_v<Value>;
     static_assert(is_force, "Ansatz: breaks_at takes a force, or a strain as a number; write e.g. breaks_at(50.0 * newton) or breaks_at(0.3)");
     if constexpr (is_force) return {.force = force};
     return {};

@@ -113,6 +113,16 @@ template <class I> Quantity<unit::Time> stable_step(const Quantity<unit::Frequen
     return below / rate * second;
 }
 
+namespace detail {
+/// Calls `f<Q>()` for each force between bodies that says how stiff it is. `Attraction` does not, as no force of one body does.
+template <class W, class F> void for_each_stiff(F&& f) {
+    auto one = [&]<class Q>() {
+        if constexpr (DifferentiableCouplingIn<Q, typename W::S>) f.template operator()<Q>();
+    };
+    [&]<class... Q>(Types<Q...>) { (one.template operator()<Q>(), ...); }(typename W::composition::couplings{});
+}
+} // namespace detail
+
 /// What is known of the springs of a world: how stiff and how damped they are for the masses that they hold.
 struct Stiffness {
     Quantity<unit::FrequencySquared> largest{}; ///< no eigenvalue of M^-1 K is larger, 1/s^2, whatever the springs' lengths
@@ -144,7 +154,7 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
         damped.assign(world.size() + 1, 0);
         double least_ratio = std::numeric_limits<double>::infinity(), most_ratio = 0, largest = 0, damping = 0;
         auto each = [&](auto&& f) {
-            [&]<class... Q>(Types<Q...>) { (detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f), ...); }(typename C::couplings{});
+            detail::for_each_stiff<W>([&]<class Q>() { detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f); });
         };
         auto moves = [&](std::size_t slot) { return slot < world.size() && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0; };
         each([&](std::size_t a, std::size_t b, const auto& k, const auto& c) {
@@ -197,7 +207,7 @@ template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const 
                         if (b < world.size()) y.segment<n>(Eigen::Index(b) * n) -= static_cast<double>(weight[b]) * f;
                     });
             };
-            [&]<class... Q>(Types<Q...>) { (one.template operator()<Q>(), ...); }(typename C::couplings{});
+            detail::for_each_stiff<W>(one);
             return y;
         };
         Column x(rows);
@@ -247,7 +257,8 @@ template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
 /// grows with every step (explicit Euler without damping), infinite where nothing is stiff or the method never grows.
 ///
 /// It is on the safe side: a chain of twenty bodies takes 0.3 % more, and `measured_stiffness` says how much a world does.
-/// Forces of one body (`Gravity`, a drag of yours) are not looked at.
+/// Forces of one body (`Gravity`, a drag of yours) are not looked at, nor those between bodies that do not say how stiff they
+/// are: give yours `stiffnesses` and `jacobian` (DifferentiableCouplingIn), and it counts; `Attraction` has neither.
 template <class... P> Quantity<unit::Time> stable_step(const World<P...>& world) {
     return stable_step<typename World<P...>::Integrator>(stiffness_of(world));
 }

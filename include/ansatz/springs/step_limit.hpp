@@ -10,7 +10,7 @@
 /// change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never grows.
 ///
 /// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that follows a
-/// step; what broke, fell asleep or woke in any of them is among the events of the step.
+/// step; what broke, fell asleep or woke in any of them is among the events of the step. `Interpolation` draws the whole step.
 
 #include <ansatz/springs/stable_step.hpp>
 #include <ansatz/world/world.hpp>

@@ -133,7 +133,10 @@ template <class P, class S> using CheckFor = typename decltype(check_for<P, S>()
 /// A force under an integrator that solves with derivatives.
 template <class P, class S> inline constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S> || DifferentiableCouplingIn<P, S>;
 template <class P, class S> struct CheckJacobian {
-    static_assert(has_jacobian<P, S>, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none; give its "
+    static_assert(has_jacobian<P, S> || !IsCoupling<P>::value, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none "
+                                                              "that can be used: where it couples bodies, give its In<S> jacobian(view, context, add) "
+                                                              "and stiffnesses(view, f), or take an explicit integrator, e.g. SemiImplicitEuler");
+    static_assert(has_jacobian<P, S> || IsCoupling<P>::value, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none; give its "
                                       "In<S> jacobian(columns..., context), or take an explicit integrator, e.g. SemiImplicitEuler");
 };
 

@@ -93,6 +93,13 @@ template <Place At> struct EffectAt {
 /// An effect that also acts on bodies that are `moving`; the others act on awake bodies only.
 template <class P> struct IsOnPlatforms : std::bool_constant<EffectAt<Place::before_forces>::here<P>() && requires { requires P::on_platforms; }> {};
 
+/// An effect of the whole step, which the later parts of a divided one leave alone.
+template <class P> struct IsOfEveryPart : std::bool_constant<!requires { requires P::once_a_step; }> {};
+template <class List> struct InEveryPart;
+template <class... P> struct InEveryPart<Types<P...>> {
+    using type = filter<IsOfEveryPart, P...>;
+};
+
 /// What evaluating policy `P` needs: what it declared, and the mass where a force must become an acceleration.
 template <class P, class S> constexpr auto needs() {
     if constexpr (IsCoupling<P>::value)
@@ -148,12 +155,12 @@ template <class... P> struct Composition {
 
     /// The effects that also act on fixed bodies that move by themselves.
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
+    /// Those of a list that act in every part of a divided step, not in its first part alone.
+    template <class List> using in_every_part = typename detail::InEveryPart<List>::type;
 
     using Laws = typename detail::LawsFrom<S, laws>::type; ///< the sum of the laws, bound to the space
     /// The effects at a place of the step.
     template <Place At> using Effects = typename detail::EffectsFrom<S, effects<At>>::type;
-    /// Those of them that act on platforms.
-    using PlatformEffects = typename detail::EffectsFrom<S, platform_effects>::type;
 
     /// Whether bodies act on each other, so that stages run over all of them.
     static constexpr bool coupled = couplings::size > 0;

@@ -79,7 +79,9 @@ namespace detail {
 /// Where velocity is derived from history with half a step of the present acceleration, a change of the forces (a body
 /// that was removed, a mass that is another) would be a push. The history takes it up: by exactly nothing where the
 /// acceleration is what it was.
-template <class C> void make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+/// \return whether a history is another now
+template <class C> bool make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+    bool changed = false;
     if constexpr (C::history && C::coupled) {
         using S = typename C::S;
         const auto awake = data.bodies.end(Motion::awake);
@@ -94,8 +96,10 @@ template <class C> void make_good([[maybe_unused]] WorldData<C>& data, [[maybe_u
             const auto v = S::template zero_vector<unit::Velocity>();
             const auto a = data.lanes.template get<InverseMass>(slot) * change;
             data.lanes.template set<PreviousPosition>(slot, data.lanes.template get<PreviousPosition>(slot) + C::Integrator::history(x, v, a, last));
+            changed = true;
         }
     }
+    return changed;
 }
 template <class C> void remember_sums(WorldData<C>& data) {
     auto& before = data.coupled.before;
@@ -111,10 +115,17 @@ template <class C, class Policies>
 void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies, [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
         if (data.coupled.known_for(context.dt())) return;
-        if (data.coupled.changed) detail::remember_sums(data);
-        derive_velocities(data, context.dt().previous);
-        sum_coupled(data, policies, context);
-        if (data.coupled.changed) detail::make_good(data, context.dt().previous);
+        auto sum = [&] {
+            if (data.coupled.changed) detail::remember_sums(data);
+            derive_velocities(data, context.dt().previous);
+            sum_coupled(data, policies, context);
+        };
+        sum();
+        // Where a force reads the velocity that a history holds, a history made good changes the force, though less each
+        // time. The sums that are left follow from the histories that are left: a loaded world finds the same.
+        constexpr int most = C::template couplings_read<Velocity> ? 8 : 1;
+        for (int i = 0; data.coupled.changed && i < most && detail::make_good(data, context.dt().previous); ++i)
+            if constexpr (most > 1) sum();
         data.coupled.changed = false;
         data.coupled.know(context.dt());
     }

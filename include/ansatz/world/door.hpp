@@ -236,6 +236,7 @@ void World<P...>::set_mass(Handle body, const Q& m) {
     if (kind == Motion::fixed || kind == Motion::moving)
         refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
     hold_velocity(slot);
+    if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
     column_changes<ansatz::InverseMass>();
     data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
     wake_slot(slot);
@@ -338,8 +339,13 @@ void World<P...>::step(const T& dt) {
                 const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
                 Step<composition, Policies>::begin(data_);
                 const auto part = whole / typename S::ClockScalar(parts);
-                for (int i = 1; i < parts; ++i) take_step<Columns<>>(part);
-                take_step<typename composition::transient>(part);
+                if (parts == 1)
+                    take_step<typename composition::transient>(part);
+                else {
+                    take_step<Columns<>>(part);
+                    for (int i = 2; i < parts; ++i) take_step<Columns<>, true>(part);
+                    take_step<typename composition::transient, true>(part);
+                }
             }
         } else {
             Step<composition, Policies>::begin(data_);
@@ -349,11 +355,11 @@ void World<P...>::step(const T& dt) {
 }
 
 template <class... P>
-template <class Transient>
+template <class Transient, bool Later>
 void World<P...>::take_step(const ClockTime& dt) {
     const auto h = S::Time::from_value(Scalar(dt.value()));
     const bool first = tick() == 0;
-    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt())).template run<Transient>(dt);
+    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt())).template run<Transient, Later>(dt);
 }
 
 template <class... P> std::uint64_t World<P...>::hash() const {

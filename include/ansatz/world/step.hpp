@@ -68,16 +68,17 @@ public:
     }
     /// Takes it.
     /// \tparam Transient the columns that are set back to zero behind it: none where it is a part of a step and not the last
-    template <class Transient = typename C::transient> void run(const typename S::ClockTime& dt) {
+    /// \tparam Later     whether it is a part of a step and not the first
+    template <class Transient = typename C::transient, bool Later = false> void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
         if constexpr (C::history) complete_starts();
         if constexpr (C::together)
-            all_together<Transient>();
+            all_together<Transient, Later>();
         else if constexpr (C::coupled)
-            stage_by_stage<Transient>();
+            stage_by_stage<Transient, Later>();
         else
             body_by_body<Transient>();
-        advance_platforms();
+        advance_platforms<Later>();
         if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
         data_.clock.advance(dt);
         if constexpr (C::breaks) let_break(typename C::breakers{});
@@ -115,8 +116,8 @@ private:
     }
 
     /// All bodies as one system of equations.
-    template <class Transient> void all_together() {
-        effects_before();
+    template <class Transient, bool Later> void all_together() {
+        effects_before<Later>();
         if constexpr (C::rests) {
             refresh_coupled(data_, policies_, context_);
             wake_the_pulled();
@@ -128,8 +129,8 @@ private:
         effects_after<Transient>();
     }
 
-    template <class Transient> void stage_by_stage() {
-        effects_before();
+    template <class Transient, bool Later> void stage_by_stage() {
+        effects_before<Later>();
         remember_platforms(data_);
         [&]<int... K>(std::integer_sequence<int, K...>) {
             (stage<K + first_stage>(), ...);
@@ -137,12 +138,23 @@ private:
         place_platforms(data_, 0, context_.dt());
         effects_after<Transient>();
     }
-    void effects_before() {
-        if constexpr (!decltype(bound_.before)::empty) {
-            effects_only<Columns<>>(bound_.before, context_.dt().previous);
+    template <bool Later> void effects_before() {
+        if constexpr (Later)
+            effects_before([&]<class... E>(Types<E...>) { return bound_now<E...>(); }(typename C::template in_every_part<typename C::template effects<Place::before_forces>>{}));
+        else
+            effects_before(bound_.before);
+    }
+    template <class EffectsT> void effects_before(const EffectsT& effects) {
+        if constexpr (!EffectsT::empty) {
+            effects_only<Columns<>>(effects, context_.dt().previous);
             // Most of them (Interpolation) write what no force between bodies sees.
-            if constexpr (couplings_see(typename decltype(bound_.before)::writes{})) data_.coupled.current = false;
+            if constexpr (couplings_see(typename EffectsT::writes{})) data_.coupled.current = false;
         }
+    }
+    template <class... E> Effects<S, E...> bound_now() const {
+        Effects<S, E...> effects(std::get<E>(policies_)...);
+        effects.prepare(context_);
+        return effects;
     }
     template <class Transient> void effects_after() {
         if constexpr (!decltype(bound_.after)::empty || Transient::size > 0) effects_only<Transient>(bound_.after, context_.dt());
@@ -208,12 +220,11 @@ private:
     }
 
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.
-    void advance_platforms() {
+    template <bool Later> void advance_platforms() {
         if (data_.bodies.count(Motion::moving) == 0) return;
         [&]<class... E>(Types<E...>) {
-            if constexpr (sizeof...(E) > 0)
-                effects_only<Columns<>>(typename C::PlatformEffects(std::get<E>(policies_)...), context_.dt().previous, Motion::moving);
-        }(typename C::platform_effects{});
+            if constexpr (sizeof...(E) > 0) effects_only<Columns<>>(Effects<S, E...>(std::get<E>(policies_)...), context_.dt().previous, Motion::moving);
+        }(std::conditional_t<Later, typename C::template in_every_part<typename C::platform_effects>, typename C::platform_effects>{});
         using Coast = WholeStep<S, std::conditional_t<detail::is_staged<I>, I, detail::NoIntegrator>, Laws<S>, Effects<S>, Effects<S>, Columns<>>;
         if constexpr (!detail::is_staged<I>) {
             for (auto slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot)
@@ -256,15 +267,16 @@ private:
     template <class Q> void let_break_one() {
         const detail::Bound<Q, S> force(std::get<Q>(policies_));
         auto& state = data_.template state<Q>();
+        const auto known = state.broken().size(); // in the parts of a step that were taken before
         force.breaking(view_of<Q>(), [&](std::uint32_t id, const auto& tension, const auto& strain) { state.note_broken(id, tension, strain, data_.bodies); });
-        if (state.broken().empty()) return;
+        if (state.broken().size() == known) return;
         // The velocity now is what the forces made it, those of the broken ones too; what is left is made good.
         if constexpr (C::history) {
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, after());
             data_.coupled.changed = true;
         }
-        state.erase_broken();
+        state.erase_broken(known);
     }
 
     void wake_the_pulled() {

@@ -362,7 +362,7 @@ private:
             for_each([&](Handle h) { wake(h); });
     }
 
-    template <class Transient> void take_step(const ClockTime& dt);
+    template <class Transient, bool Later = false> void take_step(const ClockTime& dt);
     const auto& control() const { return std::get<typename detail::FirstOf<typename composition::controls>::type>(policies_); }
 
     template <class Row_, class Property> static void take(Row_& row, const Property& property);
