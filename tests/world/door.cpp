@@ -2,6 +2,8 @@
 // The door: whatever is wrong is refused with a sentence that names it, its value, its unit and what would be right, and
 // the world is left as it was.
 
+#include <ansatz/world/add_facts.hpp>
+
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// What can be wrong with the properties that `World::add` is given, each with its sentence. Included by door.hpp.
+// not in the umbrella: it is a part of door.hpp, which includes it
+
+#include <ansatz/world/world.hpp>
+
+namespace ansatz::detail {
+
+/// The datum among the properties, or a new one.
+template <class DatumT, class... Property> auto given_datum([[maybe_unused]] const Property&... property) {
+    if constexpr (std::is_void_v<DatumT>)
+        return Absent{};
+    else {
+        DatumT datum{};
+        [[maybe_unused]] auto take = [&](const auto& given) {
+            if constexpr (is_given_datum<std::remove_cvref_t<decltype(given)>>) datum = given.value;
+        };
+        (take(property), ...);
+        return datum;
+    }
+}
+
+template <class C, class T> inline constexpr bool gives_column = false;
+template <class C, class Q> inline constexpr bool gives_column<C, Given<C, Q>> = true;
+template <class DatumT, class T> inline constexpr bool fits_datum = true;
+template <class DatumT, class T>
+    requires(!std::is_void_v<DatumT>)
+inline constexpr bool fits_datum<DatumT, GivenDatum<T>> = std::is_convertible_v<const T&, DatumT>;
+
+/// \tparam DatumT the datum that the world keeps, or void
+template <class C, class DatumT, class... Property> struct AddFacts {
+    template <class Column_> static constexpr int given = (0 + ... + int(gives<Column_, Property>));
+    template <class T> static constexpr bool given_twice() {
+        if constexpr (is_given<T>) return given<typename T::column> > 1;
+        return false;
+    }
+
+    static constexpr bool properties = (is_property<Property> && ...);
+    static constexpr bool one_kind = (0 + ... + int(is_kind<Property>)) <= 1;
+    static constexpr bool once = !(given_twice<Property>() || ...) && (0 + ... + int(is_given_datum<Property>)) <= 1;
+    static constexpr bool mass_by_name = !(gives_column<InverseMass, Property> || ...);
+    static constexpr bool no_history = !(gives_column<PreviousPosition, Property> || ...);
+    static constexpr bool own_columns =
+        !((gives_column<RestTime, Property> || gives_column<DrawnPosition, Property> || gives_column<AppliedForce, Property> ||
+           gives_column<CoupledForce, Property>) || ...);
+    static constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
+    static constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
+    static constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
+    static constexpr bool immovable = is_fixed || is_moving;
+    static constexpr bool mass_wanted = given<InverseMass> == 0 || C::has_mass;
+    static constexpr bool mass_there = given<InverseMass> == 1 || !C::has_mass || immovable;
+    static constexpr bool infinite_mass = given<InverseMass> == 0 || !immovable;
+    static constexpr bool fixed_stands = given<Velocity> == 0 || !is_fixed;
+    static constexpr bool resting_stands = given<Velocity> == 0 || !is_resting;
+    static constexpr bool can_rest = C::rests || !is_resting;
+    static constexpr bool datum_kept = !std::is_void_v<DatumT> || !(is_given_datum<Property> || ...);
+    static constexpr bool datum_fits = (fits_datum<DatumT, Property> && ...);
+    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns && mass_wanted && mass_there && infinite_mass &&
+                               fixed_stands && resting_stands && can_rest && datum_kept && datum_fits;
+};
+template <class Facts> struct CheckAdd {
+    static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
+                                     "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
+    static_assert(Facts::one_kind, "Ansatz: add: a body is one of fixed, moving or resting");
+    static_assert(Facts::once, "Ansatz: add: a property is given twice");
+    static_assert(Facts::mass_by_name, "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
+    static_assert(Facts::no_history, "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
+    static_assert(Facts::own_columns, "Ansatz: add: the world itself writes this column; a force from outside is given by apply_force");
+    static_assert(Facts::mass_wanted, "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
+                                      "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
+    static_assert(Facts::mass_there || !Facts::mass_by_name,
+                  "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
+    static_assert(Facts::infinite_mass, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
+    static_assert(Facts::fixed_stands, "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
+    static_assert(Facts::resting_stands, "Ansatz: add: a resting body has no velocity");
+    static_assert(Facts::can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
+    static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    static_assert(Facts::datum_fits, "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
+};
+
+} // namespace ansatz::detail
