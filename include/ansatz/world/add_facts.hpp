@@ -5,9 +5,26 @@
 /// What can be wrong with the properties that `World::add` is given, each with its sentence. Included by door.hpp.
 // not in the umbrella: it is a part of door.hpp, which includes it
 
-#include <ansatz/world/world.hpp>
+#include <ansatz/world/composition.hpp>
+#include <ansatz/world/properties.hpp>
+#include <ansatz/world/user_data.hpp>
+
+#include <concepts>
+#include <type_traits>
 
 namespace ansatz::detail {
+
+template <class T> inline constexpr bool is_given = false;
+template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
+template <class Q> inline constexpr bool is_given<GivenMass<Q>> = true;
+template <class T> inline constexpr bool is_given_datum = false;
+template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
+template <class T> inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
+template <class T> inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T>;
+
+template <class C, class T> inline constexpr bool gives = false;
+template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
+template <class Q> inline constexpr bool gives<InverseMass, GivenMass<Q>> = true;
 
 /// The datum among the properties, or a new one.
 template <class DatumT, class... Property> auto given_datum([[maybe_unused]] const Property&... property) {

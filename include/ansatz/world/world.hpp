@@ -27,22 +27,6 @@ namespace ansatz {
 
 struct Archive; // save.hpp reads and writes the parts of a world
 
-namespace detail {
-
-template <class T> inline constexpr bool is_given = false;
-template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
-template <class Q> inline constexpr bool is_given<GivenMass<Q>> = true;
-template <class T> inline constexpr bool is_given_datum = false;
-template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
-template <class T> inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
-template <class T> inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T>;
-
-template <class C, class T> inline constexpr bool gives = false;
-template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
-template <class Q> inline constexpr bool gives<InverseMass, GivenMass<Q>> = true;
-
-} // namespace detail
-
 /// \tparam P policies in any order, each one type once: exactly one Integrator; any number of Force, Effect, Observer;
 ///           at most one Space (`Space<double, 3>` without it)
 template <class... P> class World {
