@@ -2,6 +2,8 @@
 // The operators: result types, values against plain numbers, the laws of a vector space, and that
 // nothing refers to a temporary that is gone (a sanitiser build gives that test its teeth).
 
+#include <ansatz/units/arithmetic.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

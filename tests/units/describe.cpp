@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Quantities as text for sentences.
 
+#include <ansatz/units/describe.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

@@ -2,6 +2,8 @@
 // Functions of quantities: against the formula, the identities of vector algebra, and the ends of
 // the range, where sums of squares vanish or overflow.
 
+#include <ansatz/units/function.hpp>
+
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Expressions that must not exist, asked politely. Their sentences are in tests/must_not_compile.
 
+#include <ansatz/units/mistake.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Parameters of policies. What they refuse, with which sentence, is in tests/must_not_compile.
 
+#include <ansatz/units/parameter.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The types: what a quantity stores, how it starts, what converts into it and what does not.
 
+#include <ansatz/units/quantity.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Symbols: the usual ones by name, all others by reading them back.
 
+#include <ansatz/units/symbol.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

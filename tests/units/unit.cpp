@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The unit types against Boost's own, the constants, and making scalar quantities with them.
 
+#include <ansatz/units/unit.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

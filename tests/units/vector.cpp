@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The makers of vector quantities.
 
+#include <ansatz/units/vector.hpp>
+
 #include "tests/catch.hpp"
 
 #include "tests/units/spaces.hpp"

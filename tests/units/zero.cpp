@@ -2,6 +2,8 @@
 
 // A zero that the compiler knows: sums with it leave every bit alone, -0 and NaN included, which v + 0.0 does not.
 
+#include <ansatz/units/zero.hpp>
+
 #include "tests/catch.hpp"
 #include "tests/units/spaces.hpp"
 

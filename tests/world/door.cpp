@@ -3,6 +3,7 @@
 // the world is left as it was.
 
 #include <ansatz/world/add_facts.hpp>
+#include <ansatz/world/door.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"
