@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: counted the limit at both ends of a step
+// Why:     Whoever stops on the limit has crossed it when he came, and again when he goes.
+// Read:    5.2.1
+// Fails:   on-it, once
+
+#include <ansatz/units.hpp>
+
+#include <cmath>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 5.2.1: whether a value that was `before` at the previous update and is `now` at this one has gone through a limit, in
+/// either direction. It has when it was beside the limit and is on it or on its other side now.
+inline bool crossed(Quantity<unit::Length> before, Quantity<unit::Length> now, Quantity<unit::Length> limit) {
+    return (before <= limit && now >= limit) || (before >= limit && now <= limit);
+}
+
+/// A guard that sees a value at every update.
+class CrossingGuard {
+public:
+    explicit CrossingGuard(Quantity<unit::Length> limit) : limit_(limit) {}
+
+    /// The value of the next update, and whether it has crossed the limit since the last one. The first value has no
+    /// predecessor and has crossed nothing. A value that is not a number is passed over: it crosses nothing, and the next
+    /// one is held against the last good one.
+    bool update(Quantity<unit::Length> now) {
+        if (std::isnan(now.value())) return false;
+        const bool answer = known_ && crossed(previous_, now, limit_);
+        previous_ = now;
+        known_ = true;
+        return answer;
+    }
+
+private:
+    Quantity<unit::Length> limit_;
+    Quantity<unit::Length> previous_{};
+    bool known_ = false;
+};
+
+} // namespace exercise

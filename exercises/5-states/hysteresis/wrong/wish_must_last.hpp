@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: waited for the wish to last
+// Why:     The time begins anew whenever the wish is gone. That is another guard, held_for, which a noisy wish keeps
+//          from ever turning.
+// Read:    5.2.3
+// Fails:   dwells, wish
+
+#include <ansatz/units.hpp>
+
+using namespace ansatz;
+
+namespace exercise {
+
+/// 5.2.3: whether a machine is "above" after an update, with a band of hysteresis around a threshold. It becomes above
+/// when the value is more than `half_width` above the threshold, below when it is more than that below, and stays what it
+/// is in between. `above` is what it was.
+inline bool above_after(bool above, Quantity<unit::Length> value, Quantity<unit::Length> threshold, Quantity<unit::Length> half_width) {
+    return above ? value >= threshold - half_width : value > threshold + half_width;
+}
+
+/// A state that turns no faster than its dwell time allows, however often it is asked to.
+class Dwelling {
+public:
+    explicit Dwelling(Quantity<unit::Time> dwell) : dwell_(dwell) {}
+
+    /// One update of length `dt`, in which the machine would like to be in the other state, or not. It turns when it wants
+    /// to and has been in its state for the dwell time; answers whether it turned.
+    bool update(bool wants_to_turn, Quantity<unit::Time> dt) {
+        in_state_ = wants_to_turn ? in_state_ + dt : Quantity<unit::Time>{};
+        if (in_state_ < dwell_) return false;
+        in_state_ = {};
+        return true;
+    }
+
+private:
+    Quantity<unit::Time> dwell_;
+    Quantity<unit::Time> in_state_{};
+};
+
+} // namespace exercise

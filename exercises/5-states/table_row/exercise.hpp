@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+#include "todo.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace exercise {
+
+/// A turnstile takes two coins and lets one person through.
+enum class State { locked, unlocked };
+enum class Event { coin, push, kick };
+struct Gate {
+    int coins = 0;    ///< paid and not yet used
+    int passed = 0;   ///< who went through
+    int returned = 0; ///< coins that were given back
+};
+
+/// A row: in `from`, on `event`, if `guard` is empty or holds, `action` is done if there is one, and the state is `to`.
+struct Row {
+    State from;
+    Event event;
+    bool (*guard)(const Gate&);
+    void (*action)(Gate&);
+    State to;
+};
+using Rows = std::vector<Row>;
+
+/// 5.1: which row answers an event: the first one that fits. -1 where there is none.
+inline int row_for(const Rows& rows, State state, Event event, const Gate& gate) {
+    return todo(1);
+}
+
+/// The state after an event, with what is done on the way.
+inline State handle(const Rows& rows, State state, Event event, Gate& gate) {
+    return todo(2);
+}
+
+} // namespace exercise

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// How an interpreted machine goes on in another chart: `machine.reload(context, chart)` (notes 5.1, the interpreted pattern).
+/// What has a name in both charts stays; what is gone is not left (its actions are gone too); what is new is entered.
+
+#include <ansatz/states/interpreted.hpp>
+
+namespace ansatz {
+
+template <class D, class Context_, class... O> Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachine& before, Context& context) {
+    const auto& c = *chart_;
+    const auto& old = *before.chart_;
+    const Busy busy(busy_);
+    std::vector<char> stays(c.state_count(), 0);
+    std::vector<std::uint16_t> targets;
+    bool all = true;
+    for (std::size_t s = 1; s < old.state_count(); ++s) {
+        const StateId now = c.find(old.name(StateId(s)));
+        if (now == StateId::none) {
+            all = all && !before.is_in(StateId(s));
+            continue;
+        }
+        const auto& kept = old.states_[s];
+        const auto& mine = c.states_[index(now)];
+        if (before.is_in(StateId(s))) stays[index(now)] = 1, entered_[index(now)] = before.entered_[s];
+        if (kept.behaviour != states::nowhere && mine.behaviour != states::nowhere && before.owns_[kept.behaviour]->tag() == owns_[mine.behaviour]->tag())
+            owns_[mine.behaviour] = before.owns_[kept.behaviour]->copy();
+        if (!old.parallel_ && !c.parallel_ && kept.kind == mine.kind && states::is_history(kept.kind) && before.history_[s] != states::nowhere) {
+            const StateId there = c.find(old.name(StateId(before.history_[s])));
+            if (there != StateId::none && index(there) > mine.parent && index(there) < c.states_[mine.parent].end && !states::is_history(c.states_[index(there)].kind)) history_[index(now)] = std::uint16_t(there);
+        }
+    }
+    // Each innermost active state, or the innermost around it that is still there.
+    for (const StateId leaf : before.leaves()) {
+        std::size_t s = index(leaf);
+        while (s != 0 && (c.find(old.name(StateId(s))) == StateId::none || states::is_history(c.states_[index(c.find(old.name(StateId(s))))].kind))) s = old.states_[s].parent;
+        if (s != 0) targets.push_back(std::uint16_t(c.find(old.name(StateId(s)))));
+    }
+    for_memories(context, true);
+    std::size_t entered = 0;
+    if (c.parallel_) {
+        auto quiet = [&](std::size_t s) { entered += stays[s] ? 0 : 1; return stays[s] != 0; };
+        if (targets.empty() || !regions_.go_to(*this, context, targets, quiet)) {
+            regions_.forget();
+            regions_.start(*this, context);
+            entered = 1;
+        }
+    } else {
+        std::vector<std::uint16_t> path;
+        const std::size_t target = targets.empty() ? 0 : targets.front();
+        for (std::size_t s = target; s != 0; s = c.states_[s].parent) path.push_back(std::uint16_t(s));
+        for (std::size_t i = path.size(); i-- > 0;)
+            if (!stays[path[i]]) enter_one(context, path[i]), ++entered;
+        entered += c.states_[target].initial.count;
+        enter_initial(context, target);
+    }
+    settle(context);
+    return all && entered == 0 ? Reloaded::same_states : Reloaded::other_states;
+}
+
+} // namespace ansatz

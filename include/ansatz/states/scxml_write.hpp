@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Writes a machine as SCXML; what is written can be read back by scxml.hpp to the same outline. Needs no XML library.
+
+#include <ansatz/states/outline.hpp>
+
+namespace ansatz {
+
+namespace states::detail {
+
+/// A text as the value of an attribute, or between elements.
+inline std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            case '\n': out += "&#10;"; break;
+            case '\r': out += "&#13;"; break;
+            case '\t': out += "&#9;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+/// Writes one outline.
+class ScxmlWriter {
+public:
+    explicit ScxmlWriter(const Outline& outline) : outline_(outline), children_(outline.states.size()), transitions_(outline.states.size()) {
+        for (std::size_t s = 1; s < outline.states.size(); ++s) children_[outline.states[s].parent].push_back(s);
+        for (std::size_t t = 0; t < outline.transitions.size(); ++t) transitions_[outline.transitions[t].source].push_back(t);
+    }
+    std::string write() {
+        bool own = false;
+        for (const auto& s : outline_.states) own = own || !s.each.empty() || !s.behaviour.empty();
+        text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<scxml xmlns=\"http://www.w3.org/2005/07/scxml\"";
+        if (own) text_ += " xmlns:ansatz=\"urn:ansatz:states\"";
+        text_ += " version=\"1.0\"";
+        attribute("name", outline_.name);
+        attribute("initial", joined(outline_.states[0].initial));
+        text_ += ">\n";
+        for (const auto child : children_[0]) state(child, 1);
+        return text_ + "</scxml>\n";
+    }
+
+private:
+    void indent(std::size_t depth) { text_.append(4 * depth, ' '); }
+    void attribute(const char* name, const std::string& value) {
+        if (!value.empty()) text_ += std::string(" ") + name + "=\"" + escaped(value) + "\"";
+    }
+    static std::string joined(const std::vector<std::string>& names) {
+        std::string text;
+        for (const auto& name : names) text += (text.empty() ? "" : " ") + name;
+        return text;
+    }
+    void contents(const std::vector<Outline::Content>& contents, std::size_t depth) {
+        using What = Outline::Content::What;
+        for (const auto& content : contents) {
+            indent(depth);
+            const auto name = escaped(content.name);
+            text_ += content.what == What::raise ? "<raise event=\"" + name + "\"/>\n" : content.what == What::log ? "<log expr=\"" + name + "\"/>\n" : "<script>" + name + "</script>\n";
+        }
+    }
+    void block(const char* tag, const std::vector<Outline::Content>& what, std::size_t depth) {
+        if (what.empty()) return;
+        indent(depth);
+        text_ += std::string("<") + tag + ">\n";
+        contents(what, depth + 1);
+        indent(depth);
+        text_ += std::string("</") + tag + ">\n";
+    }
+    void transition(const Outline::Transition& t, std::size_t depth) {
+        indent(depth);
+        text_ += "<transition";
+        attribute("event", t.events);
+        attribute("cond", t.guard);
+        attribute("target", joined(t.targets));
+        if (t.internal) attribute("type", "internal");
+        if (t.content.empty()) {
+            text_ += "/>\n";
+            return;
+        }
+        text_ += ">\n";
+        contents(t.content, depth + 1);
+        indent(depth);
+        text_ += "</transition>\n";
+    }
+    void begin(const Outline::State& s, std::size_t depth) {
+        Outline::Transition t;
+        t.targets = s.initial;
+        t.content = s.initial_content;
+        transition(t, depth);
+    }
+    void state(std::size_t id, std::size_t depth) {
+        const auto& s = outline_.states[id];
+        const char* tag = is_history(s.kind) ? "history" : s.kind == Kind::parallel ? "parallel" : s.kind == Kind::final ? "final" : "state";
+        indent(depth);
+        text_ += std::string("<") + tag;
+        attribute("id", s.name);
+        if (is_history(s.kind)) attribute("type", s.kind == Kind::deep_history ? "deep" : "shallow");
+        const bool element = !s.initial_content.empty();
+        if (!is_history(s.kind) && !element) attribute("initial", joined(s.initial));
+        attribute("ansatz:class", s.behaviour);
+        text_ += ">\n";
+        if (is_history(s.kind))
+            begin(s, depth + 1);
+        else if (element) {
+            indent(depth + 1);
+            text_ += "<initial>\n";
+            begin(s, depth + 2);
+            indent(depth + 1);
+            text_ += "</initial>\n";
+        }
+        block("onentry", s.entry, depth + 1);
+        block("onexit", s.exit, depth + 1);
+        block("ansatz:onupdate", s.each, depth + 1);
+        for (const auto t : transitions_[id]) transition(outline_.transitions[t], depth + 1);
+        for (const auto child : children_[id]) state(child, depth + 1);
+        indent(depth);
+        text_ += std::string("</") + tag + ">\n";
+    }
+
+    const Outline& outline_;
+    std::vector<std::vector<std::size_t>> children_, transitions_;
+    std::string text_;
+};
+
+} // namespace states::detail
+
+/// A machine as SCXML.
+inline std::string write_scxml(const Outline& outline) {
+    if (outline.states.empty()) return {};
+    return states::detail::ScxmlWriter(outline).write();
+}
+
+} // namespace ansatz
