@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: facts that do not matter are compared as well
+// Why:     The comparison is right, but most facts are none of the goal's business. Nothing is ever alike enough.
+// Read:    6.2
+// Fails:   care, at-once, never-more
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace exercise {
+
+/// A bit for each fact that holds.
+using State = std::uint64_t;
+
+/// The facts in `care` should be as they are in `value`.
+struct Goal {
+    State value = 0, care = 0;
+};
+/// Sets the facts in `care` to what they are in `value`, for a cost.
+struct Action {
+    State value = 0, care = 0;
+    double cost = 1;
+};
+
+/// 6.2: how many facts are not as the goal wants them.
+inline int unmet(State state, const Goal& goal) { return std::popcount(state ^ goal.value); }
+
+/// A cost that no plan from this state to the goal is below: the least that one fact of the goal costs, for each that
+/// is not as the goal wants it. 0 where no action settles any.
+inline double estimate(State state, const Goal& goal, const std::vector<Action>& actions) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Action& a : actions) {
+        const int settled = std::popcount(a.care & goal.care & ~(a.value ^ goal.value));
+        if (settled > 0 && a.cost / settled < least) least = a.cost / settled;
+    }
+    if (least == std::numeric_limits<double>::infinity()) return 0;
+    return unmet(state, goal) * least;
+}
+
+} // namespace exercise

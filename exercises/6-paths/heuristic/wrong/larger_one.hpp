@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the larger distance alone
+// Why:     That is the number of steps, as if a diagonal one cost no more than a straight one.
+// Read:    6.3
+// Fails:   exact-eight, not-less
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace exercise {
+
+/// 6.3: the least that it costs to come dx columns and dy rows away, in steps to one of four neighbours for 1 each.
+inline double four_neighbours(int dx, int dy) { return std::abs(dx) + std::abs(dy); }
+
+/// The same in steps to one of eight neighbours: 1 across a side, the square root of 2 across a corner.
+inline double eight_neighbours(int dx, int dy) { return std::max(std::abs(dx), std::abs(dy)); }
+
+} // namespace exercise

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Everything of the module `paths`: A* over Boost.Graph's graphs, grids, way points, heuristics, and planning with goals
+/// (notes 6). All of it lives in the namespace ansatz::paths, goal oriented action planning in ansatz::goap.
+
+#include <ansatz/paths/a_star.hpp>
+#include <ansatz/paths/boost_a_star.hpp>
+#include <ansatz/paths/buckets.hpp>
+#include <ansatz/paths/cost.hpp>
+#include <ansatz/paths/dimacs.hpp>
+#include <ansatz/paths/formation.hpp>
+#include <ansatz/paths/goap.hpp>
+#include <ansatz/paths/graph.hpp>
+#include <ansatz/paths/grid/cell.hpp>
+#include <ansatz/paths/grid/from_rows.hpp>
+#include <ansatz/paths/grid/graph.hpp>
+#include <ansatz/paths/grid/grid.hpp>
+#include <ansatz/paths/grid/ground.hpp>
+#include <ansatz/paths/grid/neighbours.hpp>
+#include <ansatz/paths/heap.hpp>
+#include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/moving_ai.hpp>
+#include <ansatz/paths/nodes.hpp>
+#include <ansatz/paths/outcome.hpp>
+#include <ansatz/paths/own_loop.hpp>
+#include <ansatz/paths/reopening.hpp>
+#include <ansatz/paths/roles.hpp>
+#include <ansatz/paths/route.hpp>
+#include <ansatz/paths/search.hpp>
+#include <ansatz/paths/smoothing.hpp>
+#include <ansatz/paths/true_costs.hpp>
+#include <ansatz/paths/visitor.hpp>
+#include <ansatz/paths/waypoints.hpp>

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `AStar`: the cheapest path from a start to a goal, over any graph of Boost.Graph (notes 6.1).
+///
+/// ```
+/// Grid map(64, 64);
+/// AStar search{map, Octile{}, Buckets{}};                  // policies in any order; all but the graph have defaults
+/// if (search.find(Cell{1, 1}, Cell{60, 40}) == Outcome::found)
+///     for (Cell c : search.path()) walk_to(map.position(c));
+/// ```
+///
+/// | role      | policies                                   | default                                            |
+/// |-----------|--------------------------------------------|----------------------------------------------------|
+/// | Heuristic | heuristics.hpp                             | the graph's `default_heuristic`, else ZeroHeuristic |
+/// | Queue     | `Heap`, `Buckets`                          | `Heap`                                             |
+/// | Cost      | `CostIn<Number>`                           | the graph's `default_cost`, else its weights' type |
+/// | Reopening | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                        |
+/// | Engine    | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                          |
+/// | Weights   | `WeightsOf{map}`                           | the graph's own, else 1 for every edge             |
+/// | Index     | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed          |
+///
+/// Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
+/// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts from the
+/// next `begin` or `find` on. A copy of a search is a search of its own.
+
+#include <ansatz/paths/graph.hpp>
+#include <ansatz/paths/heap.hpp>
+#include <ansatz/paths/heuristics/zero.hpp>
+#include <ansatz/paths/outcome.hpp>
+#include <ansatz/paths/own_loop.hpp>
+#include <ansatz/paths/reopening.hpp>
+#include <ansatz/paths/roles.hpp>
+#include <ansatz/paths/search.hpp>
+#include <ansatz/paths/visitor.hpp>
+#include <ansatz/world/error.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace ansatz::paths {
+
+namespace detail {
+template <class Graph> struct DefaultHeuristic {
+    using type = ZeroHeuristic;
+};
+template <class Graph>
+    requires requires { typename Graph::default_heuristic; }
+struct DefaultHeuristic<Graph> {
+    using type = typename Graph::default_heuristic;
+};
+
+/// What is wrong with a list of policies, in sentences. One assert a rule.
+template <class Graph, class... Policies> struct CheckedPolicies {
+    static_assert(SearchGraph<Graph>, "Ansatz paths: AStar searches a graph of Boost.Graph: out_edges(v, g) and target(e, g) "
+                                      "must work on it, and boost::graph_traits know its vertices and edges");
+    static_assert((has_known_role<Policies> && ...),
+                  "Ansatz paths: AStar was given something that is no policy of a search; after the graph it takes a "
+                  "heuristic (Octile{}), a queue (Heap{}, Buckets{}), CostIn<Number>{}, Reopening{}, an engine, WeightsOf{map} "
+                  "or IndexOf{map, count}, in any order");
+    static_assert(count_of<roles::Heuristic, Policies...> <= 1,
+                  "Ansatz paths: AStar has two heuristics; for the larger of both write Maximum{Octile{}, Euclid{}}");
+    static_assert(count_of<roles::Queue, Policies...> <= 1, "Ansatz paths: AStar has two queues; leave one out");
+    static_assert(count_of<roles::Cost, Policies...> <= 1, "Ansatz paths: AStar has two costs; leave one CostIn out");
+    static_assert(count_of<roles::Reopening, Policies...> <= 1,
+                  "Ansatz paths: AStar is told twice what to do with closed nodes; leave one out");
+    static_assert(count_of<roles::Engine, Policies...> <= 1, "Ansatz paths: AStar has two engines; leave one out");
+    static_assert(count_of<roles::Weights, Policies...> <= 1, "Ansatz paths: AStar has two maps of weights; leave one out");
+    static_assert(count_of<roles::Index, Policies...> <= 1, "Ansatz paths: AStar has two index maps; leave one out");
+    static constexpr bool ok = true;
+};
+} // namespace detail
+
+/// The cheapest path; see the file's description.
+template <class Graph, class... Policies> class AStar {
+    static_assert(detail::CheckedPolicies<Graph, Policies...>::ok);
+    using Given = detail::pick<roles::Weights, detail::NotGiven, Policies...>;
+    using Index = detail::pick<roles::Index, detail::NotGiven, Policies...>;
+    using Natural = CostIn<typename detail::NaturalCost<Graph, Given>::type>;
+    using Heuristic = detail::pick<roles::Heuristic, typename detail::DefaultHeuristic<Graph>::type, Policies...>;
+    using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
+    using Reopens = detail::pick<roles::Reopening, Reopening, Policies...>;
+    using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
+    static_assert(detail::IsNumbered<Graph> || !std::is_same_v<Index, detail::NotGiven> || detail::IsHashed<VertexOf<Graph>>,
+                  "Ansatz paths: the vertices of this graph have no numbers; give them a vertex_index, or write "
+                  "AStar{graph, ..., IndexOf{map, count}}, or specialise std::hash for them");
+
+public:
+    using Vertex = VertexOf<Graph>; ///< a vertex of the graph
+    using Goal = GoalOf<Graph>; ///< where it may end: a vertex or a condition
+    /// The number it counts in.
+    using Cost = typename detail::pick<roles::Cost, Natural, Policies...>::type;
+    /// The heuristic, bound to a goal.
+    using Estimate = decltype(std::declval<const Heuristic&>().template bind<Cost>(std::declval<const Graph&>(),
+                                                                                   std::declval<const Goal&>()));
+    /// The open list.
+    using Queue = typename QueuePolicy::template In<Cost, Vertex>;
+    using NodeOf = Node<Vertex, Cost>; ///< f, g, h and parent of a vertex
+    using Work = Search<Graph, Cost, Queue, Reopens, Given, Index, Estimate>; ///< what it keeps while it runs
+    static_assert(Queue::exact || Reopens::reopens,
+                  "Ansatz paths: Buckets are in order only to a bucket's width, and need Reopening; with NoReopening or "
+                  "UpdateClosed take Heap");
+    static_assert(!std::is_integral_v<Cost> || std::is_integral_v<typename Work::Weight>,
+                  "Ansatz paths: the weights of this graph have fractions, which a whole-number cost would cut off, and then "
+                  "heuristics are too much; take CostIn<double>");
+    /// As many expansions as it takes.
+    static constexpr std::size_t without_end = std::numeric_limits<std::size_t>::max();
+
+    /// \param graph looked at, never copied: it must live as long as this
+    explicit AStar(const Graph& graph, Policies... policies)
+        : heuristic_(detail::take<roles::Heuristic, typename detail::DefaultHeuristic<Graph>::type>(policies...)),
+          search_(graph, Queue(detail::take<roles::Queue, Heap>(policies...)),
+                  detail::take<roles::Weights, detail::NotGiven>(policies...),
+                  detail::take<roles::Index, detail::NotGiven>(policies...)) {}
+    explicit AStar(const Graph&&, Policies...) = delete; // a graph that is gone after this line
+
+    /// Finds the path in one go.
+    /// \param most    how many nodes may be expanded before it gives up
+    /// \param visitor watches (visitor.hpp)
+    /// \throws std::invalid_argument for a start or goal that the graph does not have; never later
+    template <class Watcher> Outcome find(const Vertex& start, const Goal& goal, std::size_t most, Watcher& visitor) {
+        begin(start, goal, visitor);
+        advance(most, visitor);
+        if (outcome_ == Outcome::running) give_up();
+        return outcome_;
+    }
+    /// The same with nobody watching.
+    Outcome find(const Vertex& start, const Goal& goal, std::size_t most = without_end) {
+        Visitor nobody;
+        return find(start, goal, most, nobody);
+    }
+
+    /// \name A search in slices: so many expansions a frame
+    /// @{
+    template <class Watcher> void begin(const Vertex& start, const Goal& goal, Watcher& visitor) {
+        const Graph& g = search_.graph();
+        require(g, "start", start);
+        if constexpr (std::is_same_v<Goal, Vertex>) require(g, "goal", goal);
+        path_.clear();
+        search_.begin(start, goal);
+        bool goal_blocked = false;
+        if constexpr (std::is_same_v<Goal, Vertex>) goal_blocked = detail::blocked(goal, g);
+        if (goal_blocked || detail::blocked(start, g)) {
+            outcome_ = Outcome::blocked;
+            return;
+        }
+        search_.bind(heuristic_.template bind<Cost>(g, goal));
+        search_.open_start();
+        visitor.opened(start, search_.nodes[search_.slot(start)]);
+        outcome_ = Outcome::running;
+    }
+    void begin(const Vertex& start, const Goal& goal) {
+        Visitor nobody;
+        begin(start, goal, nobody);
+    }
+    /// Expands up to so many nodes and says how the search stands then. Does nothing when it is not running.
+    template <class Watcher> Outcome advance(std::size_t expansions, Watcher& visitor) {
+        if (outcome_ != Outcome::running) return outcome_;
+        search_.grow(); // the graph may have
+        outcome_ = Engine::run(search_, expansions, visitor);
+        if (outcome_ == Outcome::found) trace(search_.goal_vertex);
+        return outcome_;
+    }
+    Outcome advance(std::size_t expansions) {
+        Visitor nobody;
+        return advance(expansions, nobody);
+    }
+    /// Ends a running search with what it has: path() leads to the node that came nearest to the goal.
+    void give_up() {
+        if (outcome_ != Outcome::running) return;
+        outcome_ = Outcome::gave_up;
+        trace(search_.nearest);
+    }
+    /// @}
+
+    /// \name What came of it
+    /// @{
+    Outcome outcome() const { return outcome_; }
+    /// From start to goal, both included; empty where there is none. Valid until the next query.
+    std::span<const Vertex> path() const { return path_; }
+    Cost cost() const { ///< g of the path's last node; the dearest cost there is where there is no path
+        const auto* last = path_.empty() ? nullptr : node(path_.back());
+        return last ? last->g : detail::infinite<Cost>;
+    }
+    std::size_t expanded() const { return search_.expanded; }   ///< nodes whose neighbours were looked at
+    std::size_t generated() const { return search_.generated; } ///< nodes that were ever on the open list
+    std::size_t reopened() const { return search_.reopened; }   ///< how often a closed node was reached on a cheaper way
+    /// The outcome in a sentence, with the place.
+    std::string why() const;
+    /// @}
+
+    /// \name The notes' lists and values
+    /// @{
+    /// f, g, h and parent of a node; null if this query has not come to it.
+    const NodeOf* node(const Vertex& v) const { return search_.seen(v); }
+    bool is_open(const Vertex& v) const { return has_stamp(v, search_.nodes.stamps().open()); }
+    bool is_closed(const Vertex& v) const { return has_stamp(v, search_.nodes.stamps().closed()); }
+    /// The open list by ascending f, of equal f by h. For looking at: it is made anew by each call.
+    std::vector<Vertex> open_list() const;
+    /// The closed list, in the order of the graph's vertices; in which order they were closed a `Trace` tells.
+    std::vector<Vertex> closed_list() const;
+    /// @}
+
+    const Goal& goal() const { return search_.goal; } ///< of this query
+    /// The graph that is searched.
+    const Graph& graph() const { return search_.graph(); }
+    /// What an edge costs a search, in its number.
+    Cost weight(const EdgeOf<Graph>& e) const { return search_.cost_of(get(search_.fresh_weights(), e)); }
+    auto& internals() { return search_; } ///< for tests and engines
+
+private:
+    static void require(const Graph& g, const char* what, const Vertex& v) {
+        if (!detail::contains(v, g)) refuse_value("AStar", what, detail::name_of_vertex(v, g), detail::size_of_graph(g));
+    }
+    bool has_stamp(const Vertex& v, std::uint32_t stamp) const {
+        const auto* n = node(v);
+        return n && n->stamp == stamp;
+    }
+    /// 4: by the parents back to the start, then turned round.
+    void trace(Vertex v) {
+        path_.clear();
+        for (;;) {
+            path_.push_back(v);
+            if (v == search_.start) break;
+            v = search_.nodes[search_.slot(v)].parent;
+        }
+        std::reverse(path_.begin(), path_.end());
+    }
+    Heuristic heuristic_;
+    Work search_;
+    std::vector<Vertex> path_;
+    Outcome outcome_ = Outcome::not_begun;
+};
+/// The search of a graph by these policies, `AStar{graph, Octile{}}`.
+template <class Graph, class... Policies> AStar(const Graph&, Policies...) -> AStar<Graph, Policies...>;
+
+template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph, Policies...>::why() const {
+    const Graph& g = search_.graph();
+    auto name = [&](const Vertex& v) { return detail::name_of_vertex(v, g); };
+    std::string way = "from " + name(search_.start);
+    if constexpr (std::is_same_v<Goal, Vertex>) way += " to " + name(search_.goal);
+    switch (outcome_) {
+    case Outcome::not_begun: return "no search was begun";
+    case Outcome::running: return "the search " + way + " goes on after " + std::to_string(expanded()) + " expansions";
+    case Outcome::found: return "the path " + way + " costs " + describe(cost());
+    case Outcome::no_path:
+        return "there is no path " + way + ": all " + std::to_string(expanded()) + " nodes that can be reached were looked at";
+    case Outcome::gave_up:
+        return "the search " + way + " gave up after " + std::to_string(expanded()) + " expansions; nearest came " +
+               name(search_.nearest);
+    case Outcome::blocked:
+        if (detail::blocked(search_.start, g)) return "there is no path " + way + ": the start is blocked";
+        return "there is no path " + way + ": the goal is blocked";
+    case Outcome::too_far:
+        return "a path " + way + " costs more than its number holds; take CostIn<std::uint64_t> or CostIn<double>";
+    case Outcome::bad_weight:
+        return "the edge from " + name(search_.bad_from) + " to " + name(search_.bad_to) + " weighs " +
+               describe(search_.bad_value) + "; a weight is a number and not negative";
+    }
+    return "";
+}
+
+template <class Graph, class... Policies>
+auto AStar<Graph, Policies...>::open_list() const -> std::vector<Vertex> {
+    std::vector<Vertex> open;
+    search_.queue.each([&](const Vertex& v) {
+        if (is_open(v)) open.push_back(v);
+    });
+    std::stable_sort(open.begin(), open.end(), [&](const Vertex& a, const Vertex& b) {
+        const auto &m = *node(a), &n = *node(b);
+        return m.f() < n.f() || (m.f() == n.f() && m.h < n.h);
+    });
+    // A node stands in the queue as often as its f fell; equal ones need not be neighbours.
+    std::vector<Vertex> once;
+    for (const Vertex& v : open)
+        if (std::find(once.begin(), once.end(), v) == once.end()) once.push_back(v);
+    return once;
+}
+
+template <class Graph, class... Policies>
+auto AStar<Graph, Policies...>::closed_list() const -> std::vector<Vertex> {
+    std::vector<Vertex> closed;
+    search_.each_vertex([&](const Vertex& v) {
+        if (is_closed(v)) closed.push_back(v);
+    });
+    return closed;
+}
+
+} // namespace ansatz::paths

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `perform`: how a plan meets who carries it out, one tick of the game at a time. Whoever can begin an action and say how it
+/// goes is a `Performer`: a function of yours, an animation, a state machine whose states are named after the actions.
+
+#include <ansatz/paths/goap/runner.hpp>
+
+#include <concepts>
+#include <optional>
+
+namespace ansatz::goap {
+
+/// How an action goes.
+enum class Progress {
+    going,  ///< it takes longer
+    done,   ///< it is finished
+    failed, ///< it cannot be finished
+};
+
+/// Who can begin an action, and be asked each tick how it goes.
+template <class P>
+concept Performer = requires(P& p, Action a) {
+    p.begin(a);
+    { p.tick(a) } -> std::same_as<Progress>;
+};
+
+/// What a plan is doing, between ticks.
+struct Performance {
+    std::optional<Action> begun; ///< the action that was begun and has not ended
+};
+
+/// One tick: looks whether the plan still holds, begins the action that is due, and asks how it goes.
+/// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the action
+/// \return whether there is anything left to do
+template <class Planner, Performer P, class StateOf>
+bool perform(Runner<Planner>& runner, P& performer, Performance& performance, StateOf&& state_of) {
+    if (runner.look(state_of())) performance.begun.reset(); // another plan: what was begun is given up
+    const auto due = runner.action();
+    if (!due) {
+        performance.begun.reset();
+        return false;
+    }
+    if (performance.begun != due) {
+        performer.begin(*due);
+        performance.begun = due;
+    }
+    switch (performer.tick(*due)) {
+    case Progress::going: return true;
+    case Progress::done: runner.done(state_of()); break;
+    case Progress::failed: runner.failed(state_of()); break;
+    }
+    performance.begun.reset();
+    return runner.action().has_value();
+}
+
+} // namespace ansatz::goap

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `OwnLoop`: the loop of A* as the notes write it (6.1), over Boost.Graph's concepts; the default engine.
+///
+/// It asks the graph for nothing but out_edges and target, looks at no vertex that the search does not come to, stops
+/// without an exception, can be left after any number of expansions and taken up again, and allocates nothing once its
+/// arrays have grown. The numbers in its comments are the notes' steps.
+
+#include <ansatz/paths/graph.hpp>
+#include <ansatz/paths/nodes.hpp>
+#include <ansatz/paths/outcome.hpp>
+#include <ansatz/paths/roles.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+namespace ansatz::paths {
+
+/// The library's own loop.
+struct OwnLoop {
+    using role = roles::Engine;
+    static constexpr bool resumable = true; ///< can be left and taken up again
+
+    /// Expands up to `most` nodes.
+    /// \param work what the search knows: graph, weights, nodes, queue, estimate, counters
+    template <class Work, class Watcher>
+    [[gnu::noinline]] static Outcome run(Work& work, std::size_t most, Watcher& watcher) { // on its own, so that registers suffice
+        using Vertex = typename Work::Vertex;
+        using Cost = typename Work::Cost;
+        constexpr bool exact = Work::Queue::exact;
+        auto& queue = work.queue;
+        // Values, not references: behind a reference the compiler would read them again after each node that is written.
+        const auto estimate = work.bound();
+        const auto weights = work.weights;
+        const auto place = work.place();
+        const auto goal = work.goal;
+        const std::uint32_t open = work.nodes.stamps().open();
+        Cost nearest_h = work.nearest_h;
+        Counts counts;
+        auto end = [&](Outcome outcome) {
+            work.nearest_h = nearest_h;
+            work.expanded += counts.expanded, work.generated += counts.generated, work.reopened += counts.reopened;
+            return outcome;
+        };
+        while (!queue.empty()) { // 2: for each node P on the open list
+            if constexpr (!exact)
+                if (work.goal_known && !(queue.least_f() < work.goal_cost)) return end(Outcome::found);
+            if (counts.expanded == most) return end(Outcome::running);
+            const Vertex p = queue.pop();
+            if (const Vertex* next = queue.peek()) place.fetch_around(*next, work.graph());
+            auto& node = place.of(p);
+            if (node.stamp != open) continue; // an old entry of a node whose f fell later
+            if constexpr (!exact)
+                if (work.goal_known && !(node.f() < work.goal_cost)) continue;
+            node.stamp = open + 1; // 2.1: to the closed list
+            watcher.closed(p, node);
+            const Cost p_g = node.g;
+            if (node.h < nearest_h) nearest_h = node.h, work.nearest = p;
+            if (Work::reaches(p, goal)) { // 2.2: the end node
+                work.reach(p, p_g);
+                watcher.reached(p, node);
+                if constexpr (exact) return end(Outcome::found);
+                continue; // what is in the queue may still be cheaper, by less than a bucket
+            }
+            ++counts.expanded;
+            const auto& graph = work.graph();
+            const auto edges = out_edges(p, graph);
+            for (auto at = edges.first; at != edges.second; ++at) { // 2.3: for each node Q connected to P
+                const auto edge = *at;
+                const Vertex q = target(edge, graph);
+                if (!detail::edge_passable(edge, graph) || !detail::vertex_passable(q, graph)) { // 2.3.1
+                    watcher.skipped(p, q);
+                    continue;
+                }
+                const auto weight = get(weights, edge);
+                if constexpr (!std::is_unsigned_v<std::decay_t<decltype(weight)>>)
+                    if (!(weight >= 0)) return work.refuse_weight(p, q, weight), end(work.trouble);
+                const Cost g = detail::add(p_g, Work::cost_of(weight)); // 2.3.2
+                relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
+            }
+        }
+        return end(work.goal_known ? Outcome::found : work.too_far ? Outcome::too_far : Outcome::no_path);
+    }
+
+private:
+    struct Counts {
+        std::size_t expanded = 0, generated = 0, reopened = 0;
+    };
+    /// 2.3.3 and 2.3.4: a way to Q was found that costs g.
+    template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>
+    [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost g, const Estimate& estimate,
+                                             const std::uint32_t open, Counts& counts, Watcher& watcher) {
+        const bool first = node.stamp < open; // on no list
+        if (!first && !(g < node.g)) return;
+        if (first) {
+            if (!(g < detail::infinite<Cost>)) { // an infinite weight is a way that nobody can go
+                work.too_far = work.too_far || std::integral<Cost>;
+                return;
+            }
+            node.h = estimate(q);
+            ++counts.generated;
+        } else if (node.stamp != open) {
+            if constexpr (!Work::Reopens::updates) return;
+            ++counts.reopened;
+        }
+        const bool closed = !first && node.stamp != open;
+        node.g = g, node.parent = p;
+        if (!closed || Work::Reopens::reopens) {
+            node.stamp = open;
+            work.queue.push(detail::add(g, node.h), node.h, q);
+        }
+        if (first)
+            watcher.opened(q, node);
+        else if (closed)
+            watcher.reopened(q, node);
+        else
+            watcher.improved(q, node);
+    }
+};
+
+} // namespace ansatz::paths
