@@ -13,8 +13,10 @@ include(${Catch2_DIR}/Catch.cmake)
 # What only some tests need: its name, its Debian package, its target, and the includes by which such a test is known.
 find_package(nlohmann_json 3 CONFIG QUIET)
 find_package(benchmark CONFIG QUIET)
+find_package(pugixml CONFIG QUIET)
 set(wanted
     "nlohmann-json|nlohmann-json3-dev|nlohmann_json::nlohmann_json|<nlohmann/,\"tools/costs.hpp,\"tools/costs/json.hpp"
+    "pugixml|libpugixml-dev|pugixml::pugixml|<ansatz/states/scxml.hpp>"
     "Google Benchmark|libbenchmark-dev|benchmark::benchmark|<benchmark/,\"tools/costs.hpp,\"tools/costs/measure.hpp")
 
 # One main, compiled once: Debian's own has no benchmarks, and it must not see the precompiled header.
@@ -70,6 +72,12 @@ set(skipped "test cases: 1 \\| 1 skipped|test skipped: .*All tests passed")
 
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *)
 list(REMOVE_ITEM folders static archetypes must_not_compile package peers)
+set(ANSATZ_TEST_MODULES "" CACHE STRING "The modules whose tests are built, e.g. world;collision; all of them, if there is nothing")
+if(ANSATZ_TEST_MODULES)
+    list(JOIN ANSATZ_TEST_MODULES "|" wished)
+    list(FILTER folders INCLUDE REGEX "^(${wished})$")
+    ansatz_note("tests of other modules than ${ANSATZ_TEST_MODULES}: switched off")
+endif()
 set(modules)
 foreach(module IN LISTS folders)
     if(NOT IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${module})
@@ -82,6 +90,13 @@ foreach(module IN LISTS folders)
     list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "\\.perf\\.cpp$")
 
+    # A test may say so in a line of its own: then it is long to optimise and nothing in it is measured.
+    foreach(source IN LISTS sources)
+        file(STRINGS ${source} said REGEX "^// Compiled without optimisation" LIMIT_COUNT 1)
+        if(said)
+            set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+        endif()
+    endforeach()
     if(sources)
         list(APPEND modules ${module})
         add_executable(test_${module} ${sources})

@@ -101,7 +101,13 @@ public:
     }
 
     /// Adds something to be printed below the table: what costs no time, such as bytes.
-    void add_below(std::function<void(std::ostream&)> print) { below_.push_back(std::move(print)); }
+    void add_below(std::function<void(std::ostream&)> print) {
+        add_summary([print = std::move(print)](std::ostream& out, const Rows&, const std::filesystem::path&) { print(out); });
+    }
+
+    /// Adds what is made of the rows that were measured: where one choice overtakes another, a picture along another axis. It is
+    /// called below the table, with all rows and the folder for pictures.
+    void add_summary(std::function<void(std::ostream&, const Rows&, const std::filesystem::path&)> summary) { below_.push_back(std::move(summary)); }
 
     /// Measures everything and reports; the result is the program's exit code.
     int run(std::ostream& out = std::cout) {
@@ -194,7 +200,7 @@ private:
         write_json(json, machine, rows);
         draw_pictures(options.out, module_, rows);
         out << "table: " << json.string() << '\n';
-        for (const auto& print : below_) print(out);
+        for (const auto& summary : below_) summary(out, rows, options.out);
 
         bool off = false;
         for (const Row& row : rows) off = off || order_is_off(row);
@@ -209,7 +215,7 @@ private:
     std::vector<std::string> arguments_;
     std::vector<Axis> axes_;
     std::vector<Case> cases_;
-    std::vector<std::function<void(std::ostream&)>> below_;
+    std::vector<std::function<void(std::ostream&, const Rows&, const std::filesystem::path&)>> below_;
 };
 
 }  // namespace ansatz::workbook

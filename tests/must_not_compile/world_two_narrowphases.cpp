@@ -2,33 +2,16 @@
 // SPDX-License-Identifier: BSL-1.0
 // Two policies in a role for one.
 
+#include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
 
 using namespace ansatz;
 
+int main() {
 #ifdef ANSATZ_MISTAKE
-struct Another {
-    using role = roles::Narrowphase;
-};
+    World world{SemiImplicitEuler{}, BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{}, Narrowphase<Sphere, Plane>{}, Impulse<>{}};
 #else
-struct Another {
-    using role = roles::Observer;
-};
+    World world{SemiImplicitEuler{}, BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{}, Impulse<>{}};
 #endif
-
-struct Broad {
-    using role = roles::Broadphase;
-};
-struct Narrow {
-    using role = roles::Narrowphase;
-};
-struct React {
-    using role = roles::Response;
-};
-struct Teams {
-    using role = roles::Filter;
-};
-
-World<SemiImplicitEuler, Broad, Teams, Narrow, React, Another>* world = nullptr;
-static_assert(sizeof(*world) > 0);
-int main() {}
+    world.step(0.01 * second);
+}

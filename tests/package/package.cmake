@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # Ansatz used from outside: installed into a folder of this build and found by CMake and by pkg-config, and as a folder
-# of somebody's project. The consumer is the same program each time: the engine of the README (tests/tools/readme.sh holds
-# the two against each other).
+# of somebody's project. The consumers are the same programs each time, those of the README (tests/tools/readme.sh holds
+# them against it).
 set(package_prefix ${PROJECT_BINARY_DIR}/scratch/package/prefix)
 
 add_test(NAME package.install COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${PROJECT_BINARY_DIR}

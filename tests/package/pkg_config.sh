@@ -11,5 +11,7 @@ for flag in -ffp-contract=off -fno-math-errno; do
 done
 
 # shellcheck disable=SC2086  (the flags are words)
-"$compiler" -std=c++20 $flags "$here/engine.cpp" -o "$folder/consumer_of_pkg_config"
-"$folder/consumer_of_pkg_config"
+for program in engine pool; do
+    "$compiler" -std=c++20 $flags "$here/$program.cpp" -o "$folder/${program}_of_pkg_config"
+    "$folder/${program}_of_pkg_config"
+done

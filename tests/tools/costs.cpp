@@ -152,6 +152,26 @@ TEST_CASE("the program writes its table, and says in its exit code whether order
     CHECK(bad.run(out) == 1);
 }
 
+TEST_CASE("a summary sees all rows as they were measured, and the folder for its pictures", "[costs]") {
+    Folder folder;
+    std::ostringstream out;
+    Costs costs{"made_up", {"--untimed", "--out", folder.path.string()}};
+    add_ladder(costs);
+    std::size_t rows = 0;
+    costs.add_summary([&](std::ostream& to, const Rows& all, const std::filesystem::path& where) {
+        rows = all.size();
+        CHECK(all[0].diverged);
+        CHECK(std::abs(*all[1].error - 0.04) < 1e-12);
+        CHECK(where == folder.path);
+        to << "the summary\n";
+    });
+    costs.add_below([](std::ostream& to) { to << "and what is below\n"; });
+    CHECK(costs.run(out) == 0);
+    CHECK(rows == 6);
+    CHECK(out.str().find("the summary\nand what is below\n") != std::string::npos);
+    CHECK(out.str().find("the summary") > out.str().find("made_up.json"));
+}
+
 TEST_CASE("options are read, and what is not understood is refused with the list", "[costs]") {
     CHECK(CostsOptions::parse({"--quick"}).plan.repeats == 3);
     CHECK(CostsOptions::parse({}).plan.repeats == 15);

@@ -27,6 +27,39 @@ BEGIN {
     said["Unit"] = "the unit of its entries"
     said["shape"] = "a number or a vector for each body"
     said["Scalar"] = "the number type"
+    # Of paths, and of property maps and iterators in the manner of Boost.
+    said["bind"] = "the estimate for one graph and goal: a function of a vertex"
+    said["default_heuristic"] = "the heuristic of a search that names none"
+    said["default_cost"] = "the number that a search counts in unless it is told otherwise"
+    said["updates"] = "whether a closed node gets the cheaper g and parent"
+    said["reopens"] = "whether it goes back to the open list"
+    said["resumable"] = "whether a search can be left and taken up again"
+    said["key_type"] = "what is looked up"
+    said["value_type"] = "what is found"
+    said["reference"] = "how it is handed out"
+    said["category"] = "what a property map of Boost is: readable"
+    said["iterator_category"] = "what an iterator is"
+    said["difference_type"] = "between two iterators"
+    said["pointer"] = "to what is found"
+    # The functions that make a class a graph of Boost.Graph, a property map or an iterator.
+    of_boost["out_edges"] = "the edges that lead out of a vertex, as two iterators"
+    of_boost["out_degree"] = "how many edges lead out of a vertex"
+    of_boost["source"] = "the vertex that an edge leaves"
+    of_boost["target"] = "the vertex that an edge leads to"
+    of_boost["vertices"] = "all vertices, as two iterators"
+    of_boost["num_vertices"] = "how many vertices there are"
+    of_boost["get"] = "a property map of a graph, or what it holds"
+    of_boost["edge_weights"] = "the weights in the number of a search"
+    of_boost["has_vertex"] = "whether there is this vertex"
+    of_boost["is_passable"] = "the flag of a vertex or edge"
+    of_boost["is_blocked"] = "whether a vertex can be no start and no goal"
+    of_boost["name_of"] = "its name in sentences"
+    of_boost["size_in_words"] = "how large the graph is, for sentences"
+    of_boost["position_of"] = "where a vertex is"
+    of_boost["least_cost_per_metre"] = "what a metre costs at least"
+    of_boost["operator=="] = "whether both are the same"
+    of_boost["operator++"] = "on to the next"
+    of_boost["operator*"] = "what it points to"
 
     # The sections that have an anchor, and the exercises that there are: asked of the shell once for each file.
     command = "grep -ohE '\\{#section_[0-9_]+\\}' docs/*.md 2>/dev/null"
@@ -43,7 +76,14 @@ BEGIN {
     command = "grep -rE '^(template <.*> *)?(struct|class) [A-Z][A-Za-z0-9]*( |$|\\{)' include/ansatz 2>/dev/null"
     while ((command | getline line) > 0) {
         file = line; sub(/:.*/, "", file); name = line; sub(/^.*(struct|class) /, "", name); sub(/[^A-Za-z0-9].*/, "", name)
-        if (line !~ /; *$/ && policy_of(stem_of(file)) == name) named[name] = 1
+        if (line !~ /; *$/ && policy_of(stem_of(file)) == name) named[name] = file
+    }
+    close(command)
+    # And the namespace that a header opens first, where it is not ansatz itself.
+    command = "grep -rE '^namespace ansatz::[a-z_]+ \\{' include/ansatz 2>/dev/null"
+    while ((command | getline line) > 0) {
+        file = line; sub(/:.*/, "", file); space = line; sub(/^.*namespace /, "", space); sub(/ .*/, "", space)
+        if (!(file in opens)) opens[file] = space
     }
     close(command)
 }
@@ -92,7 +132,7 @@ function with_sections(text,    done, list, number) {
 }
 header && /^\/\/\// { $0 = with_sections($0) }
 # Doxygen finds no name from within a concept.
-header && stem == "concepts" && /^\/\/\/ / { $0 = with_names($0) }
+header && (stem == "concepts" || stem == "broadphase" || stem == "inside" || stem == "shapes") && /^\/\/\/ / { $0 = with_names($0) }
 FILENAME ~ /\/pages\/library\.md$/ { print with_sections($0); next }
 
 # What the header tells, kept for the page of its policy.
@@ -130,12 +170,20 @@ header && opening != "" && !telling && (($0 ~ "^(template <.*> *)?(struct|class)
 header && /^ +(template <[^>]*> *)?struct In \{/ && !/\};/ { indent = $0; sub(/[^ ].*/, "", indent); print "/** \\cond */ " $0; hidden_until = indent "};"; next }
 hidden_until != "" && $0 == hidden_until { print $0 " /** \\endcond */"; hidden_until = ""; next }
 
+# Functions of Boost's concepts without a comment of their own: free ones, friends, and operators of iterators.
+{ behind_a_comment = before_this ~ /^ *(\/\/\/|\*\/|template <.*> *$)/; before_this = $0 }
+header && !behind_a_comment && !/\/\/[\/!]/ && /^([a-zA-Z[]|    friend |    \[\[gnu::always_inline\]\] |    [A-Z][A-Za-z]*&? operator)/ && match($0, /(^|[ &])([a-z_]+|operator(==|\+\+|\*))\([^;]*\{/) {
+    name = substr($0, RSTART, RLENGTH); sub(/^[ &]/, "", name); sub(/\(.*/, "", name)
+    if (name in of_boost) { indent = $0; sub(/[^ ].*/, "", indent); print indent "/** " of_boost[name] " */ " substr($0, length(indent) + 1); next }
+}
 # Conventional members without a comment of their own.
 header && !/\/\/[\/!]/ {
-    if (match($0, /^ +using [A-Za-z]+ = /)) { name = $0; sub(/^ +using /, "", name); sub(/ .*/, "", name) }
+    if (match($0, /^ +using [A-Za-z_]+ = /)) { name = $0; sub(/^ +using /, "", name); sub(/ .*/, "", name) }
     else if (match($0, /^ +static constexpr [A-Za-z:_]+ [a-z_]+ = /)) { name = $0; sub(/^ +static constexpr [A-Za-z:_]+ /, "", name); sub(/ .*/, "", name) }
     else if (match($0, /^ +static (constexpr )?void parameters\(/)) name = "parameters"
     else if (match($0, /^ +void check\(\) const/)) name = "check"
+    else if (match($0, /^ +template <class Cost, class Graph> auto bind\(/)) name = "bind"
+    else if (match($0, /^ +template <class Cost, class Graph>$/)) name = "bind"
     else name = ""
     if (name in said) {
         if (/[{][^}]*$/) { indent = $0; sub(/[^ ].*/, "", indent); print indent "/** " said[name] " */ " substr($0, length(indent) + 1) }
@@ -209,7 +257,7 @@ function with_names(text,    done, name) {
     done = ""
     while (match(text, /`[^`]+`/)) {
         name = substr(text, RSTART + 1, RLENGTH - 2)
-        done = done substr(text, 1, RSTART - 1) ((name in named) ? "<code>\\ref ansatz::" name " \"" name "\"</code>" : "`" name "`")
+        done = done substr(text, 1, RSTART - 1) ((name in named) ? "<code>\\ref " ((named[name] in opens) ? opens[named[name]] : "ansatz") "::" name " \"" name "\"</code>" : "`" name "`")
         text = substr(text, RSTART + RLENGTH)
     }
     return done text

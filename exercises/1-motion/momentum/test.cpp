@@ -14,11 +14,11 @@ using exercise::Body;
 using Velocity2 = VectorQuantity<unit::Velocity, 2>;
 
 /// Two bodies that meet: along an axis, along a diagonal, light against heavy, one at rest, one overtaken.
-struct Meeting {
+struct TwoBodies {
     Body first, second;
 };
-const std::vector<Meeting>& meetings() {
-    static const std::vector<Meeting> all = {
+const std::vector<TwoBodies>& meetings() {
+    static const std::vector<TwoBodies> all = {
         {{1.0 * kilogram, metres_per_second(2, 0)}, {3.0 * kilogram, metres_per_second(-1, 0)}},
         {{5.0 * kilogram, metres_per_second(3, 3)}, {0.2 * kilogram, metres_per_second(1, 1)}},
         {{2.0 * kilogram, metres_per_second(0, 4)}, {7.0 * kilogram, metres_per_second(0, 0)}},
@@ -28,7 +28,7 @@ const std::vector<Meeting>& meetings() {
 }
 const double restitutions[] = {0, 0.25, 0.5, 1};
 
-std::string said(const Meeting& m, double e) {
+std::string said(const TwoBodies& m, double e) {
     std::ostringstream text;
     text << m.first.mass << " with " << m.first.velocity << " meets " << m.second.mass << " with " << m.second.velocity
          << ", e = " << e;
@@ -43,7 +43,7 @@ auto momentum_of(const Body& one, const Body& other) { return one.mass * one.vel
 auto energy_of(const Body& one, const Body& other) {
     return 0.5 * one.mass * squared_norm(one.velocity) + 0.5 * other.mass * squared_norm(other.velocity);
 }
-Meeting moved(Meeting m, const Velocity2& by) {
+TwoBodies moved(TwoBodies m, const Velocity2& by) {
     m.first.velocity += by;
     m.second.velocity += by;
     return m;
@@ -52,7 +52,7 @@ Meeting moved(Meeting m, const Velocity2& by) {
 } // namespace
 
 TEST_CASE("the sum of the momenta stays what it was", "[task-1][momentum]") {
-    for_each_collision([](const Meeting& m, double e, const std::string& what) {
+    for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
         const auto [one, other] = exercise::collide(m.first, m.second, e);
         expect_near(what + ": the momentum of both together", momentum_of(one, other), momentum_of(m.first, m.second),
                     1e-12 * kilogram_metre_per_second,
@@ -62,7 +62,7 @@ TEST_CASE("the sum of the momenta stays what it was", "[task-1][momentum]") {
 }
 
 TEST_CASE("they part with e times the speed at which they met", "[task-1][parting]") {
-    for_each_collision([](const Meeting& m, double e, const std::string& what) {
+    for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
         const auto [one, other] = exercise::collide(m.first, m.second, e);
         expect_near(what + ": the relative velocity after it, of the second as the first sees it",
                     other.velocity - one.velocity, e * (m.first.velocity - m.second.velocity), 1e-12 * metre_per_second,
@@ -81,9 +81,9 @@ TEST_CASE("at e = 1 no energy is lost", "[task-1][elastic]") {
 
 TEST_CASE("seen from a train, it is the same collision", "[task-1][train]") {
     const auto train = metres_per_second(-3, 10);
-    for_each_collision([&](const Meeting& m, double e, const std::string& what) {
+    for_each_collision([&](const TwoBodies& m, double e, const std::string& what) {
         const auto ground = exercise::collide(m.first, m.second, e).first;
-        const Meeting seen = moved(m, train);
+        const TwoBodies seen = moved(m, train);
         const auto train_sees = exercise::collide(seen.first, seen.second, e).first.velocity;
         const Velocity2 shifted = ground.velocity + train;
         expect_agree(what + ": the first body's velocity after it, when (-3, 10) m/s are added to every velocity",
@@ -94,7 +94,7 @@ TEST_CASE("seen from a train, it is the same collision", "[task-1][train]") {
 }
 
 TEST_CASE("which of the bodies is the first makes no difference", "[task-1][exchange]") {
-    for_each_collision([](const Meeting& m, double e, const std::string& what) {
+    for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
         const auto one = exercise::collide(m.first, m.second, e), other = exercise::collide(m.second, m.first, e);
         expect_agree(
             what + ": the velocity of the second after it", "yours, called in this order", one.second.velocity,
@@ -104,7 +104,7 @@ TEST_CASE("which of the bodies is the first makes no difference", "[task-1][exch
 }
 
 TEST_CASE("the energy lost is the energy before minus the energy after", "[task-2][balance]") {
-    for_each_collision([](const Meeting& m, double e, const std::string& what) {
+    for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
         const auto [one, other] = mechanics::collide(m.first, m.second, e);
         expect_near(what + ": the energy lost", exercise::energy_lost(m.first, m.second, e),
                     energy_of(m.first, m.second) - energy_of(one, other), 1e-12 * energy_of(m.first, m.second),
@@ -120,8 +120,8 @@ TEST_CASE("at e = 1 nothing is lost", "[task-2][nothing]") {
 }
 
 TEST_CASE("seen from a train, the same energy is lost", "[task-2][train-energy]") {
-    for_each_collision([](const Meeting& m, double e, const std::string& what) {
-        const Meeting seen = moved(m, metres_per_second(-3, 10));
+    for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
+        const TwoBodies seen = moved(m, metres_per_second(-3, 10));
         expect_agree(what + ": the energy lost", "yours, as it is", exercise::energy_lost(m.first, m.second, e),
                      "yours, with (-3, 10) m/s added to both velocities",
                      exercise::energy_lost(seen.first, seen.second, e), 1e-11 * joule,
@@ -131,7 +131,7 @@ TEST_CASE("seen from a train, the same energy is lost", "[task-2][train-energy]"
 
 std::vector<double> ansatz::workbook::probe(int task) {
     std::vector<double> numbers;
-    for_each_collision([&](const Meeting& m, double e, const std::string&) {
+    for_each_collision([&](const TwoBodies& m, double e, const std::string&) {
         if (task == 2) {
             numbers.push_back(exercise::energy_lost(m.first, m.second, e).value());
             return;

@@ -4,7 +4,7 @@
 /// \file
 /// `Rest`: puts bodies to rest that have been slow for a while and would stay where they are (notes 1.1, 1.8, made safe).
 ///
-/// Use it in scenes where most things lie still: a resting body costs nothing, ten thousand of them neither. The notes ask
+/// Use it in scenes where most things lie still: a resting body costs no law and no stage, ten thousand of them neither. The notes ask
 /// only for a velocity close to zero, which stops a thrown ball at the top of its flight. Here a body must have been slower
 /// than `threshold` for `time`, and nothing may pull at it: at velocity zero its acceleration must be exactly zero. So a
 /// body under gravity falls asleep only when something holds it. Any force, impulse, new position or change of a policy

@@ -27,7 +27,7 @@ struct Refuse {};
 struct Divide {};
 
 /// \tparam Beyond what a step beyond the limit is: Refuse or Divide
-template <class Beyond> struct StepLimit {
+template <class Beyond = void> struct StepLimit {
     static_assert(std::same_as<Beyond, Refuse> || std::same_as<Beyond, Divide>, "Ansatz: a StepLimit refuses or divides; write StepLimit<Refuse>{} "
                                                                                "or StepLimit<Divide>{}");
     using role = roles::StepControl;

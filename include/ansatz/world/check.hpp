@@ -105,15 +105,33 @@ template <class O, class S> struct CheckObserver {
     static_assert(Facts::observe, "Ansatz: an observer whose observe the world cannot call; write `void observe(const auto& view)`");
 };
 
-/// The roles whose concepts come with the collision module; here they only have to be told apart.
 struct NoFacts {
     static constexpr bool ok = true;
 };
 struct CheckNothing {};
 
+/// What is looked at in the roles that come with the module of collisions, which says it there (collision/check.hpp). Without that
+/// module nothing can be said about them, or done with them.
+template <class Role> struct ChecksOfRole {
+    template <class P, class S> struct Facts {
+        static constexpr bool ok = false;
+    };
+    template <class P, class S> struct Sentences {
+        static_assert(Facts<P, S>::ok, "Ansatz: broadphases, filters, narrowphases and responses need the module that they belong to; add "
+                                       "#include <ansatz/collision.hpp>");
+    };
+};
+template <class Role> inline constexpr bool of_collisions =
+    std::same_as<Role, roles::Broadphase> || std::same_as<Role, roles::Filter> || std::same_as<Role, roles::Narrowphase> || std::same_as<Role, roles::Response>;
+
 template <class F, class C> struct FactsAndSentences {
     using Facts = F;
     using Sentences = C;
+};
+template <class P, class S> struct FactsOfCollisions {
+    using Facts = typename ChecksOfRole<role_of<P>>::template Facts<P, S>;
+    /// Named only when they are read.
+    struct Sentences : ChecksOfRole<role_of<P>>::template Sentences<P, S> {};
 };
 template <class P, class S> constexpr auto check_for() {
     if constexpr (PlaysRole<P, roles::Integrator>)
@@ -124,6 +142,8 @@ template <class P, class S> constexpr auto check_for() {
         return std::type_identity<FactsAndSentences<EffectFacts<P, S>, CheckEffect<P, S>>>{};
     else if constexpr (PlaysRole<P, roles::Observer>)
         return std::type_identity<FactsAndSentences<ObserverFacts<P, S>, CheckObserver<P, S>>>{};
+    else if constexpr (of_collisions<role_of<P>>)
+        return std::type_identity<FactsOfCollisions<P, S>>{};
     else
         return std::type_identity<FactsAndSentences<NoFacts, CheckNothing>>{};
 }
@@ -131,7 +151,7 @@ template <class P, class S> using FactsFor = typename decltype(check_for<P, S>()
 template <class P, class S> using CheckFor = typename decltype(check_for<P, S>())::type::Sentences;
 
 /// A force under an integrator that solves with derivatives.
-template <class P, class S> inline constexpr bool has_jacobian = !PlaysRole<P, roles::Force> || DifferentiableIn<P, S> || DifferentiableCouplingIn<P, S>;
+template <class P, class S> inline constexpr bool has_jacobian = !(PlaysRole<P, roles::Force> || couples_bodies<P>) || DifferentiableIn<P, S> || DifferentiableCouplingIn<P, S>;
 template <class P, class S> struct CheckJacobian {
     static_assert(has_jacobian<P, S> || !IsCoupling<P>::value, "Ansatz: an implicit integrator needs the Jacobian of every force, and this one has none "
                                                               "that can be used: where it couples bodies, give its In<S> jacobian(view, context, add) "
@@ -147,11 +167,15 @@ template <class... P> struct CountFacts {
     static constexpr int filters = count_of_role<roles::Filter, P...>;
     static constexpr int narrowphases = count_of_role<roles::Narrowphase, P...>;
     static constexpr int responses = count_of_role<roles::Response, P...>;
+    static constexpr int in_substeps = (0 + ... + int(RespondsAt<Level::substeps>::template here<P>()));
+    static constexpr int in_next_step = (0 + ... + int(RespondsAt<Level::accelerations>::template here<P>()));
+    static constexpr int at_velocities = (0 + ... + int(RespondsAt<Level::velocities>::template here<P>()));
+    static constexpr bool acting = in_substeps <= 1 && (in_substeps == 0 || (in_next_step == 0 && at_velocities == 0));
     static constexpr int controls = count_of_role<roles::StepControl, P...>;
     static constexpr int resters = (0 + ... + int(puts_to_rest<P>));
     static constexpr int data = (0 + ... + int(is_datum<P>));
     static constexpr bool ok = integrators == 1 && spaces <= 1 && broadphases <= 1 && filters <= 1 && narrowphases == broadphases &&
-                               (responses >= 1) == (narrowphases == 1) && filters <= broadphases && resters <= 1 && controls <= 1 && data <= 1;
+                               (responses >= 1) == (narrowphases == 1) && filters <= broadphases && acting && resters <= 1 && controls <= 1 && data <= 1;
 };
 template <class... P> struct CheckCounts {
     using Facts = CountFacts<P...>;
@@ -169,6 +193,13 @@ template <class... P> struct CheckCounts {
     static_assert(Facts::narrowphases == 0 || Facts::responses >= 1, "Ansatz: World finds contacts but has no response to them; add one");
     static_assert(Facts::filters == 0 || Facts::broadphases >= 1,
                   "Ansatz: World has a collision filter but no broadphase whose pairs it could filter; add one");
+    static_assert(Facts::in_substeps <= 1, "Ansatz: World has more than one response that takes a step in parts; keep one, e.g. SoftSubsteps<Friction>{}");
+    static_assert(Facts::in_substeps == 0 || Facts::in_next_step == 0,
+                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are forces of the next step (Penalty), which "
+                  "would hold the same bodies twice; keep one of the two");
+    static_assert(Facts::in_substeps == 0 || Facts::at_velocities == 0,
+                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one that changes velocities at its end (Impulse), which would "
+                  "answer the same contacts twice; keep one of the two");
     static_assert(Facts::resters <= 1, "Ansatz: World has more than one policy that puts bodies to rest; keep one");
     static_assert(Facts::controls <= 1, "Ansatz: World has more than one policy that decides how a step is taken; keep one, e.g. StepLimit<Divide>{}");
     static_assert(Facts::data <= 1, "Ansatz: World has more than one Datum; keep one, e.g. of a struct that holds them all");

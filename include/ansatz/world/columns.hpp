@@ -84,7 +84,8 @@ template <class UnitT, int Number = 0> struct ScratchVector {
 struct Clock {};
 /// @}
 
-/// A column: its unit, shape and name.
+/// A column: its unit, shape and name. It may also name the bounds of its numbers (column_range.hpp), and the policies that ask
+/// for it: `template <bool Stored> struct Needs` with an assertion, for worlds without one (`Restitution` has it).
 template <class C>
 concept Column = requires {
     typename C::Unit;

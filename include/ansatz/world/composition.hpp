@@ -49,8 +49,18 @@ template <class P> inline constexpr bool puts_to_rest = requires { requires P::p
 template <class P> inline constexpr bool is_datum = requires { typename P::datum_type; };
 
 template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
-template <class P> struct IsCoupling : std::bool_constant<PlaysRole<P, roles::Force> && couples_bodies<P>> {};
+template <class P> struct IsCoupling : std::bool_constant<(PlaysRole<P, roles::Force> || PlaysRole<P, roles::Response>) && couples_bodies<P>> {};
 template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> && !couples_bodies<P>> {};
+template <class P> struct IsNarrowphase : std::bool_constant<PlaysRole<P, roles::Narrowphase>> {};
+template <class P> struct IsBroadphase : std::bool_constant<PlaysRole<P, roles::Broadphase>> {};
+template <class P> struct IsFilter : std::bool_constant<PlaysRole<P, roles::Filter>> {};
+template <Level At> struct RespondsAt {
+    template <class P> static constexpr bool here() {
+        if constexpr (PlaysRole<P, roles::Response> && requires { P::level; }) return P::level == At;
+        return false;
+    }
+    template <class P> struct Is : std::bool_constant<here<P>()> {};
+};
 template <class P> struct IsControl : std::bool_constant<PlaysRole<P, roles::StepControl>> {};
 template <class P> struct IsObserver : std::bool_constant<PlaysRole<P, roles::Observer>> {};
 template <class S> struct KeepsStateIn {
@@ -62,6 +72,7 @@ template <class I, class S> inline constexpr bool solves_together = requires { t
 template <class S> struct BreaksIn {
     template <class P> struct Is : std::bool_constant<keeps_state<P, S> && requires { requires P::breaks; }> {};
 };
+template <class P> struct HasElements : std::bool_constant<requires { typename P::Element; }> {};
 template <class P> struct IsRester : std::bool_constant<puts_to_rest<P>> {};
 
 /// When an effect acts among those of its place: turn 0 unless it says otherwise, up to 2.
@@ -82,8 +93,9 @@ template <class... E> struct InTurn<Types<E...>> {
     using type = typename Joined<filter<HasTurn<0>::Is, E...>, filter<HasTurn<1>::Is, E...>, filter<HasTurn<2>::Is, E...>>::type;
 };
 
-template <Place At> struct EffectAt {
+template <Place At, bool Collides = false> struct EffectAt {
     template <class P> static constexpr bool here() {
+        if constexpr (Collides && puts_to_rest<P>) return false;
         if constexpr (PlaysRole<P, roles::Effect> && requires { P::place; }) return P::place == At;
         return false;
     }
@@ -106,6 +118,8 @@ template <class P, class S> constexpr auto needs() {
         return union_of<reads_of<P>, Columns<CoupledForce, InverseMass>>{};
     else if constexpr (IsLaw<P>::value)
         return needs_of_law<P, S>{};
+    else if constexpr (PlaysRole<P, roles::Response>)
+        return union_of<writes_of<P>, reads_of<P>, Columns<InverseMass>>{};
     else
         return union_of<writes_of<P>, reads_of<P>>{};
 }
@@ -150,13 +164,27 @@ template <class... P> struct Composition {
     using observers = detail::filter<detail::IsObserver, P...>; ///< the observers
     using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     using keepers = detail::filter<detail::KeepsStateIn<S>::template Is, P...>; ///< the policies that keep a state of their own
+    using element_keepers = detail::filter<detail::HasElements, P...>; ///< those of them that keep elements (springs)
     /// The effects of a place, by their turns, so that the order of the list means nothing.
-    template <Place At> using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At>::template Is, P...>>::type;
+    /// Where bodies collide, Rest looks at the velocities behind the responses.
+    template <Place At> using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At, (count_of_role<roles::Narrowphase, P...> > 0)>::template Is, P...>>::type;
 
     /// The effects that also act on fixed bodies that move by themselves.
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
     /// Those of a list that act in every part of a divided step, not in its first part alone.
     template <class List> using in_every_part = typename detail::InEveryPart<List>::type;
+
+    using Narrowphase = typename detail::FirstOf<detail::filter<detail::IsNarrowphase, P...>>::type; ///< what finds contacts
+    using Broadphase = typename detail::FirstOf<detail::filter<detail::IsBroadphase, P...>>::type; ///< what finds pairs
+    using filters = detail::filter<detail::IsFilter, P...>; ///< which pairs are looked at
+    static constexpr bool collides = count_of_role<roles::Narrowphase, P...> > 0; ///< whether bodies meet
+    /// The responses that act on something.
+    template <Level At> using responses = detail::filter<detail::RespondsAt<At>::template Is, P...>;
+    static constexpr bool substeps = responses<Level::substeps>::size > 0; ///< whether a response takes a step in parts
+    static constexpr bool acts_next = substeps || responses<Level::accelerations>::size > 0; ///< whether contacts act in the step that follows
+    static constexpr bool anticipates = acts_next; ///< whether bodies are looked at that do not touch yet
+    static constexpr bool sweeps = requires { requires Narrowphase::sweeps; }; ///< whether bodies are followed through the step
+    static constexpr bool parts = responses<Level::positions>::size > 0; ///< whether bodies that meet are moved apart
 
     using Laws = typename detail::LawsFrom<S, laws>::type; ///< the sum of the laws, bound to the space
     /// The effects at a place of the step.
@@ -167,6 +195,9 @@ template <class... P> struct Composition {
     /// Whether a force between bodies sees a column, so that its sums are stale when the column changes.
     template <class C>
     static constexpr bool couplings_read = []<class... Q>(Types<Q...>) { return (detail::contains<C, reads_of<Q>> || ...); }(couplings{});
+    /// Whether it means something to a filter or a response.
+    template <class C>
+    static constexpr bool collisions_read = (((PlaysRole<P, roles::Filter> || PlaysRole<P, roles::Response>) && detail::contains<C, reads_of<P>>) || ...);
     /// Whether the integrator takes all bodies as one system.
     static constexpr bool together = coupled && detail::solves_together<Integrator, S> && !detail::is_staged<Integrator>;
     using breakers = detail::filter<detail::BreaksIn<S>::template Is, P...>; ///< the forces between bodies that can break
@@ -179,7 +210,7 @@ template <class... P> struct Composition {
     using needed = union_of<writes_of<Integrator>, decltype(detail::needs<P, S>())...>;
     /// Whether a force asks for the velocity. An effect that does needs no evaluation of the forces for it.
     static constexpr bool velocity_read =
-        detail::contains<Velocity, union_of<std::conditional_t<PlaysRole<P, roles::Force>, reads_of<P>, Columns<>>...>>;
+        detail::contains<Velocity, union_of<std::conditional_t<PlaysRole<P, roles::Force> || detail::IsCoupling<P>::value, reads_of<P>, Columns<>>...>>;
     /// The scratch that the integrator really has use for.
     using scratch = std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
                                        difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>;

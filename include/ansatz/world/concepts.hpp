@@ -161,7 +161,7 @@ concept LawIn = PlaysRole<P, roles::Force> && !detail::couples_bodies<P> && deta
 ///
 /// `Attraction` is one (notes 1.3); attraction.hpp shows how it is written.
 template <class P, class S>
-concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>() &&
+concept CouplingIn = (PlaysRole<P, roles::Force> || PlaysRole<P, roles::Response>) && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>() &&
                      detail::PreparesIn<P, S>;
 
 /// A force of either kind.
@@ -171,7 +171,7 @@ concept CouplingIn = PlaysRole<P, roles::Force> && detail::couples_bodies<P> && 
 /// `Gravity`, `QuadraticDrag` and `AppliedForces` are laws of one body, `Attraction` couples bodies
 /// (notes 1.2, 1.3, 1.7 and 1.9).
 template <class P, class S>
-concept ForceIn = LawIn<P, S> || CouplingIn<P, S>;
+concept ForceIn = LawIn<P, S> || (CouplingIn<P, S> && PlaysRole<P, roles::Force>);
 
 /// A force whose derivative is known, or whose answer does not depend on position and velocity.
 ///

@@ -117,6 +117,7 @@ void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const
         if (data.coupled.known_for(context.dt())) return;
         auto sum = [&] {
             if (data.coupled.changed) detail::remember_sums(data);
+            if constexpr (C::collides && !C::substeps) data.collisions.refresh_between_steps(data, policies);
             derive_velocities(data, context.dt().previous);
             sum_coupled(data, policies, context);
         };

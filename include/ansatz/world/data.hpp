@@ -102,6 +102,12 @@ struct ControlOf<Types<First, Rest...>> {
 template <class C, bool Together> struct TogetherOf {
     using type = Absent;
 };
+template <class C, bool Collides> struct CollisionsOf {
+    using type = Absent;
+};
+template <class C> struct CollisionsOf<C, true> {
+    using type = typename C::Narrowphase::template Collisions<C>;
+};
 template <class C> struct TogetherOf<C, true> {
     using type = Cache<typename C::Integrator::template Together<typename C::S>>;
 };
@@ -130,6 +136,8 @@ template <class C> struct WorldData {
     [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<S>, detail::Absent> coupled;
     /// What policies keep beside the bodies, such as springs.
     [[no_unique_address]] detail::States<S, typename C::keepers> states;
+    /// The shapes of bodies, and their contacts.
+    [[no_unique_address]] typename detail::CollisionsOf<C, C::collides>::type collisions;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
     /// What decides how a step is taken keeps its numbers here.
@@ -154,6 +162,7 @@ template <class C> struct WorldData {
     void reserve(std::size_t n) {
         lanes.reserve(n);
         bodies.reserve(n);
+        if constexpr (C::collides) collisions.reserve(n);
         reserve_notes(n);
     }
     /// Room for what a step may note about each body. A copied vector has no more room than it needs, so the first step of
@@ -179,12 +188,18 @@ template <class C> struct WorldData {
     void erase(Slot slot) {
         if constexpr (C::history) starts.forget(bodies.id(slot));
         states.for_each([&](auto& state) { state.body_removed(bodies.id(slot)); });
+        if constexpr (C::collides) collisions.body_removed(bodies.id(slot));
         bodies.erase(slot, [&](std::size_t i, std::size_t j) { swap(i, j); });
         lanes.pop_back();
     }
 
     /// The length of the last step; none before the first.
-    typename S::Time last_dt() const { return S::Time::from_value(Scalar(clock.last().value())); }
+    typename S::Time last_dt() const {
+        if constexpr (C::substeps && C::history)
+            return S::Time::from_value(Scalar(clock.last().value()) / Scalar(collisions.parts)); // of the last part
+        else
+            return S::Time::from_value(Scalar(clock.last().value()));
+    }
 
     /// Whether something waits for this body.
     bool waiting(Slot slot) const {

@@ -7,6 +7,7 @@
 // not in the umbrella: it is the second half of world.hpp, which includes it
 
 #include <ansatz/world/add_facts.hpp>
+#include <ansatz/world/column_range.hpp>
 #include <ansatz/world/hash.hpp>
 #include <ansatz/world/world.hpp>
 
@@ -54,6 +55,17 @@ typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_v
     return result;
 }
 
+/// A value from outside for a column, in the world's scalar and within the column's bounds.
+template <class S, class C, class Q> value_of<C, S> value_for(std::string_view where, const Q& q) {
+    if constexpr (C::shape == Shape::vector)
+        return finite_vector<S, typename C::Unit>(where, C::name, q);
+    else {
+        const auto value = finite_scalar<S, typename C::Unit>(where, C::name, q);
+        if (!in_range<C>(value.value())) refuse_value(where, C::name, describe(q), "it is " + range_of<C>());
+        return value;
+    }
+}
+
 /// 1/m of a mass from outside.
 template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_view where, const Q& m) {
     using Scalar = typename S::Scalar;
@@ -76,12 +88,34 @@ void World<P...>::take(Row_& row, const Property& property) {
             row.template get<C>() = detail::inverse_of_mass<S>("World::add", property.value);
         } else {
             if constexpr (!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity>) need_column<C>();
-            if constexpr (C::shape == Shape::vector)
-                row.template get<C>() = detail::finite_vector<S, typename C::Unit>("World::add", C::name, property.value);
-            else
-                row.template get<C>() = detail::finite_scalar<S, typename C::Unit>("World::add", C::name, property.value);
+            row.template get<C>() = detail::value_for<S, C>("World::add", property.value);
         }
     }
+}
+
+/// Who lay on a body, or held it, does not know any more whether it stays.
+template <class... P> void World<P...>::wake_contacts([[maybe_unused]] std::uint32_t id) {
+    if constexpr (composition::rests && composition::collides)
+        for (const auto& contact : data_.collisions.contacts) {
+            if (contact.first.id == id) wake_slot(data_.bodies.slot_of_id(contact.second.id));
+            if (contact.second.id == id) wake_slot(data_.bodies.slot_of_id(contact.first.id));
+        }
+}
+
+/// What moves wakes by itself whom it hits; what stands still and was put where somebody sleeps does so here.
+template <class... P> void World<P...>::wake_pierced([[maybe_unused]] std::uint32_t id) {
+    if constexpr (composition::rests && composition::collides) {
+        if (data_.bodies.motion(data_.bodies.slot_of_id(id)) == Motion::awake || data_.collisions.is_sensor(id)) return;
+        for (std::size_t slot = data_.bodies.begin(Motion::resting); slot < data_.bodies.end(Motion::resting); ++slot) {
+            const auto sleeper = data_.bodies.id(slot);
+            if (sleeper == id || data_.collisions.is_sensor(sleeper) || !data_.collisions.intersect(data_, id, sleeper)) continue;
+            wake_slot(Slot(slot)); // the first of the sleepers, who was looked at, takes this place
+        }
+    }
+}
+
+template <class... P> void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
+    if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
 }
 
 template <class... P> void World<P...>::grow() {
@@ -99,9 +133,12 @@ Handle World<P...>::add(const Property&... property) {
         Row_ row{};
         (take(row, property), ...);
         auto datum = detail::given_datum<Datum>(property...); // copied now, because a copy may throw
+        const auto description = detail::given_shape(property...);
+        const auto shape = detail::shape_in<S>(description);
         grow();
         forces_change();
         if constexpr (has_datum) user_.make_room(data_.bodies.next_id());
+        if constexpr (composition::collides) data_.collisions.make_room(data_.bodies.next_id());
         Slot slot = Slot(size());
         data_.lanes.push_back();
         body = data_.bodies.push_back();
@@ -119,6 +156,11 @@ Handle World<P...>::add(const Property&... property) {
         else
             data_.set_velocity(slot, row.template get<ansatz::Velocity>());
         if constexpr (has_datum) user_.at(body.id) = std::move(datum);
+        if constexpr (composition::collides) {
+            if constexpr (ShapeDescription<std::decay_t<decltype(description)>>) data_.collisions.shapes.set(body.id, description, shape);
+            data_.collisions.set_sensor(body.id, (std::same_as<Property, Sensor> || ...));
+            if constexpr (Facts::is_fixed || Facts::is_moving) wake_pierced(body.id);
+        }
     }
     return body;
 }
@@ -132,6 +174,7 @@ void World<P...>::set_position(Handle body, const Q& x) {
     const auto v = velocity_at(slot);
     const auto kind = data_.bodies.motion(slot);
     column_changes<ansatz::Position>();
+    wake_contacts(body.id);
     data_.lanes.template set<ansatz::Position>(slot, where);
     if constexpr (composition::history) {
         if (kind == Motion::fixed || kind == Motion::resting)
@@ -141,6 +184,7 @@ void World<P...>::set_position(Handle body, const Q& x) {
     }
     if constexpr (composition::template stores<DrawnPosition>) data_.lanes.template set<DrawnPosition>(slot, where);
     wake_slot(slot);
+    wake_pierced(body.id);
 }
 
 template <class... P>
@@ -214,16 +258,13 @@ void World<P...>::write(Handle body, const Q& value) {
     static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> && !std::same_as<C, DrawnPosition>,
                   "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place by set_position");
     const auto slot = data_.bodies.slot(body, "World::write");
-    const auto checked_value = [&] {
-        if constexpr (C::shape == Shape::vector)
-            return detail::finite_vector<S, typename C::Unit>("World::write", C::name, value);
-        else
-            return detail::finite_scalar<S, typename C::Unit>("World::write", C::name, value);
-    }();
+    const auto checked_value = detail::value_for<S, C>("World::write", value);
     hold_velocity(slot);
     column_changes<C>();
+    if constexpr (composition::template collisions_read<C>) wake_contacts(body.id); // who lies on it may fall, or bounce
     data_.lanes.template set<C>(slot, checked_value);
     wake_slot(slot);
+    if constexpr (composition::template collisions_read<C>) wake_pierced(body.id);
 }
 
 template <class... P>
@@ -236,14 +277,22 @@ void World<P...>::set(const Policy& policy) {
         std::get<Policy>(changed) = policy;
         auto bound = BoundPolicies<composition>::from(checked(changed));
         // The velocity now is what the old forces made it; only from here on the new ones act.
-        if constexpr (PlaysRole<Policy, roles::Force>) {
+        if constexpr (PlaysRole<Policy, roles::Force> || detail::IsCoupling<Policy>::value) {
             hold_velocities();
             if constexpr (composition::coupled) data_.coupled.current = false;
         }
         policies_ = std::move(changed);
         bound_ = std::move(bound);
-        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect>) wake_all();
+        if constexpr (PlaysRole<Policy, roles::Broadphase>) data_.collisions.new_broadphase();
+        if constexpr (PlaysRole<Policy, roles::Filter>) data_.collisions.make_stale();
+        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect> || PlaysRole<Policy, roles::Response> || PlaysRole<Policy, roles::Filter>) wake_all();
     }
+}
+
+template <class... P>
+auto World<P...>::query() const {
+    need_collisions();
+    if constexpr (composition::collides) return typename composition::Narrowphase::template Query<composition, Policies>(data_, policies_);
 }
 
 template <class... P>
@@ -259,6 +308,7 @@ void World<P...>::step(const T& dt) {
             return;
         }
         data_.reserve_notes(data_.bodies.ids());
+        if constexpr (composition::acts_next) step_of(h).look_around();
         const auto whole = scalar_cast<typename S::ClockScalar>(dt);
         if constexpr (composition::controlled) {
             constexpr bool understood = StepControlFor<std::decay_t<decltype(control())>, World>;
@@ -283,12 +333,14 @@ void World<P...>::step(const T& dt) {
     }
 }
 
+template <class... P> auto World<P...>::step_of(const typename S::Time& dt) {
+    return Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(dt, tick() == 0 ? dt : data_.last_dt()));
+}
+
 template <class... P>
 template <class Transient, bool Later>
 void World<P...>::take_step(const ClockTime& dt) {
-    const auto h = S::Time::from_value(Scalar(dt.value()));
-    const bool first = tick() == 0;
-    Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(h, first ? h : data_.last_dt())).template run<Transient, Later>(dt);
+    step_of(S::Time::from_value(Scalar(dt.value()))).template run<Transient, Later>(dt);
 }
 
 template <class... P> std::uint64_t World<P...>::hash() const {

@@ -28,6 +28,14 @@ enum class Place {
     end_of_step        ///< when everything else has been done
 };
 
+/// On what a response acts; the order in which the responses of one world act, too.
+enum class Level {
+    substeps,      ///< the whole step: it runs forces and integrator several times
+    accelerations, ///< in the next step, as forces between the bodies (penalty)
+    velocities, ///< at once (impulse)
+    positions   ///< at once, when velocities have been changed (projection)
+};
+
 namespace detail {
 
 template <class I> struct Scratch {

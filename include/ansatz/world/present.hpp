@@ -89,6 +89,7 @@ template <class... P> void World<P...>::hold_velocities() {
 /// Before something changes what the forces between bodies see. Their sums are stale then; and where velocity is derived
 /// from history, the change is made good when they are summed anew.
 template <class... P> void World<P...>::forces_change() {
+    if constexpr (composition::collides) data_.collisions.make_stale();
     if constexpr (composition::coupled) {
         if constexpr (composition::history)
             if (tick() > 0) {

@@ -11,6 +11,7 @@
 #include <ansatz/world/bodies.hpp> // before `fixed` and its like, or g++ takes the enumerators of Motion for their shadows
 #include <ansatz/world/columns.hpp>
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -29,6 +30,15 @@ inline constexpr Moving moving{}; ///< fixed, but with a velocity of its own: a 
 /// because they couple bodies or change with time.
 struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
+
+/// The description of a shape, e.g. `Sphere{0.5 * metre}`; see collision/shapes.hpp. A world with a Narrowphase takes one for
+/// each body; a body without one meets nothing.
+template <class T>
+concept ShapeDescription = std::same_as<typename T::shape, T>;
+
+/// A body that others meet without being pushed, and that is pushed by none: its contacts are reported, and that is all.
+struct Sensor {};
+inline constexpr Sensor sensor{}; ///< notices who enters, and pushes nobody
 
 /// A value for a column.
 template <class C, class Q> struct Given {

@@ -13,7 +13,9 @@
 ///
 /// Needs exceptions, for the parser's sake.
 
+#include <ansatz/world/save_collisions.hpp>
 #include <ansatz/world/save_elements.hpp>
+#include <ansatz/world/save_parameters.hpp>
 #include <ansatz/world/world.hpp>
 
 #include <nlohmann/json.hpp>
@@ -66,10 +68,11 @@ struct Archive {
         file["columns"] = columns(typename C::state{});
         file["policies"] = detail::Json::object();
         (write_policy(file["policies"], std::get<P>(world.policies_)), ...);
-        if constexpr (C::keepers::size > 0) {
+        if constexpr (C::element_keepers::size > 0) {
             auto& elements = file["elements"] = detail::Json::object();
-            [&]<class... K>(Types<K...>) { (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...); }(typename C::keepers{});
+            [&]<class... K>(Types<K...>) { (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...); }(typename C::element_keepers{});
         }
+        if constexpr (C::collides) CollisionArchive::write<C>(file["collisions"] = detail::Json::object(), data);
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
                          {"dt", number_to_file(data.clock.dt_.value())},
                          {"steps", data.clock.steps_},
@@ -114,12 +117,14 @@ struct Archive {
         read_clock(data.clock, file.at("clock"));
         data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
         read_bodies<C>(data, file);
-        if constexpr (C::keepers::size > 0) {
+        if constexpr (C::element_keepers::size > 0) {
             const auto elements = file.at("elements");
             [&]<class... K>(Types<K...>) {
                 (ElementArchive::read<C>(data.template state<K>(), data.bodies, elements.at(std::string(K::name).c_str())), ...);
-            }(typename C::keepers{});
+            }(typename C::element_keepers{});
         }
+
+        if constexpr (C::collides) CollisionArchive::read<C>(data, file.at("collisions"));
 
         // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a new one.
         decltype(world.user_) user;
@@ -153,32 +158,10 @@ private:
     }
 
     template <class P> static void write_policy(detail::Json& policies, const P& policy) {
-        if constexpr (detail::Named<P>) {
-            auto& json = policies[std::string(P::name)] = detail::Json::object();
-            P::parameters(policy, [&](std::string_view what, const auto& value) {
-                auto& number = json[std::string(what)];
-                if constexpr (detail::vector_valued<detail::stripped<std::remove_cvref_t<decltype(value)>>>)
-                    for (int i = 0; i < value.value().size(); ++i) number.push_back(detail::number_to_file(value.value()[i]));
-                else
-                    number = detail::number_to_file(value.value());
-            });
-        }
+        if constexpr (detail::Named<P>) detail::write_parameters(policies[std::string(P::name)] = detail::Json::object(), policy);
     }
     template <class P> static void read_policy(P& policy, const FileValue& policies) {
-        if constexpr (detail::Named<P>) {
-            const auto json = policies.at(std::string(P::name).c_str());
-            P::parameters(policy, [&](std::string_view what, auto& value) {
-                using Q = detail::stripped<std::remove_cvref_t<decltype(value)>>;
-                const auto given = json.at(std::string(what).c_str());
-                if constexpr (detail::vector_valued<Q>) {
-                    auto v = value.value();
-                    given.size_is(std::size_t(v.size()), "numbers");
-                    for (int i = 0; i < v.size(); ++i) v[i] = given.at(std::size_t(i)).template number<double>();
-                    value = Q::from_value(v);
-                } else
-                    value = Q::from_value(given.template number<double>());
-            });
-        }
+        if constexpr (detail::Named<P>) detail::read_parameters(policy, policies.at(std::string(P::name).c_str()));
     }
 
     /// A policy that only the file has would be forgotten without a word.
@@ -285,9 +268,11 @@ private:
         auto one = [&]<class Which>(Columns<Which>) {
             const auto json = body.at(std::string(Which::name).c_str());
             using Scalar = typename LanesT::Scalar;
-            if constexpr (Which::shape == Shape::scalar)
-                lanes.template lane<Which>()[slot] = json.template number<Scalar>();
-            else {
+            if constexpr (Which::shape == Shape::scalar) {
+                const auto value = json.template number<Scalar>();
+                if (!detail::in_range<Which>(value)) json.refuse_here(detail::range_of<Which>());
+                lanes.template lane<Which>()[slot] = value;
+            } else {
                 json.size_is(std::size_t(LanesT::dimension), "numbers");
                 for (int k = 0; k < LanesT::dimension; ++k) lanes.template lane<Which>(k)[slot] = json.at(std::size_t(k)).template number<Scalar>();
             }

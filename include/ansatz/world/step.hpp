@@ -54,6 +54,7 @@ public:
     using I = typename C::Integrator; ///< the integrator
     using Data = WorldData<C>; ///< what the step works on
     using Slot = typename Data::Slot; ///< a body's place in the lanes
+    using Scalar = typename S::Scalar;
 
     /// A step of these policies on this data.
     Step(Data& data, Policies& policies, const BoundPolicies<C>& bound, const TimeStep<S>& dt)
@@ -66,19 +67,20 @@ public:
         if constexpr (C::rests) data.events.begin_step();
         data.states.for_each([](auto& state) { state.begin_step(); });
     }
+    /// Before it is decided how this step is taken: contacts that act in it are those of the bodies as they are now.
+    void look_around();
     /// Takes it.
     /// \tparam Transient the columns that are set back to zero behind it: none where it is a part of a step and not the last
     /// \tparam Later     whether it is a part of a step and not the first
     template <class Transient = typename C::transient, bool Later = false> void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
-        if constexpr (C::history) complete_starts();
-        if constexpr (C::together)
-            all_together<Transient, Later>();
-        else if constexpr (C::coupled)
-            stage_by_stage<Transient, Later>();
+        if constexpr (C::collides && C::rests) wake_neighbours();
+        if constexpr (C::sweeps) data_.collisions.remember(data_);
+        if constexpr (C::substeps)
+            in_substeps<Transient, Later>();
         else
-            body_by_body<Transient>();
-        advance_platforms<Later>();
+            integrate<Transient, Later>();
+        if constexpr (C::collides) collide(Later);
         if constexpr (!decltype(bound_.end)::empty) effects_only<Columns<>>(bound_.end, context_.dt());
         data_.clock.advance(dt);
         if constexpr (C::breaks) let_break(typename C::breakers{});
@@ -87,11 +89,34 @@ public:
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, after());
         }
-        if constexpr (C::rests) put_to_rest();
+        if constexpr (C::rests && C::collides)
+            put_islands_to_rest();
+        else if constexpr (C::rests)
+            put_to_rest();
         observe(typename C::observers{});
     }
 
 private:
+    /// Forces, integrator and the effects around it, and platforms, over the step or a part of it.
+    template <class Transient, bool Later> void integrate() {
+        if constexpr (C::history) complete_starts();
+        if constexpr (C::together)
+            all_together<Transient, Later>();
+        else if constexpr (C::coupled)
+            stage_by_stage<Transient, Later>();
+        else
+            body_by_body<Transient>();
+        advance_platforms<Later>();
+    }
+
+    // Where bodies collide: collisions_in_step.hpp.
+    template <class Transient, bool Later> void in_substeps();
+    Scalar pull_along(const auto& contact) const;
+    void wake_neighbours();
+    void hold_back();
+    void collide(bool later);
+    void put_islands_to_rest();
+
     /// The columns that a kernel loads are stored ones; the others it needs live in the row alone.
     template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
     template <class Needs> using locals = difference_of<Needs, typename C::stored>;
@@ -192,8 +217,9 @@ private:
     }
 
     /// The acceleration of one body as it stands.
-    typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
-        typename S::Acceleration a = bound_.laws.acceleration(row, context_);
+    typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const { return acceleration_at(slot, row, context_); }
+    typename S::Acceleration acceleration_at(Slot slot, const typename Data::Body& row, const Context<S>& context) const {
+        typename S::Acceleration a = bound_.laws.acceleration(row, context);
         if constexpr (C::coupled) a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
         return a;
     }
@@ -235,18 +261,22 @@ private:
                 Motion::moving, Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved});
     }
 
+    using Rester = typename detail::FirstOf<typename C::resters>::type;
+
+    void put_to_rest(Slot slot) {
+        data_.stop(slot);
+        data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
+        data_.move(slot, Motion::resting);
+        if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+    }
     /// A body rests when it has been slow for long enough and would stay: at velocity zero nothing pulls at it.
     void put_to_rest() {
-        using Rester = typename detail::FirstOf<typename C::resters>::type;
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
         const auto* time = data_.lanes.template lane<RestTime>();
         for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);) {
             if (!rest.long_enough(S::Time::from_value(time[slot]))) continue;
             if (!(pull_at_rest(slot, after()) == S::template zero_vector<unit::Acceleration>())) continue;
-            data_.stop(slot);
-            data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
-            data_.move(slot, Motion::resting);
-            if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+            put_to_rest(slot);
         }
     }
     /// Behind the step that was taken: the next one, if it has the same length.
@@ -279,9 +309,17 @@ private:
         state.erase_broken(known);
     }
 
+    /// Whether what pulls at a resting body leaves it where it is: it is nothing, or what its contacts held when it fell asleep.
+    bool stays(Slot slot) {
+        const auto pull = pull_at_rest(slot, context_);
+        if constexpr (C::collides)
+            return pull == data_.collisions.pull_when_it_slept(data_.bodies.id(slot));
+        else
+            return pull == S::template zero_vector<unit::Acceleration>();
+    }
     void wake_the_pulled() {
         for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {
-            if (pull_at_rest(slot, context_) == S::template zero_vector<unit::Acceleration>()) continue;
+            if (stays(slot)) continue;
             wake_resting(data_, slot);
             // The body that took this slot was at the beginning of the range: look at it too, unless it is the one woken.
             if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
@@ -316,3 +354,5 @@ private:
 };
 
 } // namespace ansatz
+
+#include <ansatz/world/collisions_in_step.hpp>

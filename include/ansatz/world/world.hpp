@@ -79,6 +79,7 @@ public:
     void remove(Handle body) {
         const auto slot = data_.bodies.slot(body, "World::remove");
         forces_change();
+        wake_contacts(body.id);
         data_.erase(slot);
         if constexpr (has_datum) user_.at(body.id) = Datum{};
     }
@@ -144,6 +145,32 @@ public:
         need_element<E>();
         data_.template state<typename detail::KeeperOf<E, P...>::type>().reserve(n);
     }
+    /// @}
+
+    /// \name Contacts (notes 2.1.2)
+    /// @{
+
+    /// Which bodies intersect where they are since the last step, by their ids; one that `begins()` was none before it.
+    auto contacts() const {
+        need_collisions();
+        if constexpr (composition::collides) return std::span(data_.collisions.contacts);
+        else return std::span<const Handle>();
+    }
+    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any of its parts.
+    auto contacts_ended() const {
+        need_collisions();
+        if constexpr (composition::collides) return std::span(data_.collisions.ended);
+        else return std::span<const Handle>();
+    }
+    /// Calls `f(shape)` with the shape of a body as it was given, e.g. a Sphere; not at all, if it has none.
+    /// \throws std::out_of_range for a stale handle
+    template <class F> void visit_shape(Handle body, F&& f) const {
+        need_collisions();
+        data_.bodies.slot(body, "World::visit_shape");
+        if constexpr (composition::collides) data_.collisions.shapes.visit_description(body.id, f);
+    }
+    /// Ray casts and overlaps, e.g. `world.query().closest(Ray{...})`: see collision/queries_in_world.hpp. Do not keep it.
+    auto query() const;
     /// @}
 
     /// \name Reading a body
@@ -241,7 +268,7 @@ public:
         else
             return detail::nowhere<Policy>();
     }
-    /// Replaces a policy's parameters. A force or effect that changes wakes every resting body.
+    /// Replaces a policy's parameters. A force, effect, response or filter that changes wakes every resting body.
     /// \throws std::invalid_argument if a parameter is not acceptable; the world is then as it was
     template <class Policy> void set(const Policy& policy);
     /// @}
@@ -302,17 +329,21 @@ private:
         static_assert(composition::has_mass, "Ansatz: this world stores no mass, because none of its policies needs it (gravity "
                                              "accelerates every mass alike); add Keep<InverseMass>{} to its policies");
     }
-    static constexpr void need_datum() {
-        static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies");
-    }
+    static constexpr void need_datum() { static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies"); }
     template <class E> static constexpr void need_element() {
         static_assert((detail::keeps_element<P, E> || ...), "Ansatz: none of this world's policies keeps such elements; a Spring needs Springs{} "
                                                            "among them, a Rope needs Ropes{}");
     }
+    static constexpr void need_collisions() {
+        static_assert(composition::collides, "Ansatz: bodies of this world do not collide; add a broadphase, a narrowphase and a response to its "
+                                             "policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
+    }
     template <class C> static constexpr void need_column() {
-        static_assert(composition::template stores<C>,
-                      "Ansatz: this world does not store that column, because none of its policies declares it; add Keep<Column>{} to "
-                      "its policies");
+        constexpr bool stored = composition::template stores<C>;
+        if constexpr (requires { typename C::template Needs<stored>; }) // a column that knows which policy asks for it
+            static_assert(sizeof(typename C::template Needs<stored>) > 0);
+        else
+            static_assert(stored, "Ansatz: this world does not store that column, because none of its policies declares it; add Keep<Column>{} to its policies");
     }
 
     // What the velocity is now, and what keeps it when forces change: present.hpp.
@@ -326,6 +357,7 @@ private:
     void hold_velocities();
     void forces_change();
     template <class C> void column_changes() {
+        if constexpr (composition::collides) data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
         if constexpr (composition::template couplings_read<C>) forces_change();
     }
 
@@ -338,14 +370,14 @@ private:
             data_.move(slot, Motion::awake);
         }
     }
-    void wake_ends(const auto& state, std::uint32_t id) {
-        if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
-    }
+    void wake_contacts(std::uint32_t id);
+    void wake_pierced(std::uint32_t id);
+    void wake_ends(const auto& state, std::uint32_t id);
     void wake_all() {
-        if constexpr (composition::rests)
-            for_each([&](Handle h) { wake(h); });
+        if constexpr (composition::rests) for_each([&](Handle h) { wake(h); });
     }
 
+    auto step_of(const typename S::Time& dt);
     template <class Transient, bool Later = false> void take_step(const ClockTime& dt);
     const auto& control() const { return std::get<typename detail::FirstOf<typename composition::controls>::type>(policies_); }
 

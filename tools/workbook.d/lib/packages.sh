@@ -13,6 +13,7 @@ Boost|header boost/units/quantity.hpp|libboost-dev|needed|units, graphs, odeint,
 Eigen|header eigen3/Eigen/Core Eigen/Core|libeigen3-dev|needed|vectors and sparse solvers
 Catch2|header catch2/catch.hpp catch2/catch_all.hpp|catch2|needed|the tests
 nlohmann-json|header nlohmann/json.hpp|nlohmann-json3-dev|needed|cost tables as JSON
+pugixml|header pugixml.hpp|libpugixml-dev|needed|state machines in files
 Google Benchmark|header benchmark/benchmark.h|libbenchmark-dev|needed|what accuracy costs
 gnuplot|command gnuplot|gnuplot-nox|wanted|the pictures; without it they are skipped
 Doxygen (docs)|command doxygen|doxygen|docs|only for the site of ./workbook docs

@@ -18,6 +18,7 @@ version_of() {
         Eigen) awk '/#define EIGEN_(WORLD|MAJOR|MINOR)_VERSION/ { printf "%s%s", sep, $3; sep = "." }' "${where%Core}src/Core/util/Macros.h" ;;
         Catch2) sed -n 's/.*CATCH_VERSION_\(MAJOR\|MINOR\|PATCH\|PATCHLEVEL\) \([0-9]*\).*/\2/p' "$(dirname "$where")"/catch*.hpp 2>/dev/null | head -n 3 | paste -s -d . - ;;
         nlohmann-json) sed -n 's/^#define NLOHMANN_JSON_VERSION_[A-Z]* \([0-9]*\).*/\1/p' "$where" "${where%/*}"/detail/abi_macros.hpp 2>/dev/null | head -n 3 | paste -s -d . - ;;
+        pugixml) awk '/define PUGIXML_VERSION/ { printf "%d.%d", $3 / 1000, $3 % 1000 / 10 }' "$where" ;;
         gnuplot) "$where" --version 2>/dev/null | sed 's/gnuplot //' ;;
         *) echo "is there" ;;
     esac

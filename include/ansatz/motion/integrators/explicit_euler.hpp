@@ -16,6 +16,7 @@ struct ExplicitEuler {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static constexpr int stages = 1;
+    static constexpr double velocity_leads = -0.5; ///< of a step: v + leads a dt is the velocity where x is
     static constexpr int order = 1;
 
     /// One step: x and v of one body move with its velocity and its acceleration a, as they are at the beginning.

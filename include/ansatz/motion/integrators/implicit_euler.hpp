@@ -35,6 +35,7 @@ template <class LinearSolver> struct ImplicitEulerBy {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static constexpr bool needs_jacobian = true;
+    static constexpr double velocity_leads = 0.5; ///< of a step: v + leads a dt is the velocity where x is
     static constexpr int order = 1;
     static constexpr int most_iterations = 50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
 

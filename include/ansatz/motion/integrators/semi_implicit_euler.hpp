@@ -18,6 +18,7 @@ struct SemiImplicitEuler {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static constexpr int stages = 1;
+    static constexpr double velocity_leads = 0.5; ///< of a step: v + leads a dt is the velocity where x is
     static constexpr int order = 1;
 
     /// One step: v of one body moves with its acceleration a, then x with the new v.

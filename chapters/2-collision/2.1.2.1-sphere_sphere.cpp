@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSL-1.0
+// 2.1.2.1 Sphere and sphere: a contact point, a normal, a depth
+
+// Two spheres intersect where their centres are nearer than both radii. The notes give p = r1 + r2 - d and
+// N = |S1 - S2|. A length is no direction: meant is (S1 - S2) / |S1 - S2|. The formula for the impulse survives the slip, because it divides
+// by N . N; the contact point and the projection do not, and are wrong by more the further the centres are apart. Their point
+// S1 - N (r1 - p) lies on the second sphere; taken halfway, it is the same whichever sphere comes first. (A part of 2.1.2.)
+
+#include "claims.hpp"
+#include "plot.hpp"
+
+#include <ansatz/collision.hpp>
+#include <ansatz/units/print.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+using namespace ansatz;
+
+int main() {
+    workbook::Claims claim;
+    //! [contact]
+    const Sphere ball{0.5 * metre};
+    const auto touch = contact(ball, metres(0, 0, 0), ball, metres(0.6, 0, 0));
+    std::cout << "depth " << touch->depth << ", point " << touch->point << ", normal (" << touch->normal.transpose() << ")\n";
+    //! [contact]
+    const auto other = contact(ball, metres(0.6, 0, 0), ball, metres(0, 0, 0));
+    claim("exchanged, the normal turns round", touch->normal == -other->normal);
+    claim("and point and depth are the same, to the bit", touch->point == other->point && touch->depth == other->depth);
+    claim("spheres that only touch do not intersect", !contact(ball, metres(0, 0, 0), ball, metres(1, 0, 0)));
+
+    // Move the first by p along each form of the normal: they should end one diameter apart.
+    std::vector<double> distances;
+    std::vector<Quantity<unit::Length>> unit_normal, difference;
+    for (double size = 0.25; size <= 4; size *= 1.1) { // spheres of this radius, half of it deep in each other
+        const Quantity<unit::Length> d = 1.5 * size * metre, p = 0.5 * size * metre;
+        distances.push_back(1.5 * size);
+        unit_normal.push_back(d + p * 1.0 - 2.0 * size * metre);
+        difference.push_back(d + p * in(d, metre) - 2.0 * size * metre); // N = S1 - S2 is as long as d
+    }
+    const auto off = difference.back();
+    std::cout << "With N = S1 - S2, spheres " << distances.back() << " m apart are moved " << off << " too far\n";
+    claim("a unit vector moves them exactly until they touch", std::abs(in(unit_normal.back(), metre)) < 1e-12);
+    claim("a difference does so at a distance of 1 m only", off > 1.0 * metre);
+
+    workbook::Plot plot("2.1.2.1", "A normal that is no unit vector moves spheres by the wrong amount");
+    plot.x("distance of the centres (m)").y("gap that is left");
+    plot.line("N = (S1 - S2) / |S1 - S2|", distances, unit_normal).line("N = S1 - S2", distances, difference).write();
+    return claim.result();
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSL-1.0
+// 2.2.2 The penalty method: a spring while they touch, and what its damping does
+
+// The notes set F = -kp - c N.(v_a - v_b) on both bodies. With their own normal, from the second body to the first, it must be +kp: the
+// deeper, the stronger they are pushed apart. The second body gets -F, by Newton's third law, or two bodies at rest push each other
+// off with momentum from nowhere. And "a higher value [of c] gives a more bouncy collision" is the other way round: they part with
+// e = exp(-pi zeta / sqrt(1 - zeta^2)), zeta = c / (2 sqrt(k mu)), which falls as c grows. k decides how deep and how long they touch.
+
+#include "claims.hpp"
+#include "plot.hpp"
+
+#include <ansatz/collision.hpp>
+#include <ansatz/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+using namespace ansatz;
+
+namespace {
+
+struct Met {
+    double e, deepest, momentum; // 1, m, kg m/s
+};
+//! [meet]
+/// Two bodies of 1 kg meet at 1 m/s each.
+Met meet(double k, double zeta) {
+    const double mu = 0.5, omega = std::sqrt(k / mu);
+    const Penalty penalty{k * newton_per_metre, 2 * zeta * std::sqrt(k * mu) * newton_second_per_metre};
+    World world{VelocityVerlet{}, BoundingBoxes{}, Narrowphase<Sphere>{}, penalty};
+    const auto a = world.add(Sphere{0.5 * metre}, velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    const auto b = world.add(Sphere{0.5 * metre}, position(metres(1, 0, 0)), velocity(metres_per_second(-1, 0, 0)), mass(1.0 * kilogram));
+    //! [meet]
+    double deepest = 0;
+    for (int i = 0; i < 1000; ++i) {
+        world.step(M_PI / omega / 200 * second);
+        deepest = std::max<double>(deepest, 1 - in(x(world.position(b)) - x(world.position(a)), metre));
+    }
+    const double va = in(x(world.velocity(a)), metre_per_second), vb = in(x(world.velocity(b)), metre_per_second);
+    return {(vb - va) / 2, deepest, va + vb};
+}
+
+} // namespace
+
+int main() {
+    workbook::Claims claim;
+    std::vector<double> ratios, measured, formula;
+    for (double zeta = 0; zeta < 0.95; zeta += 0.05) {
+        ratios.push_back(zeta);
+        measured.push_back(meet(1e4, zeta).e);
+        formula.push_back(std::exp(-M_PI * zeta / std::sqrt(1 - zeta * zeta)));
+    }
+    std::cout << "zeta 0, 0.1, 0.5: e = " << measured[0] << ", " << measured[2] << ", " << measured[10] << '\n';
+    claim("without damping they part as fast as they met", std::abs(measured[0] - 1) < 0.01);
+    claim("the more damping, the less they bounce", std::is_sorted(measured.rbegin(), measured.rend()));
+    claim("a contact that never pulls gives back a little more than the formula", measured[10] > formula[10] && measured[2] - formula[2] < 0.03);
+
+    const auto soft = meet(1e4, 0.1), hard = meet(1e6, 0.1);
+    std::cout << "k = 1e4 N/m: " << soft.deepest << " m deep; k = 1e6 N/m: " << hard.deepest << " m deep\n";
+    claim("k does not change the bounce", std::abs(soft.e - hard.e) < 0.01);
+    claim("a hundred times k is a tenth of the depth", std::abs(soft.deepest / hard.deepest - 10) < 0.2);
+    claim("F on one and -F on the other: momentum stays", std::abs(soft.momentum) < 1e-12);
+
+    workbook::Plot plot("2.2.2", "More damping is less bounce");
+    plot.x("damping ratio").y("restitution").line("exp(-pi zeta / sqrt(1 - zeta^2))", ratios, formula);
+    plot.linked_points("measured", ratios, measured).write();
+    return claim.result();
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: the last cell left out when only the end of a body lies in it
+// Why:     Ends belong to a body: one that ends on a wall touches what begins there.
+// Read:    2.1.1.2
+// Fails:   ends-on-a-wall
+
+#include <ansatz/world.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using namespace ansatz;
+
+namespace exercise {
+
+using Length = Quantity<unit::Length>;
+
+/// Cells on an axis, from the first to the last; both belong to it.
+struct Cells {
+    std::int64_t first, last;
+};
+
+/// The number of the cell in which a coordinate is. Cell 0 begins at the origin, cell 1 one width further, cell -1 one width
+/// before; a wall belongs to the cell that begins there.
+inline std::int64_t cell_of(Length x, Length width) {
+    return std::int64_t(std::floor(x / width));
+}
+
+/// 2.1.1.2: all cells of an axis that a body reaches into, from its lower end to its upper one, ends included.
+inline Cells cells_of(Length low, Length high, Length width) {
+    return {std::int64_t(std::floor(low / width)), std::max(std::int64_t(std::floor(low / width)), std::int64_t(std::ceil(high / width)) - 1)};
+}
+
+/// Two bodies that overlap may be in several cells together. In which of those is the pair told, so that it is told once?
+inline std::int64_t told_in(Length low_a, Length high_a, Length low_b, Length high_b, Length width) {
+    // The lower end of what they have in common: it is in one cell, and both reach into that.
+    return std::int64_t(std::floor(max(low_a, low_b) / width));
+}
+
+} // namespace exercise

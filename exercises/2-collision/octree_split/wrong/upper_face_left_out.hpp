@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: a box that ends on a plane kept out of the upper side
+// Why:     Its face belongs to it, and the plane to the upper side: there it touches what begins on the plane.
+// Read:    2.1.1.3
+// Fails:   ends-on-a-plane
+
+#include <ansatz/world.hpp>
+
+using namespace ansatz;
+
+namespace exercise {
+
+using Point = VectorQuantity<unit::Length, 3>;
+
+/// A bounding box, with its faces.
+struct Box {
+    Point lower, upper;
+};
+
+/// The eight parts of a cube, by a number of three bits: bit 0 for x, bit 1 for y, bit 2 for z. A bit is 1 on the upper side.
+/// Part 5 is 101: the upper side in x, the lower in y, the upper in z.
+using Part = unsigned;
+
+/// The part that a point is in, when a cube is divided at its centre. A plane belongs to the upper side.
+inline Part part_of(const Point& point, const Point& centre) {
+    Part part = 0;
+    for (int k = 0; k < 3; ++k)
+        if (component(point, k) >= component(centre, k)) part |= 1u << k;
+    return part;
+}
+
+/// 2.1.1.3: all parts that a box reaches into: bit p is 1 where it reaches into part p.
+inline unsigned parts_of(const Box& box, const Point& centre) {
+    unsigned parts = 0;
+    for (Part part = 0; part < 8; ++part) {
+        bool reaches = true;
+        for (int k = 0; k < 3; ++k) {
+            const bool upper = (part >> k) & 1u;
+            reaches = reaches && (upper ? component(box.upper, k) > component(centre, k) : component(box.lower, k) < component(centre, k));
+        }
+        if (reaches) parts |= 1u << part;
+    }
+    return parts;
+}
+
+/// Whether a cell is divided that holds `count` bodies and is `depth` divisions deep already.
+inline bool divide(int count, int threshold, int depth, int deepest) {
+    return count > threshold && depth < deepest;
+}
+
+} // namespace exercise

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+// Mistake: both moved in the same direction
+// Why:     What is added to the first is taken from the second. Moved the same way, they stay in each other, and their
+//          centre of mass goes off with them.
+// Read:    2.2
+// Fails:   only-touch, centre-stays
+
+#include <ansatz/world.hpp>
+
+#include <utility>
+
+using namespace ansatz;
+
+namespace exercise {
+
+using Length = Quantity<unit::Length>;
+using Place = VectorQuantity<unit::Length, 3>;
+using PerMass = Quantity<unit::InverseMass>;
+using Direction = Vector<double, 3>; // a plain vector, without a unit
+
+struct Body {
+    Place position;
+    PerMass inverse_mass; ///< 1/m, zero for what is immovable
+};
+
+/// Which parts of the way apart two bodies go, the first and the second; nobody, if both are immovable.
+inline std::pair<double, double> shares(PerMass first, PerMass second) {
+    const PerMass both = first + second;
+    if (both == 0.0 / kilogram) return {0, 0};
+    return {first / both, second / both};
+}
+
+/// 2.2: moves two bodies apart, so that they only touch, and their centre of mass stays.
+/// \param normal N, of length 1, from the second to the first
+/// \param depth  p, how deep they are in each other
+inline void push_apart(Body& first, Body& second, const Direction& normal, Length depth) {
+    const PerMass both = first.inverse_mass + second.inverse_mass;
+    if (both == 0.0 / kilogram) return;
+    first.position += first.inverse_mass / both * depth * normal;
+    second.position += second.inverse_mass / both * depth * normal;
+}
+
+/// How much of a depth is taken away in one step.
+/// \param slop  how deep bodies may stay in each other
+/// \param share which part of the rest goes; greater than 0, at most 1
+inline Length correction(Length depth, Length slop, double share) {
+    return share * max(depth - slop, 0.0 * metre);
+}
+
+} // namespace exercise

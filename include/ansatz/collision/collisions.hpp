@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Collisions`: what a world holds of its bodies' shapes and contacts, and how contacts are found (notes 2.1).
+///
+///     positions -> boxes -> broadphase -> filter -> narrowphase -> contacts, by the ids of their bodies -> events
+///
+/// It is a part of a world's data and exists only where there is a Narrowphase. Bodies that are fixed or at rest are not looked
+/// at with each other; the contacts that a body had when it fell asleep are kept while it sleeps, and hold it.
+
+#include <ansatz/collision/boxes.hpp>
+#include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/islands.hpp>
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/columns.hpp>
+#include <ansatz/world/elements.hpp>
+#include <ansatz/world/sleep.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ansatz {
+
+/// Two bodies that do not intersect any more.
+struct ContactEnd {
+    Handle first;  ///< the one with the smaller id
+    Handle second; ///< the other; either may have been removed
+    friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
+};
+
+template <class C> class SweptCollisions;
+
+/// \tparam C the world's composition
+template <class C> class Collisions {
+public:
+    using S = typename C::S; ///< the space
+    using Scalar = typename S::Scalar;
+    using Narrowphase = typename C::Narrowphase; ///< of the world
+    using Broadphase = typename C::Broadphase; ///< of the world
+    using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
+
+    Shapes shapes;                        ///< of the bodies, by their ids
+    std::vector<Contact<S>> contacts;     ///< of the present positions, by the ids of their bodies
+    typename S::Time expected{};          ///< the length of the step for which bodies are looked at, s
+    int parts = 1;                        ///< into how many the last step was divided
+    std::vector<ContactEnd> ended;        ///< what was a contact before the last step and is none now
+
+    /// Room for so many bodies.
+    void reserve(std::size_t n) {
+        shapes.reserve(n);
+        sensors_.reserve(n);
+    }
+    /// Room for a body with this id.
+    void make_room(std::uint32_t id) {
+        shapes.make_room(id);
+        if (sensors_.size() <= id) sensors_.resize(std::size_t(id) + 1);
+        if constexpr (C::rests)
+            if (pulls_.size() <= id) pulls_.resize(std::size_t(id) + 1, S::template zero_vector<unit::Acceleration>());
+    }
+    /// Whether two bodies intersect now, whatever a filter says.
+    template <class Data> bool intersect(const Data& data, std::uint32_t a, std::uint32_t b) const {
+        const auto at = [&](std::uint32_t id) { return data.lanes.template get<Position>(data.bodies.slot_of_id(id)); };
+        Contact<S> contact;
+        return Narrowphase::template collide_bodies<S>(shapes, a, at(a), b, at(b), contact);
+    }
+    /// Whether a body only notices.
+    bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
+    /// Says so.
+    void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
+    /// A body that is gone takes its shape and its contacts with it.
+    void body_removed(std::uint32_t id) {
+        shapes.erase(id);
+        std::erase_if(contacts, [&](const Contact<S>& c) {
+            const bool over = c.first.id == id || c.second.id == id;
+            if (over) ends_next_.push_back({c.first, c.second});
+            return over;
+        });
+    }
+    /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
+    typename S::Acceleration pull_when_it_slept(std::uint32_t id) const { return id < pulls_.size() ? pulls_[id] : S::template zero_vector<unit::Acceleration>(); }
+    /// A body falls asleep.
+    void slept(std::uint32_t id, const typename S::Acceleration& pull) { pulls_[id] = pull; }
+    /// Velocities before a pass over the contacts.
+    auto& before_solving() { return working_.value.before; }
+    /// Room for finding out who does.
+    auto& sleep_scratch() { return working_.value.sleep; }
+    /// The parameters of the broadphase have changed.
+    void new_broadphase() { working_.value.finder.reset(); }
+
+    /// Finds the contacts of the present positions.
+    /// \param pull a function of a slot: the acceleration of an awake body, m/s^2
+    /// \param later whether this is a part of a step and not the first
+    template <class Data, class Policies, class Pull> void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
+        find(data, policies, pull);
+        stale_ = false;
+        if constexpr (C::acts_next) {
+            hand_over(data, NextStep{}, working_.value.found);
+            keep_those_that_touch(data);
+            compare(working_.value.touching, later);
+        } else
+            compare(working_.value.found, later);
+    }
+    /// Bodies were added or changed between two steps: what acts in the next one follows them.
+    /// \return whether it was found anew
+    template <class Data, class Policies, class Pull> bool refresh(Data& data, const Policies& policies, const Pull& pull) {
+        if (!stale_) return false;
+        stale_ = false;
+        if constexpr (C::acts_next) {
+            find(data, policies, pull);
+            hand_over(data, NextStep{}, working_.value.found);
+        }
+        return true;
+    }
+    /// Who asks for forces between two steps gets those of the contacts that are there; the next step looks for itself.
+    template <class Data, class Policies> void refresh_between_steps(Data& data, const Policies& policies) {
+        if constexpr (C::acts_next)
+            if (refresh(data, policies, [](Bodies::Slot) { return S::template zero_vector<unit::Acceleration>(); })) stale_ = true;
+    }
+    /// A step of this length is about to be taken: what may come to touch in it is looked for.
+    void expect(const typename S::Time& dt) {
+        if (dt != expected) stale_ = true; // a shorter one, too: a world that was loaded looks again, and finds the same
+        expected = dt;
+    }
+    /// Bodies are not where they were.
+    void make_stale() { stale_ = true; }
+
+private:
+    /// Those that act in the next step.
+    using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>, typename C::template responses<Level::accelerations>>;
+
+    /// The present contacts, sorted, into `found`.
+    template <class Data, class Policies, class Pull> void find(const Data& data, const Policies& policies, const Pull& pull) {
+        auto& w = working_.value;
+        w.found.clear();
+        if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0) find_among_moving(data, policies, pull);
+        keep_those_at_rest(data);
+        if constexpr (C::sweeps) static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
+        w.order.sort(w.found, data.bodies.ids());
+        if constexpr (C::sweeps) // what the discrete functions saw, too, stands before what was added
+            w.found.erase(std::unique(w.found.begin(), w.found.end(), [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; }), w.found.end());
+    }
+    template <class Data, class Policies, class Pull> void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
+        auto& w = working_.value;
+        if constexpr (C::anticipates) look_ahead(data, pull);
+        gather(data);
+        auto pair = [&](std::size_t i, std::size_t j) { look(data, policies, w.ids[i], w.ids[j]); };
+        if constexpr (Narrowphase::any_bounded) {
+            if (!w.finder) w.finder.emplace(std::get<Broadphase>(policies));
+            w.finder->find(w.boxes, pair);
+        }
+        if constexpr (Narrowphase::any_unbounded) unbounded(data, policies);
+    }
+    /// Of those found, the contacts: not those that may begin in the next step.
+    template <class Data> void keep_those_that_touch(const Data& data) {
+        auto& touching = working_.value.touching;
+        touching.clear();
+        if constexpr (C::substeps) {
+            const auto& acting = data.template state<typename detail::FirstOf<NextStep>::type>();
+            auto next = acting.all.cbegin();
+            for (const auto& contact : working_.value.found) {
+                while (next != acting.all.cend() && std::pair(next->a, next->b) < std::pair(contact.first.id, contact.second.id)) ++next;
+                const bool presses = next != acting.all.cend() && next->a == contact.first.id && next->b == contact.second.id && next->impulse > Scalar(0);
+                if (contact.depth.value() > Scalar(0) || presses) touching.push_back(contact);
+            }
+        } else
+            for (const auto& contact : working_.value.found)
+                if (contact.depth.value() > Scalar(0)) touching.push_back(contact);
+    }
+    template <class Data, class... R> void hand_over([[maybe_unused]] Data& data, Types<R...>, [[maybe_unused]] const std::vector<Contact<S>>& all) {
+        (data.template state<R>().take(data, all), ...);
+    }
+
+    /// How far a body comes in the next step if it goes on as it does: speed, and slack for what pulls at it and for a push by another.
+    struct Ahead {
+        Vector<Scalar, S::dimension> way; // m
+        Scalar slack{}, margin{};         // m; both together
+    };
+    struct Working {
+        Boxes<S> boxes;                 // the awake, the moving, then the resting and the fixed
+        std::vector<std::uint32_t> ids; // whose they are
+        std::optional<typename Broadphase::template In<S>> finder;
+        std::vector<Contact<S>> found;
+        ContactOrder<S> order;
+        [[no_unique_address]] std::conditional_t<C::rests, SleepScratch<S, Islands>, detail::Absent> sleep; // only where somebody sleeps
+        std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
+        std::vector<Ahead> ahead; // by slot, of those that are looked at before they touch
+        std::vector<Contact<S>> touching;
+    };
+
+    template <class Data> void gather(const Data& data) {
+        auto& w = working_.value;
+        w.boxes.clear();
+        w.ids.clear();
+        for (const auto motion : {Motion::awake, Motion::moving}) gather_range(data, motion);
+        w.boxes.set_active(w.ids.size());
+        for (const auto motion : {Motion::resting, Motion::fixed}) gather_range(data, motion);
+    }
+    template <class Data> void gather_range(const Data& data, Motion motion) {
+        auto& w = working_.value;
+        for (std::size_t slot = data.bodies.begin(motion); slot < data.bodies.end(motion); ++slot) {
+            const auto id = data.bodies.id(slot);
+            shapes.visit(id, [&](const auto& shape) {
+                if constexpr (std::remove_cvref_t<decltype(shape)>::description::bounded) {
+                    typename S::Position lower, upper;
+                    shape.bounds(data.lanes.template get<Position>(slot), lower, upper);
+                    if constexpr (C::anticipates) widen(data, slot, lower, upper);
+                    if (!is_finite(lower) || !is_finite(upper)) return; // World::status tells of it
+                    w.boxes.push_back(lower, upper);
+                    w.ids.push_back(id);
+                }
+            });
+        }
+    }
+
+    template <class Data> static bool moves(const Data& data, std::size_t slot) {
+        return slot < data.bodies.end(Motion::awake) || data.bodies.motion(slot) == Motion::moving;
+    }
+    template <class Data, class Pull> void look_ahead(const Data& data, const Pull& pull) {
+        auto& ahead = working_.value.ahead;
+        ahead.resize(data.bodies.size());
+        const Scalar dt = expected.value();
+        for (std::size_t slot = 0; slot < ahead.size(); ++slot) {
+            const bool goes = moves(data, slot);
+            const auto v = goes ? data.load(Bodies::Slot(slot)).template get<Velocity>() : S::template zero_vector<unit::Velocity>();
+            ahead[slot].way = (Scalar(1.1) * dt) * v.value();
+            ahead[slot].slack = slot < data.bodies.end(Motion::awake) ? norm(pull(Bodies::Slot(slot))).value() * dt * dt : Scalar(0);
+            ahead[slot].margin = norm(ahead[slot].way) + ahead[slot].slack;
+        }
+    }
+    template <class Data> void widen(const Data& data, std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
+        if (!moves(data, slot)) return;
+        auto& ahead = working_.value.ahead[slot];
+        auto by = (upper - lower).value();
+        const Scalar pushed = Scalar(1) / 256 * by.minCoeff(); // by one that is faster
+        ahead.slack += pushed;
+        ahead.margin += pushed;
+        for (int k = 0; k < S::dimension; ++k) by[k] = ahead.margin;
+        lower -= S::Position::from_value(by);
+        upper += S::Position::from_value(by);
+    }
+    /// The narrowphase of two bodies that come to touch in the next step, if they go on as they do. A pair that falls side by side does not.
+    template <class Data> [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b, Contact<S>& contact) const {
+        const Ahead &ahead_a = working_.value.ahead[slot_a], &ahead_b = working_.value.ahead[slot_b];
+        const auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
+        const auto margin = S::Length::from_value(ahead_a.margin + ahead_b.margin);
+        if (!Narrowphase::template nearly_collide<S>(shapes, a, xa, b, xb, margin, contact)) return false;
+        if (contact.depth.value() >= Scalar(0)) return true;
+        return -contact.depth.value() <= norm(Vector<Scalar, S::dimension>(ahead_a.way - ahead_b.way)) + ahead_a.slack + ahead_b.slack;
+    }
+
+    /// The narrowphase of two bodies.
+    template <class Data, class Policies> [[gnu::always_inline]] void look(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i, std::uint32_t j) {
+        const auto a = i < j ? i : j, b = i < j ? j : i;
+        const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
+        if constexpr (C::filters::size > 0) {
+            if (!passes(data, policies, slot_a, slot_b, typename C::filters{})) return;
+        }
+        Contact<S> contact;
+        if constexpr (C::anticipates) {
+            if (!come_near(data, a, slot_a, b, slot_b, contact)) return;
+        } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b, data.lanes.template get<Position>(slot_b), contact))
+            return;
+        contact.first = data.bodies.handle(slot_a);
+        contact.second = data.bodies.handle(slot_b);
+        working_.value.found.push_back(contact);
+    }
+
+    template <class Data, class Policies, class F> static bool passes(const Data& data, const Policies& policies, std::size_t a, std::size_t b, Types<F>) {
+        auto row = [&](std::size_t slot) {
+            Row<S, reads_of<F>> values;
+            [&]<class... Column>(Columns<Column...>) { ((values.template get<Column>() = data.lanes.template get<Column>(slot)), ...); }(reads_of<F>{});
+            return values;
+        };
+        return typename F::template In<S>(std::get<F>(policies)).passes(row(a), row(b));
+    }
+
+    /// Planes and their like meet everything that has a box.
+    template <class Data, class Policies> void unbounded(const Data& data, const Policies& policies) {
+        auto& w = working_.value;
+        Narrowphase::for_each_kind([&]<class Kind>() {
+            if constexpr (!Kind::bounded)
+                for (const auto id : shapes.template owners<Kind>()) {
+                    const auto motion = data.bodies.motion(data.bodies.slot_of_id(id));
+                    const bool it_moves = motion == Motion::awake || motion == Motion::moving;
+                    const std::size_t n = it_moves ? w.ids.size() : w.boxes.active();
+                    for (std::size_t i = 0; i < n; ++i) look(data, policies, id, w.ids[i]);
+                }
+        });
+    }
+
+    /// Two bodies of which none moves are in contact as they were.
+    template <class Data> void keep_those_at_rest(const Data& data) {
+        if constexpr (C::rests) {
+            auto still = [&](const Handle& h) {
+                const auto motion = data.bodies.motion(data.bodies.slot_of_id(h.id));
+                return motion == Motion::resting || motion == Motion::fixed;
+            };
+            for (const auto& contact : contacts)
+                if (still(contact.first) && still(contact.second)) working_.value.found.push_back(contact);
+        }
+    }
+
+    /// Which contacts are new, which go on, and which have ended. What happened in any part of a step is news of that step.
+    void compare(std::vector<Contact<S>>& found, bool later) {
+        if (!later) ended.clear();
+        ended.insert(ended.end(), ends_next_.begin(), ends_next_.end());
+        ends_next_.clear();
+        auto old = contacts.cbegin();
+        auto before = [](const Contact<S>& x, const Contact<S>& y) { return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id); };
+        for (auto& contact : found) {
+            for (; old != contacts.cend() && before(*old, contact); ++old) ended.push_back({old->first, old->second});
+            const bool same = old != contacts.cend() && old->first == contact.first && old->second == contact.second;
+            contact.steps = !same ? 0 : later ? old->steps : old->steps + 1;
+            if (old != contacts.cend() && !before(contact, *old)) {
+                if (!same) ended.push_back({old->first, old->second});
+                ++old;
+            }
+        }
+        for (; old != contacts.cend(); ++old) ended.push_back({old->first, old->second});
+        contacts.swap(found);
+    }
+
+    friend struct CollisionArchive;
+    template <class> friend class SweptCollisions;
+
+    std::vector<ContactEnd> ends_next_; // of bodies that were removed between two steps
+    bool stale_ = false; // what follows from where the bodies are does not any more
+    std::vector<std::uint8_t> sensors_; // by id
+    std::vector<typename S::Acceleration> pulls_; // by id
+
+    /// A cache: a copy of a world begins without it.
+    struct Kept {
+        Working value;
+        Kept() = default;
+        Kept(const Kept&) {}
+        Kept(Kept&&) = default;
+        Kept& operator=(const Kept&) { return *this; }
+        Kept& operator=(Kept&&) = default;
+    } working_;
+};
+
+} // namespace ansatz

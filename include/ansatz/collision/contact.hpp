@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Touch` and `Contact`: what a narrowphase finds out about two bodies that intersect (notes 2.1.2).
+///
+/// | symbol | meaning                                                                                     | unit |
+/// |--------|---------------------------------------------------------------------------------------------|------|
+/// | P      | contact point: halfway between the two surfaces, so that it is the same for (a, b) and (b, a) | m  |
+/// | N      | contact normal: a unit vector *from b to a*, the way a must be moved; it turns round for (b, a) | 1 |
+/// | p      | penetration depth: how far they must be moved apart along N until they only touch          | m    |
+///
+/// The notes put P on the surface of the second sphere, S1 - N (r1 - p); another body would be the second when the two are
+/// swapped. Their N = |S1 - S2| is a length; meant is (S1 - S2) / |S1 - S2|. Bodies that only touch (p = 0) do not intersect.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/bodies.hpp>
+
+#include <cstdint>
+
+namespace ansatz {
+
+/// Where and how two shapes intersect.
+template <class S> struct Touch {
+    typename S::Position point{};                        ///< P, m
+    Vector<typename S::Scalar, S::dimension> normal;     ///< N, from the second to the first
+    typename S::Length depth{};                          ///< p, m, greater than zero
+};
+
+/// The same with the roles of the two exchanged.
+template <class S> Touch<S> swapped(const Touch<S>& t) { return {t.point, -t.normal, t.depth}; }
+
+/// Two bodies of a world that intersect; the first is the one with the smaller id. A response that stops bodies before they
+/// intersect (`SoftSubsteps`) leaves them in contact while they press each other; the depth is zero then, or a little less.
+template <class S> struct Contact : Touch<S> {
+    Handle first;  ///< a
+    Handle second; ///< b
+    std::uint32_t steps = 0; ///< how many steps it has lasted; 0 where it begins
+    /// Whether it was no contact before the last step.
+    bool begins() const { return steps == 0; }
+};
+
+} // namespace ansatz

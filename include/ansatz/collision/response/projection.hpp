@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Projection`: moves bodies apart that intersect, and touches nothing but their positions (notes 2.2).
+///
+/// Use it with a response that changes velocities (`World{..., Impulse{}, Projection{}}`): alone, bodies that fall onto each
+/// other are lifted apart in every step and fall ever faster. The notes do not say who is moved how far: shared by inverse
+/// mass, the centre of mass stays where it is; half and half, it drifts.
+
+#include <ansatz/collision/concepts.hpp>
+#include <ansatz/world/concepts.hpp>
+#include <ansatz/world/contact_step.hpp>
+#include <ansatz/world/requirements.hpp>
+
+#include <string_view>
+
+namespace ansatz {
+
+/// \f$ \Delta\mathbf x_a = \frac{w_a}{w_a + w_b}\,s\,(p - p_0)\,\mathbf N, \quad \Delta\mathbf x_b = -\frac{w_b}{w_a + w_b}\,s\,(p - p_0)\,\mathbf N \f$
+/// with w = 1/m.
+struct Projection {
+    using role = roles::Response;
+    static constexpr Level level = Level::positions; ///< what it acts on
+    using reads = Columns<>;
+    using writes = Columns<Position>;
+
+    /// p0, m: how deep bodies may stay in each other; finite, not negative. Larger than zero, resting bodies keep their contact.
+    Parameter<unit::Length> slop = 0.0 * metre;
+    /// s: how much of the rest is taken away in a step; greater than 0, at most 1
+    double share = 1;
+
+    static constexpr std::string_view name = "Projection";
+    static void parameters(auto& self, auto&& visit) {
+        visit("slop", self.slop);
+        visit("share", self.share);
+    }
+    /// \throws std::invalid_argument for parameters that are not acceptable
+    void check() const {
+        require_not_negative("Projection", "slop", slop);
+        if (!(share > 0) || !(share <= 1)) refuse_value("Projection", "share", describe(share), "it is greater than 0 and at most 1");
+    }
+
+    template <class S> struct In {
+        typename S::Length slop;
+        typename S::Scalar share;
+        explicit In(const Projection& projection) : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)) {}
+
+        /// Moves the two apart.
+        [[gnu::always_inline]] void respond(const auto& touch, auto& a, auto& b, const auto&) const {
+            const auto wa = a.template get<InverseMass>(), wb = b.template get<InverseMass>();
+            const auto too_deep = touch.depth - slop;
+            if (!(too_deep.value() > 0) || !((wa + wb).value() > 0)) return;
+            const typename S::Position push = (share * too_deep) * touch.normal;
+            a.template get<Position>() += typename S::Scalar((wa / (wa + wb))) * push;
+            b.template get<Position>() -= typename S::Scalar((wb / (wa + wb))) * push;
+        }
+    };
+};
+
+static_assert(ResponseIn<Projection, Space<>> && ResponseIn<Projection, Space<float, 2>>);
+
+} // namespace ansatz

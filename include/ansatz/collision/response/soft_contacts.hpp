@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `SoftContacts`: the contacts of a step as soft constraints, and the passes over them: what `SoftSubsteps` works with.
+///
+/// A soft constraint is a damped spring whose stiffness is given as a frequency, solved implicitly, so that it never overshoots: of the
+/// velocity that is wrong it takes away a share, and of the depth that is left another. Each pass goes through the contacts one
+/// by one, in the order of their bodies' ids, and lets each see what those before it did (sequential impulses, which is
+/// projected Gauss-Seidel). Impulses are kept from step to step and begin the next one (warm start): what rests on a pile
+/// for a second has been solved sixty times over.
+///
+/// E. Catto, Soft Constraints (GDC 2011), and Solver2D (2024), for the method and the order of the passes; K. Macklin et al.,
+/// Small Steps in Physics Simulation (2019), for substeps instead of iterations.
+
+#include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/restitution.hpp>
+#include <ansatz/world/bodies.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ansatz {
+
+/// How a soft contact answers in a substep of length h: \f$ \omega = 2\pi f \f$, \f$ a_1 = 2\zeta + \omega h \f$, \f$ a_2 = \omega h a_1 \f$.
+template <class Scalar> struct Softness {
+    Scalar rate = 0;     ///< 1/s: how much of the depth is taken away in a second, omega / a1
+    Scalar mass = 1;     ///< the share of the wrong velocity that is taken away, a2 / (1 + a2)
+    Scalar impulse = 0;  ///< the share of the impulse so far that is given back, 1 / (1 + a2)
+    /// \param f    1/s
+    /// \param zeta damping ratio
+    /// \param h    s
+    static Softness of(Scalar f, Scalar zeta, Scalar h) {
+        const Scalar omega = Scalar(6.283185307179586476925286766559) * f, a1 = 2 * zeta + omega * h, a2 = omega * h * a1;
+        return {omega / a1, a2 / (1 + a2), 1 / (1 + a2)};
+    }
+};
+
+/// A body while its contacts are solved.
+template <class S> struct SolverBody {
+    using Raw = Vector<typename S::Scalar, S::dimension>; ///< raw SI
+    Raw u;                        ///< the mean velocity over the substep, m/s
+    Raw position;                 ///< where it is, m
+    typename S::Scalar weight{};  ///< 1/m, 1/kg; zero for what is not moved
+};
+
+/// \tparam Rubs whether there is friction
+template <class S, bool Rubs> class SoftContacts {
+public:
+    using Scalar = typename S::Scalar;
+    using Raw = Vector<Scalar, S::dimension>; ///< raw SI
+    using Body = SolverBody<S>; ///< what is solved for
+    /// In place of what is not there.
+    struct Nothing {};
+
+    /// A contact of this step.
+    struct Constraint {
+        std::uint32_t a;        ///< the id of a body
+        std::uint32_t b;        ///< and of the other
+        Raw normal;             ///< from b to a
+        Scalar touching;        ///< N . (x_a - x_b) where they only touch, m
+        Scalar impulse = 0;     ///< along the normal, of a substep, N s
+        Scalar mass = 0;        ///< 1 / (w_a + w_b), kg
+        Scalar approach = 0;    ///< N . (v_a - v_b) when the step began, m/s
+        Scalar bounce = 0;      ///< at which they part again, m/s; 0 if they do not
+        Scalar most = 0;        ///< the largest impulse of the step, N s; none, if they never touched
+        [[no_unique_address]] std::conditional_t<Rubs, Raw, Nothing> rubbing{}; ///< across the normal, N s
+        [[no_unique_address]] std::conditional_t<Rubs, Scalar, Nothing> friction{}; ///< the coefficient of the two
+        bool held = false;      ///< one of them is not moved at all
+        std::uint32_t slot_a = 0; ///< where the first is
+        std::uint32_t slot_b = 0; ///< and the other
+    };
+    std::vector<Constraint> all;   ///< by the ids of their bodies
+    std::vector<Body> bodies;      ///< by slot
+
+    /// Calls `f(constraint)` for each of which a body is awake: those of a sleeping pile cost no pass, and keep their impulses.
+    template <class F> [[gnu::always_inline]] void each_acting(F&& f) {
+        for (const auto n : acting_) f(all[n]);
+    }
+
+    /// The contacts of the state that a step has made; those that were there before keep their impulses.
+    template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
+        old_.swap(all);
+        all.clear();
+        auto before = old_.cbegin();
+        for (const auto& c : contacts) {
+            if (data.collisions.is_sensor(c.first.id) || data.collisions.is_sensor(c.second.id)) continue;
+            Constraint now;
+            now.a = c.first.id;
+            now.b = c.second.id;
+            now.normal = c.normal;
+            const auto between = data.lanes.template get<Position>(data.bodies.slot_of_id(now.a)) - data.lanes.template get<Position>(data.bodies.slot_of_id(now.b));
+            now.touching = dot(typename S::Position(between), c.normal).value() + c.depth.value();
+            while (before != old_.cend() && std::pair(before->a, before->b) < std::pair(now.a, now.b)) ++before;
+            if (before != old_.cend() && before->a == now.a && before->b == now.b) {
+                now.impulse = before->impulse;
+                if constexpr (Rubs) now.rubbing = before->rubbing;
+            } else if constexpr (Rubs)
+                for (int k = 0; k < S::dimension; ++k) now.rubbing[k] = Scalar(0);
+            all.push_back(now);
+        }
+    }
+
+    /// Before the passes of a step: who is where, and how each contact will answer.
+    /// \param friction the coefficient of two slots
+    template <class Data, class FrictionOf> void begin(const Data& data, const FrictionOf& friction) {
+        for (auto& c : all) {
+            c.slot_a = data.bodies.slot_of_id(c.a);
+            c.slot_b = data.bodies.slot_of_id(c.b);
+        }
+        weigh();
+        if constexpr (Rubs) each_acting([&](Constraint& c) {
+                c.friction = friction(c.slot_a, c.slot_b);
+                c.rubbing -= dot(c.rubbing, c.normal) * c.normal; // the normal has turned since; here, where it is done once a step
+            });
+    }
+    /// The same where the slots are known: which contacts act, and against what mass.
+    void weigh() {
+        acting_.clear();
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            auto& c = all[n];
+            const Scalar wa = bodies[c.slot_a].weight, wb = bodies[c.slot_b].weight;
+            if (!(wa + wb > Scalar(0))) continue;
+            acting_.push_back(std::uint32_t(n));
+            c.mass = 1 / (wa + wb);
+            c.held = !(wa > Scalar(0)) || !(wb > Scalar(0));
+            c.most = 0;
+        }
+    }
+    /// How far two are apart; negative where they intersect, m.
+    [[gnu::always_inline]] Scalar apart(const Constraint& c) const { return dot(Raw(bodies[c.slot_a].position - bodies[c.slot_b].position), c.normal) - c.touching; }
+    /// N . (u_a - u_b), m/s.
+    [[gnu::always_inline]] Scalar along(const Constraint& c) const { return dot(Raw(bodies[c.slot_a].u - bodies[c.slot_b].u), c.normal); }
+
+    /// The impulses of the substep before act again.
+    void warm_start() {
+        for (const auto n : acting_) {
+            const auto& c = all[n];
+            push(c, c.impulse * c.normal);
+            if constexpr (Rubs) push(c, c.rubbing);
+        }
+    }
+    /// One pass in which contacts may not come deeper than they are, and those that are too deep part.
+    /// \param h        s, the substep
+    /// \param push_out m/s, how fast they part at most
+    void solve(Scalar h, const Softness<Scalar>& soft, const Softness<Scalar>& soft_held, Scalar slop, Scalar push_out) {
+        const Scalar per_h = 1 / h;
+        for (const auto n : acting_) {
+            auto& c = all[n];
+            const Scalar s = apart(c);
+            if (s > Scalar(0))
+                press(c, s * per_h, Scalar(1), Scalar(0));
+            else {
+                const auto& how = c.held ? soft_held : soft;
+                press(c, std::max(how.rate * std::min(s + slop, Scalar(0)), -push_out), how.mass, how.impulse);
+            }
+            rub(c);
+        }
+    }
+    /// One pass that takes back the velocity which only parted them.
+    void relax(Scalar h) {
+        const Scalar per_h = 1 / h;
+        for (const auto n : acting_) {
+            auto& c = all[n];
+            const Scalar s = apart(c);
+            press(c, s > Scalar(0) ? s * per_h : Scalar(0), Scalar(1), Scalar(0));
+            rub(c);
+        }
+    }
+    /// One pass in which those that met part again.
+    void restore() {
+        for (const auto n : acting_) {
+            auto& c = all[n];
+            if (!(c.bounce > Scalar(0)) || !(c.most > Scalar(0))) continue;
+            const Scalar j = std::max(c.mass * (c.bounce - along(c)), -c.impulse);
+            c.impulse += j;
+            push(c, j * c.normal);
+        }
+    }
+
+    /// \name What a world asks of everything that a policy keeps
+    /// @{
+    /// Nothing to forget.
+    void begin_step() {}
+    /// Nothing to make room for.
+    void reserve_notes() {}
+    /// Slots are looked up at the beginning of a step.
+    void arrange(const Bodies&, std::uint64_t) {}
+    /// Its contacts go with it.
+    void body_removed(std::uint32_t id) {
+        std::erase_if(all, [id](const Constraint& c) { return c.a == id || c.b == id; });
+    }
+    /// The impulses are state: the next step begins with them.
+    void add_to(auto& hash) const {
+        for (const auto& c : all)
+            if (c.impulse != Scalar(0)) {
+                hash.add(std::uint64_t(c.a) << 32 | c.b);
+                hash.add_number(c.impulse);
+            }
+    }
+    /// To a file: `f(a, b, numbers)` for each contact that keeps an impulse.
+    template <class F> void saved(F&& f) const {
+        for (const auto& c : all) {
+            std::vector<Scalar> numbers{c.impulse};
+            if constexpr (Rubs) numbers.insert(numbers.end(), c.rubbing.data(), c.rubbing.data() + S::dimension);
+            f(c.a, c.b, numbers);
+        }
+    }
+    static constexpr int numbers_each = Rubs ? 1 + S::dimension : 1; ///< that a contact keeps
+    /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken. Who they belong to is found at the next step.
+    std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b, const std::vector<Scalar>& numbers) {
+        if (numbers[0] < Scalar(0)) return std::pair(0, "an impulse that is not negative, because contacts never pull");
+        Constraint c{};
+        for (int k = 0; k < S::dimension; ++k) c.normal[k] = Scalar(0);
+        c.a = a;
+        c.b = b;
+        c.impulse = numbers[0];
+        if constexpr (Rubs)
+            for (int k = 0; k < S::dimension; ++k) c.rubbing[k] = numbers[std::size_t(k) + 1];
+        all.push_back(c);
+        return std::nullopt;
+    }
+    /// They are no elements.
+    static void for_each(auto&&) {}
+    /// They hold nobody.
+    static void for_each_body(std::uint32_t, auto&&) {}
+    /// @}
+
+private:
+    template <class V> [[gnu::always_inline]] void push(const Constraint& c, const V& impulse) {
+        bodies[c.slot_a].u += bodies[c.slot_a].weight * impulse;
+        bodies[c.slot_b].u -= bodies[c.slot_b].weight * impulse;
+    }
+    [[gnu::always_inline]] void press(Constraint& c, Scalar bias, Scalar mass_share, Scalar impulse_share) {
+        const Scalar j = -c.mass * mass_share * (along(c) + bias) - impulse_share * c.impulse;
+        const Scalar now = std::max(c.impulse + j, Scalar(0)); // contacts never pull
+        push(c, (now - c.impulse) * c.normal);
+        c.impulse = now;
+        c.most = std::max(c.most, now);
+    }
+    /// Coulomb's law: what slides is held back by at most mu times what presses.
+    [[gnu::always_inline]] void rub([[maybe_unused]] Constraint& c) {
+        if constexpr (Rubs) {
+            if (!(c.friction > Scalar(0))) return;
+            const Raw between = bodies[c.slot_a].u - bodies[c.slot_b].u;
+            Raw now = c.rubbing - c.mass * (between - dot(between, c.normal) * c.normal);
+            const Scalar most = c.friction * c.impulse, size = norm(now);
+            if (size > most) now *= most / size;
+            push(c, Raw(now - c.rubbing));
+            c.rubbing = now;
+        }
+    }
+
+    std::vector<Constraint> old_;
+    std::vector<std::uint32_t> acting_; // which of all act in this step
+};
+
+} // namespace ansatz

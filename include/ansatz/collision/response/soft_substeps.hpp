@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `SoftSubsteps`: takes a step in parts and solves all contacts in each of them, softly and with memory. Beyond the notes.
+///
+/// Use it for piles, stacks and crowds: impulse and projection answer one contact at a time and let a heap of bodies tremble and
+/// sink. Pairs are found once a step, with those that may come to touch in it; then the forces and the integrator run `parts` times
+/// over a part of the step, and the contacts are solved between them (soft_contacts.hpp). It needs no other response. What it costs is
+/// about `parts` integrations and twice as many passes over the contacts.
+///
+/// Every integrator is given velocities with which its own next positions keep the bodies apart: what it does to a velocity under
+/// constant acceleration is known from `velocity_leads`.
+
+#include <ansatz/collision/concepts.hpp>
+#include <ansatz/collision/response/soft_contacts.hpp>
+#include <ansatz/world/concepts.hpp>
+#include <ansatz/world/contact_step.hpp>
+#include <ansatz/world/requirements.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace ansatz {
+
+/// \tparam Options Friction, or none
+template <class... Options> struct SoftSubsteps {
+    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2, "Ansatz: the option of SoftSubsteps is Friction, e.g. SoftSubsteps<Friction>{}");
+    static constexpr bool rubs = sizeof...(Options) > 0; ///< whether there is friction
+
+    using role = roles::Response;
+    static constexpr Level level = Level::substeps; ///< what it acts on
+    using reads = Columns<Restitution, Options...>;
+    using writes = Columns<Velocity>;
+    template <class S> using State = SoftContacts<S, rubs>; ///< the contacts, with their impulses
+
+    /// Into how many parts a step is divided, at least 1.
+    int parts = 4;
+    /// 1/s, how fast a depth is taken away, finite and greater than zero; at most a quarter of the parts in a second is used
+    Parameter<unit::Frequency> frequency = 60.0 * hertz;
+    /// How softly; finite and greater than zero
+    double damping_ratio = 5;
+    /// m, how deep bodies may stay in each other; finite, not negative
+    Parameter<unit::Length> slop = 0.0 * metre;
+    /// m/s, how fast bodies part at most that were put into each other; finite and greater than zero
+    Parameter<unit::Velocity> push_out = 1.5 * metre_per_second;
+    /// m/s, finite, not negative: slower approaches do not bounce
+    Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
+
+    static constexpr std::string_view name = "SoftSubsteps";
+    static void parameters(auto& self, auto&& visit) {
+        visit("parts", self.parts);
+        visit("frequency", self.frequency);
+        visit("damping_ratio", self.damping_ratio);
+        visit("slop", self.slop);
+        visit("push_out", self.push_out);
+        visit("threshold", self.threshold);
+    }
+    /// \throws std::invalid_argument for parameters that are not acceptable
+    void check() const {
+        if (parts < 1) refuse_value("SoftSubsteps", "parts", describe(parts), "it is at least 1");
+        require_positive("SoftSubsteps", "frequency", frequency);
+        if (!(damping_ratio > 0) || !is_finite(damping_ratio)) refuse_value("SoftSubsteps", "damping_ratio", describe(damping_ratio), "it is finite and greater than zero");
+        require_not_negative("SoftSubsteps", "slop", slop);
+        require_positive("SoftSubsteps", "push_out", push_out);
+        require_not_negative("SoftSubsteps", "threshold", threshold);
+    }
+
+    template <class S> struct In {
+        using Scalar = typename S::Scalar;
+        SoftSubsteps policy;
+        explicit In(const SoftSubsteps& p) : policy(p) {}
+
+        /// How many parts.
+        int parts() const { return policy.parts; }
+        /// One pass that holds contacts, and parts those that are too deep.
+        void solve(SoftContacts<S, rubs>& contacts, Scalar h) const {
+            const Scalar f = std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h), zeta = Scalar(policy.damping_ratio);
+            contacts.warm_start();
+            contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h), Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
+        }
+        /// What the contacts will give back at the end of the step.
+        /// \param pull N . (a_a - a_b) of a contact, m/s^2
+        template <class Data, class Pull> void remember_approaches(SoftContacts<S, rubs>& contacts, const Data& data, const Pull& pull) const {
+            contacts.each_acting([&](auto& c) {
+                c.approach = contacts.along(c);
+                c.bounce = 0;
+                const Scalar e = max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b)).value();
+                if (!(e > Scalar(0)) || !(-c.approach > Scalar(policy.threshold.value()))) return;
+                // They were this far apart when the step began: what pulled them together did so on the rest of the way, too.
+                const Scalar squared = c.approach * c.approach - 2 * pull(c) * contacts.apart(c);
+                c.bounce = squared > Scalar(0) ? e * std::sqrt(squared) : Scalar(0);
+            });
+        }
+        /// The friction of two bodies.
+        template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {
+            if constexpr (rubs)
+                return std::sqrt(data.lanes.template get<Friction>(a).value() * data.lanes.template get<Friction>(b).value());
+            else
+                return Scalar(0);
+        }
+    };
+};
+
+static_assert(ResponseIn<SoftSubsteps<>, Space<>> && ResponseIn<SoftSubsteps<Friction>, Space<float, 2>>);
+
+} // namespace ansatz

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// What contacts do within a step: they are found, wake who sleeps, and are answered by the world's responses (notes 2.2).
+///
+/// A response answers one contact at a time, in the order of the bodies' ids: it is given where and how the two intersect and
+/// the columns of both that it declared, and changes the ones that it writes. Here its answer is brought to the bodies: a
+/// velocity through the integrator, which owns what velocity means, and a new place with the history that belongs to it. What
+/// rests or is fixed has no inverse mass here.
+
+#include <ansatz/world/data.hpp>
+
+#include <tuple>
+#include <utility>
+
+namespace ansatz {
+
+namespace detail {
+/// By how much of a step the velocity that an integrator keeps is ahead of the position: under constant acceleration the
+/// velocity at the position's time is v + leads a dt, and the motion from one to the other is exact.
+template <class I> constexpr double velocity_leads() {
+    if constexpr (requires { I::velocity_leads; }) return I::velocity_leads;
+    return 0;
+}
+} // namespace detail
+
+/// What a response may ask beside the contact and the bodies.
+/// \tparam Pull a function
+template <class S, class Pull> struct ContactContext {
+    typename S::Time dt;         ///< of the step that brought them together, s
+    typename S::Scalar leads;    ///< the velocity at the time of the position is v + leads a dt
+    bool parted;                 ///< whether a response of this world will move them apart
+    const Pull& pull;            ///< `pull()`: N . (a_a - a_b), what pulls them apart, m/s^2; negative towards each other
+};
+
+/// The contacts of one step.
+/// \tparam Acceleration a function of a slot and of a body's values
+template <class C, class Policies, class Acceleration> class ContactStep {
+public:
+    using S = typename C::S; ///< the space
+    using Scalar = typename S::Scalar;
+    using Data = WorldData<C>; ///< what it works on
+    using Slot = typename Data::Slot; ///< a body's place in the lanes
+
+    /// Of a step of this length.
+    ContactStep(Data& data, const Policies& policies, const typename S::Time& dt, const Acceleration& acceleration)
+        : data_(data), policies_(policies), dt_(dt), acceleration_(acceleration) {}
+
+    /// Wakes resting bodies that are hit, that stand on what moves, and all that lie together with them.
+    /// \param first whether contacts have just been found, so that those that begin wake
+    template <class Wake> void wake(Wake&& wake, bool first = true) {
+        bool more = data_.bodies.count(Motion::resting) > 0;
+        while (more) {
+            more = false;
+            for (const auto& contact : data_.collisions.contacts)
+                for (const auto& [one, other] : {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
+                    const auto sleeper = data_.bodies.slot_of_id(one.id);
+                    if (data_.bodies.motion(sleeper) != Motion::resting || !disturbs(data_.bodies.slot_of_id(other.id), first && contact.begins())) continue;
+                    if (data_.collisions.is_sensor(one.id) || data_.collisions.is_sensor(other.id)) continue;
+                    wake(sleeper);
+                    more = true;
+                }
+            first = false;
+        }
+    }
+
+    /// Answers every contact by one response.
+    template <class R> void respond() {
+        const detail::Bound<R, S> response(std::get<R>(policies_));
+        for (int sweep = 0, sweeps = sweeps_of(response); sweep < sweeps; ++sweep)
+            for (const auto& contact : data_.collisions.contacts)
+                if (!data_.collisions.is_sensor(contact.first.id) && !data_.collisions.is_sensor(contact.second.id)) answer<R>(response, contact);
+    }
+
+    /// Puts a body somewhere, with its history.
+    void place(Slot slot, const typename S::Position& to) { displace(slot, to - data_.lanes.template get<Position>(slot)); }
+
+private:
+    /// What a response sees of a body.
+    template <class R> using Body = Row<S, union_of<writes_of<R>, reads_of<R>, Columns<InverseMass>>>;
+
+    static int sweeps_of(const auto& response) {
+        if constexpr (requires { response.sweeps; }) return response.sweeps;
+        return 1;
+    }
+    /// Whether a body wakes one that rests in contact with it.
+    bool disturbs(Slot slot, bool begins) const {
+        const auto motion = data_.bodies.motion(slot);
+        if (motion == Motion::moving) return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
+        return motion == Motion::awake && (begins || data_.lanes.template get<RestTime>(slot) == typename S::Time());
+    }
+
+    template <class R> void answer(const detail::Bound<R, S>& response, const auto& contact) {
+        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id), slot_b = data_.bodies.slot_of_id(contact.second.id);
+        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake, free_b = data_.bodies.motion(slot_b) == Motion::awake;
+        if (!free_a && !free_b) return;
+        auto now = contact;
+        if constexpr (detail::contains<Position, writes_of<R>>) // others may have moved them since they were found
+            if (!C::Narrowphase::template collide_bodies<S>(data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a), contact.second.id,
+                                                            data_.lanes.template get<Position>(slot_b), now))
+                return;
+        auto a = load<R>(slot_a, free_a), b = load<R>(slot_b, free_b);
+        const auto was_a = a, was_b = b;
+        const auto pull = [&] { return dot(pull_at(slot_a, free_a) - pull_at(slot_b, free_b), now.normal); };
+        response.respond(now, a, b, ContactContext<S, decltype(pull)>{dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, pull});
+        if (free_a) store<R>(slot_a, was_a, a);
+        if (free_b) store<R>(slot_b, was_b, b);
+    }
+    typename S::Acceleration pull_at(Slot slot, bool is_free) const {
+        if (!is_free) return S::template zero_vector<unit::Acceleration>();
+        return acceleration_(slot, data_.load(slot, dt_));
+    }
+
+    template <class R> Body<R> load(Slot slot, bool is_free) const {
+        Body<R> row;
+        [&]<class... Column>(Columns<Column...>) { ((row.template get<Column>() = value<Column>(slot)), ...); }(typename Body<R>::columns{});
+        if (!is_free) row.template get<InverseMass>() = typename S::InverseMass();
+        return row;
+    }
+    template <class Column> value_of<Column, S> value(Slot slot) const {
+        if constexpr (C::history && std::same_as<Column, Velocity>) {
+            auto row = data_.load(slot, dt_);
+            if (!data_.waiting(slot) && data_.bodies.motion(slot) == Motion::awake)
+                row.template get<Velocity>() = C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), dt_);
+            return row.template get<Velocity>();
+        } else
+            return data_.lanes.template get<Column>(slot);
+    }
+    template <class R> void store(Slot slot, const Body<R>& was, const Body<R>& is) {
+        auto one = [&]<class Column>(Columns<Column>) {
+            const auto& to = is.template get<Column>();
+            if (to == was.template get<Column>()) return;
+            if constexpr (std::same_as<Column, Velocity>)
+                data_.set_velocity(slot, to);
+            else if constexpr (std::same_as<Column, Position>)
+                displace(slot, to - was.template get<Position>());
+            else
+                data_.lanes.template set<Column>(slot, to);
+        };
+        [&]<class... Column>(Columns<Column...>) { (one(Columns<Column>{}), ...); }(writes_of<R>{});
+    }
+    /// A place is changed with the history that says how fast the body moves: the push is no velocity.
+    void displace(Slot slot, const typename S::Position& by) {
+        data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) + by);
+        if constexpr (C::history)
+            if (!data_.waiting(slot)) data_.lanes.template set<PreviousPosition>(slot, data_.lanes.template get<PreviousPosition>(slot) + by);
+    }
+
+    Data& data_;
+    const Policies& policies_;
+    typename S::Time dt_;
+    const Acceleration& acceleration_;
+};
+
+} // namespace ansatz

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// How the shapes and contacts of a world are written to a file and read from it: a part of save.hpp.
+///
+/// What a response keeps of a contact that acts in the next step (the impulses of a warm start) is written beside it.
+// not in the umbrella: it is a part of save.hpp, and needs nlohmann-json
+
+#include <ansatz/world/data.hpp>
+#include <ansatz/world/file_value.hpp>
+#include <ansatz/world/save_parameters.hpp>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ansatz {
+
+/// The one that may look into what a world holds of collisions, to save and load it.
+struct CollisionArchive {
+    /// Shapes by body, contacts by their two bodies.
+    template <class C, class Data> static void write(detail::Json& file, const Data& data) {
+        const auto& collisions = data.collisions;
+        auto& shapes = file["shapes"] = detail::Json::array();
+        for (std::uint32_t id = 0; id < data.bodies.ids(); ++id) {
+            if (!data.bodies.alive(id) || (!collisions.shapes.has(id) && !collisions.is_sensor(id))) continue;
+            detail::Json shape;
+            shape["body"] = id;
+            shape["sensor"] = collisions.is_sensor(id);
+            collisions.shapes.visit_description(id, [&](const auto& description) {
+                using Kind = std::remove_cvref_t<decltype(description)>;
+                detail::write_parameters(shape[std::string(Kind::name)] = detail::Json::object(), description);
+            });
+            if constexpr (C::rests)
+                for (int k = 0; k < C::S::dimension; ++k) shape["pull"].push_back(detail::number_to_file(collisions.pulls_[id].value()[k]));
+            shapes.push_back(std::move(shape));
+        }
+        auto& contacts = file["contacts"] = detail::Json::array();
+        for (const auto& c : collisions.contacts) {
+            detail::Json one{{"first", c.first.id}, {"second", c.second.id}, {"steps", c.steps}, {"depth", detail::number_to_file(c.depth.value())}};
+            for (int k = 0; k < C::S::dimension; ++k) {
+                one["point"].push_back(detail::number_to_file(c.point.value()[k]));
+                one["normal"].push_back(detail::number_to_file(c.normal[k]));
+            }
+            contacts.push_back(std::move(one));
+        }
+        file["parts"] = collisions.parts;
+        file["expected"] = detail::number_to_file(collisions.expected.value());
+        file["stale"] = collisions.stale_;
+        data.states.for_each([&](const auto& state) {
+            if constexpr (requires { state.saved([](auto&&...) {}); }) {
+                auto& list = file["acting"] = detail::Json::array();
+                state.saved([&](std::uint32_t a, std::uint32_t b, const auto& numbers) {
+                    detail::Json one{{"first", a}, {"second", b}, {"numbers", detail::Json::array()}};
+                    for (const auto& n : numbers) one["numbers"].push_back(detail::number_to_file(n));
+                    list.push_back(std::move(one));
+                });
+            }
+        });
+    }
+
+    /// \throws std::invalid_argument naming the place in the file
+    template <class C, class Data> static void read(Data& data, const detail::FileValue& file) {
+        auto& collisions = data.collisions;
+        if (data.bodies.ids() > 0) collisions.make_room(std::uint32_t(data.bodies.ids() - 1));
+        const auto shapes = file.at("shapes");
+        const auto count = shapes.size("shapes");
+        for (std::size_t i = 0; i < count; ++i) read_shape<C>(data, shapes.at(i));
+        const auto contacts = file.at("contacts");
+        const auto most = contacts.size("contacts");
+        std::pair<std::uint32_t, std::uint32_t> last{};
+        for (std::size_t i = 0; i < most; ++i) {
+            const auto json = contacts.at(i);
+            Contact_<C> contact;
+            const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
+            if (a >= b || (i > 0 && std::pair(a, b) <= last)) json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
+            last = {a, b};
+            const auto sa = data.bodies.slot_of_id(a), sb = data.bodies.slot_of_id(b);
+            auto point = contact.point.value();
+            json.at("point").size_is(std::size_t(C::S::dimension), "numbers");
+            json.at("normal").size_is(std::size_t(C::S::dimension), "numbers");
+            for (int k = 0; k < C::S::dimension; ++k) {
+                point[k] = json.at("point").at(std::size_t(k)).template number<typename C::S::Scalar>();
+                contact.normal[k] = json.at("normal").at(std::size_t(k)).template number<typename C::S::Scalar>();
+            }
+            if (!(abs(contact.normal.squaredNorm() - typename C::S::Scalar(1)) < typename C::S::Scalar(0.001))) json.at("normal").refuse_here("a unit vector");
+            contact.point = C::S::Position::from_value(point);
+            contact.depth = C::S::Length::from_value(json.at("depth").template number<typename C::S::Scalar>());
+            contact.first = data.bodies.handle(sa);
+            contact.second = data.bodies.handle(sb);
+            contact.steps = std::uint32_t(json.at("steps").whole(0xffffffffu));
+            collisions.contacts.push_back(contact);
+        }
+        collisions.parts = int(file.at("parts").whole(1u << 30));
+        if (collisions.parts < 1) file.at("parts").refuse_here("a whole number of at least 1");
+        collisions.expected = C::S::Time::from_value(file.at("expected").template number<typename C::S::Scalar>());
+        if (collisions.expected.value() < 0) file.at("expected").refuse_here("a time step that is not negative");
+        collisions.stale_ = C::substeps || file.at("stale").yes(); // a response that keeps impulses looks for whose they are
+        data.states.for_each([&](auto& state) {
+            if constexpr (requires { state.saved([](auto&&...) {}); }) read_acting<C>(data, state, file.at("acting"));
+        });
+    }
+
+private:
+    template <class C> using Contact_ = typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
+
+    template <class Data> static std::uint32_t body(const Data& data, const detail::FileValue& json) {
+        const auto id = json.whole(data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1);
+        if (id >= data.bodies.ids() || !data.bodies.alive(std::uint32_t(id))) json.refuse_here("the id of a body that is in the file");
+        return std::uint32_t(id);
+    }
+    template <class C, class Data> static void read_shape(Data& data, const detail::FileValue& json) {
+        using S = typename C::S;
+        auto& collisions = data.collisions;
+        const auto id = body(data, json.at("body"));
+        if (collisions.shapes.has(id) || collisions.is_sensor(id)) json.at("body").refuse_here("a body that has no shape yet");
+        collisions.set_sensor(id, json.at("sensor").yes());
+        bool known = false;
+        C::Narrowphase::for_each_kind([&]<class Kind>() {
+            const std::string name(Kind::name);
+            if (known || !json.json.contains(name)) return;
+            known = true;
+            Kind description{};
+            const auto numbers = json.at(name.c_str());
+            detail::read_parameters(description, numbers);
+            try {
+                if constexpr (requires { description.check(); }) description.check();
+                collisions.shapes.template set<Kind>(id, description, typename Kind::template In<S>(description));
+            } catch (const std::invalid_argument& e) {
+                refuse(Refusal::invalid_argument, numbers.place + ": " + e.what());
+            }
+        });
+        if (!known && !collisions.is_sensor(id)) json.refuse_here("a shape that the narrowphase of this world knows");
+        if constexpr (C::rests) {
+            const auto pull = json.at("pull");
+            pull.size_is(std::size_t(S::dimension), "numbers");
+            auto value = collisions.pulls_[id].value();
+            for (int k = 0; k < S::dimension; ++k) value[k] = pull.at(std::size_t(k)).template number<typename S::Scalar>();
+            collisions.pulls_[id] = S::Acceleration::from_value(value);
+        }
+    }
+    template <class C, class Data, class State> static void read_acting(const Data& data, State& state, const detail::FileValue& file) {
+        const auto count = file.size("contacts");
+        std::pair<std::uint32_t, std::uint32_t> last{};
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto json = file.at(i);
+            const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
+            if (a >= b || (i > 0 && std::pair(a, b) <= last)) json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
+            last = {a, b};
+            const auto numbers = json.at("numbers");
+            numbers.size_is(std::size_t(State::numbers_each), "numbers");
+            std::vector<typename C::S::Scalar> all;
+            for (int k = 0; k < State::numbers_each; ++k) all.push_back(numbers.at(std::size_t(k)).template number<typename C::S::Scalar>());
+            if (const auto wrong = state.load(a, b, all)) numbers.at(std::size_t(wrong->first)).refuse_here(wrong->second);
+        }
+    }
+};
+
+} // namespace ansatz
