@@ -21,7 +21,7 @@
 /// | Weights   | `WeightsOf{map}`                           | the graph's own, else 1 for every edge             |
 /// | Index     | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed          |
 ///
-/// Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
+/// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
 /// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts from the
 /// next `begin` or `find` on. A copy of a search is a search of its own.
 
