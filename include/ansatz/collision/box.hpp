@@ -17,7 +17,7 @@ namespace ansatz {
 
 /// All points whose distance from the position is no more than `half` on each axis.
 struct Box {
-    using shape = Box; ///< it is a shape
+    using shape = Box;                    ///< it is a shape
     static constexpr bool bounded = true; ///< a box holds it
 
     /// m, half of its length on each axis, finite and greater than zero: `Box{metres(0.5, 0.5, 0.5)}` has edges of 1 m. Two
@@ -29,14 +29,16 @@ struct Box {
 
     /// In the scalar of a space.
     template <class S> struct In {
-        using description = Box; ///< what it was made from
+        using description = Box;   ///< what it was made from
         typename S::Position half; ///< m
         /// \throws std::invalid_argument for a half length that is not finite and greater than zero, and for another number of them
         ///         than the space has dimensions
         explicit In(const Box& box) : half(S::convert("Box::half", box.half)) {
             for (int k = 0; k < S::dimension; ++k)
                 if (!is_finite(half) || !(half.value()[k] > 0))
-                    refuse_value("Box", "half", describe(box.half), S::dimension == 2 ? "two lengths, finite and greater than zero" : "three lengths, finite and greater than zero");
+                    refuse_value("Box", "half", describe(box.half),
+                                 S::dimension == 2 ? "two lengths, finite and greater than zero"
+                                                   : "three lengths, finite and greater than zero");
         }
 
         /// A larger one.
@@ -48,7 +50,8 @@ struct Box {
             return larger;
         }
         /// The corners of its bounding box, at position `x`.
-        [[gnu::always_inline]] void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+        [[gnu::always_inline]] void bounds(const typename S::Position& x, typename S::Position& lower,
+                                           typename S::Position& upper) const {
             lower = x - half;
             upper = x + half;
         }

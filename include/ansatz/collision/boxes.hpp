@@ -26,9 +26,9 @@ namespace ansatz {
 /// \tparam S the space
 template <class S> class Boxes {
 public:
-    using Scalar = typename S::Scalar;                ///< of the space
-    static constexpr int dimension = S::dimension;    ///< of the space
-    using Corner = typename S::Position;              ///< m
+    using Scalar = typename S::Scalar;             ///< of the space
+    static constexpr int dimension = S::dimension; ///< of the space
+    using Corner = typename S::Position;           ///< m
 
     /// How many.
     std::size_t size() const { return lower_[0].size(); }
@@ -83,8 +83,11 @@ public:
         for (std::size_t i = 0; i < size(); ++i)
             for (int k = 0; k < dimension; ++k) {
                 const Scalar low = lower(k)[i], high = upper(k)[i];
-                if (low <= high && low >= std::numeric_limits<Scalar>::lowest() && high <= std::numeric_limits<Scalar>::max()) continue;
-                refuse_value(where, "box " + std::to_string(i) + " on axis " + std::to_string(k), describe(S::Length::from_value(low)) + " to " + describe(S::Length::from_value(high)),
+                if (low <= high && low >= std::numeric_limits<Scalar>::lowest() &&
+                    high <= std::numeric_limits<Scalar>::max())
+                    continue;
+                refuse_value(where, "box " + std::to_string(i) + " on axis " + std::to_string(k),
+                             describe(S::Length::from_value(low)) + " to " + describe(S::Length::from_value(high)),
                              "both ends are finite, and the lower is not above the upper");
             }
     }

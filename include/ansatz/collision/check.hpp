@@ -26,10 +26,15 @@ template <class F, class S> struct FilterFacts {
 };
 template <class F, class S> struct CheckFilter {
     using Facts = FilterFacts<F, S>;
-    static_assert(Facts::columns, "Ansatz: a collision filter without columns; declare what it looks at, e.g. `using reads = Columns<Member>;`");
-    static_assert(Facts::binds, "Ansatz: a collision filter that cannot be bound to a space; it needs `template <class S> struct In` with a "
-                                "constructor from the policy, e.g. `explicit In(const MyFilter&)`");
-    static_assert(Facts::verbs, "Ansatz: a collision filter with a wrong signature; its In<S> needs `bool passes(const auto& a, const auto& b) const`, "
+    static_assert(
+        Facts::columns,
+        "Ansatz: a collision filter without columns; declare what it looks at, e.g. `using reads = Columns<Member>;`");
+    static_assert(
+        Facts::binds,
+        "Ansatz: a collision filter that cannot be bound to a space; it needs `template <class S> struct In` with a "
+        "constructor from the policy, e.g. `explicit In(const MyFilter&)`");
+    static_assert(Facts::verbs, "Ansatz: a collision filter with a wrong signature; its In<S> needs `bool passes(const "
+                                "auto& a, const auto& b) const`, "
                                 "which sees a body's columns as a.template get<Column>()");
 };
 template <> struct ChecksOfRole<roles::Filter> {
@@ -48,14 +53,20 @@ template <class T, class S> struct ShapeFacts {
 };
 template <class T, class S> struct CheckShape {
     using Facts = ShapeFacts<T, S>;
-    static_assert(Facts::is_shape, "Ansatz: a Narrowphase of something that is no shape; name shapes, e.g. Narrowphase<Sphere, Plane, Box>; a shape of "
+    static_assert(Facts::is_shape, "Ansatz: a Narrowphase of something that is no shape; name shapes, e.g. "
+                                   "Narrowphase<Sphere, Plane, Box>; a shape of "
                                    "yours says that it is one, `using shape = MyShape;`");
-    static_assert(Facts::named, "Ansatz: a shape that does not say what it is; it needs `static constexpr std::string_view name = \"MyShape\";` and, if a box "
-                                "holds it, `static constexpr bool bounded = true;` (false for what has no end, like a Plane)");
-    static_assert(Facts::made, "Ansatz: a shape that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from the shape, "
+    static_assert(Facts::named,
+                  "Ansatz: a shape that does not say what it is; it needs `static constexpr std::string_view name = "
+                  "\"MyShape\";` and, if a box "
+                  "holds it, `static constexpr bool bounded = true;` (false for what has no end, like a Plane)");
+    static_assert(Facts::made, "Ansatz: a shape that cannot be bound to a space; it needs `template <class S> struct "
+                               "In` with a constructor from the shape, "
                                "`explicit In(const MyShape&)`, and in it `using description = MyShape;`");
-    static_assert(Facts::kept, "Ansatz: a shape that cannot be copied; it and its In<S> are stored by kind, and need a copy constructor and an assignment");
-    static_assert(Facts::box, "Ansatz: a shape that a box holds (`bounded`) and that does not say which; its In<S> needs `void bounds(const typename "
+    static_assert(Facts::kept, "Ansatz: a shape that cannot be copied; it and its In<S> are stored by kind, and need a "
+                               "copy constructor and an assignment");
+    static_assert(Facts::box, "Ansatz: a shape that a box holds (`bounded`) and that does not say which; its In<S> "
+                              "needs `void bounds(const typename "
                               "S::Position& x, typename S::Position& lower, typename S::Position& upper) const`");
 };
 template <class List, class S> struct CheckShapes;
@@ -94,7 +105,8 @@ template <class... T, class S> struct ListFacts<Types<T...>, S> {
 template <class N, class S> struct NarrowphaseFacts {
     using List = ListFacts<typename ShapesNamedBy<N>::type, S>;
     static constexpr bool list = List::some && List::once && List::shapes && List::meet && List::pairs;
-    static constexpr bool has_verbs() { // not with ||: g++ looks at both sides, and reads the noise behind a broken list
+    static constexpr bool
+    has_verbs() { // not with ||: g++ looks at both sides, and reads the noise behind a broken list
         if constexpr (list) return NarrowphaseIn<N, S>;
         return true;
     }
@@ -103,21 +115,22 @@ template <class N, class S> struct NarrowphaseFacts {
 };
 template <class N, class S> struct CheckNarrowphaseList {
     using List = typename NarrowphaseFacts<N, S>::List;
-    static_assert(List::some, "Ansatz: a Narrowphase without shapes; name those of your world, e.g. Narrowphase<Sphere, Plane>");
-    static_assert(List::once, "Ansatz: a Narrowphase names a shape twice; name each once, e.g. Narrowphase<Sphere, Plane>");
-    static_assert(List::meet, "Ansatz: a Narrowphase of shapes that never meet: those without a box (planes) meet only those that have one; add "
+    static_assert(List::some,
+                  "Ansatz: a Narrowphase without shapes; name those of your world, e.g. Narrowphase<Sphere, Plane>");
+    static_assert(List::once,
+                  "Ansatz: a Narrowphase names a shape twice; name each once, e.g. Narrowphase<Sphere, Plane>");
+    static_assert(List::meet, "Ansatz: a Narrowphase of shapes that never meet: those without a box (planes) meet only "
+                              "those that have one; add "
                               "one, e.g. Narrowphase<Sphere, Plane>");
-    static_assert(NarrowphaseFacts<N, S>::verbs, "Ansatz: a narrowphase with a wrong signature; it needs all that NarrowphaseIn names "
-                                                 "(collision/concepts.hpp); Narrowphase<Sphere, Plane> has it, and yours may wrap it");
+    static_assert(NarrowphaseFacts<N, S>::verbs,
+                  "Ansatz: a narrowphase with a wrong signature; it needs all that NarrowphaseIn names "
+                  "(collision/concepts.hpp); Narrowphase<Sphere, Plane> has it, and yours may wrap it");
 };
 template <class N, class S> constexpr auto sentences_about_narrowphase() {
     using Facts = NarrowphaseFacts<N, S>;
-    if constexpr (!Facts::List::shapes)
-        return std::type_identity<CheckShapes<typename ShapesNamedBy<N>::type, S>>{};
-    else if constexpr (!Facts::List::pairs)
-        return std::type_identity<CheckPairs<typename ShapesNamedBy<N>::type, S>>{};
-    else
-        return std::type_identity<CheckNarrowphaseList<N, S>>{};
+    if constexpr (!Facts::List::shapes) return std::type_identity<CheckShapes<typename ShapesNamedBy<N>::type, S>>{};
+    else if constexpr (!Facts::List::pairs) return std::type_identity<CheckPairs<typename ShapesNamedBy<N>::type, S>>{};
+    else return std::type_identity<CheckNarrowphaseList<N, S>>{};
 }
 template <> struct ChecksOfRole<roles::Narrowphase> {
     template <class P, class S> using Facts = NarrowphaseFacts<P, S>;
@@ -130,11 +143,13 @@ template <class R, class S> struct ResponseFacts {
     static constexpr bool answers = answers_contacts<R>;
     static constexpr bool presses = acts_at<R>(Level::accelerations);
     static constexpr bool substeps = acts_at<R>(Level::substeps);
-    static constexpr bool columns = !level || (DeclaresReads<R> || (!presses && std::is_same_v<reads_of<R>, Columns<>>));
+    static constexpr bool columns =
+        !level || (DeclaresReads<R> || (!presses && std::is_same_v<reads_of<R>, Columns<>>));
     static constexpr bool writes = !columns || !answers || (DeclaresWrites<R> && changes_its_level<R>);
     static constexpr bool binds = !columns || !level || Binds<R, S>;
     static constexpr bool before = level && columns && writes && binds;
-    static constexpr bool copies() { // not with &&: the compilers look at both sides, and columns that are none are an error there
+    static constexpr bool
+    copies() { // not with &&: the compilers look at both sides, and columns that are none are an error there
         if constexpr (before && answers) return RespondsToCopies<R, S>;
         return false;
     }
@@ -155,24 +170,38 @@ template <class R, class S> struct ResponseFacts {
 };
 template <class R, class S> struct CheckResponse {
     using Facts = ResponseFacts<R, S>;
-    static_assert(Facts::level, "Ansatz: a response that does not say on what it acts; write e.g. `static constexpr Level level = Level::velocities;` "
-                                "(an impulse), Level::positions (a projection) or Level::accelerations (a force of the next step)");
-    static_assert(Facts::columns, "Ansatz: a response whose columns the world cannot read; declare what it looks at, e.g. `using reads = "
-                                  "Columns<Restitution>;`, or `Columns<>` for nothing");
-    static_assert(Facts::writes, "Ansatz: a response that does not change what it acts on; at Level::velocities it says `using writes = "
-                                 "Columns<Velocity>;`, at Level::positions `using writes = Columns<Position>;`");
-    static_assert(Facts::binds, "Ansatz: a response that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from "
+    static_assert(Facts::level,
+                  "Ansatz: a response that does not say on what it acts; write e.g. `static constexpr Level level = "
+                  "Level::velocities;` "
+                  "(an impulse), Level::positions (a projection) or Level::accelerations (a force of the next step)");
+    static_assert(
+        Facts::columns,
+        "Ansatz: a response whose columns the world cannot read; declare what it looks at, e.g. `using reads = "
+        "Columns<Restitution>;`, or `Columns<>` for nothing");
+    static_assert(
+        Facts::writes,
+        "Ansatz: a response that does not change what it acts on; at Level::velocities it says `using writes = "
+        "Columns<Velocity>;`, at Level::positions `using writes = Columns<Position>;`");
+    static_assert(Facts::binds, "Ansatz: a response that cannot be bound to a space; it needs `template <class S> "
+                                "struct In` with a constructor from "
                                 "the policy, e.g. `explicit In(const MyResponse&)`");
-    static_assert(Facts::references, "Ansatz: a response cannot change the bodies, because it takes them by value or by const reference; write "
-                                     "`void respond(const auto& contact, auto& a, auto& b, const auto& meeting) const`");
-    static_assert(Facts::respond, "Ansatz: a response with a wrong signature; its In<S> needs `void respond(const auto& contact, auto& a, auto& b, const "
+    static_assert(
+        Facts::references,
+        "Ansatz: a response cannot change the bodies, because it takes them by value or by const reference; write "
+        "`void respond(const auto& contact, auto& a, auto& b, const auto& meeting) const`");
+    static_assert(Facts::respond, "Ansatz: a response with a wrong signature; its In<S> needs `void respond(const "
+                                  "auto& contact, auto& a, auto& b, const "
                                   "auto& meeting) const`, which changes e.g. a.template get<Velocity>()");
-    static_assert(Facts::couple, "Ansatz: a response at Level::accelerations is a force between bodies; it needs `static constexpr bool couples_bodies = "
+    static_assert(Facts::couple, "Ansatz: a response at Level::accelerations is a force between bodies; it needs "
+                                 "`static constexpr bool couples_bodies = "
                                  "true;` and, in its In<S>, couple(view, context)");
-    static_assert(Facts::kept, "Ansatz: a response that acts in the next step keeps its contacts until then; give it `template <class S> using State`, a "
+    static_assert(Facts::kept, "Ansatz: a response that acts in the next step keeps its contacts until then; give it "
+                               "`template <class S> using State`, a "
                                "class with take(data, contacts) and what PenaltyContacts has beside it");
-    static_assert(Facts::solve, "Ansatz: a response at Level::substeps with a wrong signature; its In<S> needs parts(), solve(contacts, h), "
-                                "remember_approaches(contacts, data, pull) and friction(data, a, b), its State what SoftContacts has");
+    static_assert(
+        Facts::solve,
+        "Ansatz: a response at Level::substeps with a wrong signature; its In<S> needs parts(), solve(contacts, h), "
+        "remember_approaches(contacts, data, pull) and friction(data, a, b), its State what SoftContacts has");
 };
 template <> struct ChecksOfRole<roles::Response> {
     template <class P, class S> using Facts = ResponseFacts<P, S>;

@@ -30,8 +30,8 @@ namespace ansatz {
 
 /// Two bodies that do not intersect any more.
 struct ContactEnd {
-    Handle first;  ///< the one with the smaller id
-    Handle second; ///< the other; either may have been removed
+    Handle first;                                                           ///< the one with the smaller id
+    Handle second;                                                          ///< the other; either may have been removed
     friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
 };
 
@@ -42,15 +42,15 @@ template <class C> class Collisions {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Narrowphase = typename C::Narrowphase; ///< of the world
-    using Broadphase = typename C::Broadphase; ///< of the world
+    using Narrowphase = typename C::Narrowphase;             ///< of the world
+    using Broadphase = typename C::Broadphase;               ///< of the world
     using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
 
-    Shapes shapes;                        ///< of the bodies, by their ids
-    std::vector<Contact<S>> contacts;     ///< of the present positions, by the ids of their bodies
-    typename S::Time expected{};          ///< the length of the step for which bodies are looked at, s
-    int parts = 1;                        ///< into how many the last step was divided
-    std::vector<ContactEnd> ended;        ///< what was a contact before the last step and is none now
+    Shapes shapes;                    ///< of the bodies, by their ids
+    std::vector<Contact<S>> contacts; ///< of the present positions, by the ids of their bodies
+    typename S::Time expected{};      ///< the length of the step for which bodies are looked at, s
+    int parts = 1;                    ///< into how many the last step was divided
+    std::vector<ContactEnd> ended;    ///< what was a contact before the last step and is none now
 
     /// Room for so many bodies.
     void reserve(std::size_t n) {
@@ -84,7 +84,9 @@ public:
         });
     }
     /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
-    typename S::Acceleration pull_when_it_slept(std::uint32_t id) const { return id < pulls_.size() ? pulls_[id] : S::template zero_vector<unit::Acceleration>(); }
+    typename S::Acceleration pull_when_it_slept(std::uint32_t id) const {
+        return id < pulls_.size() ? pulls_[id] : S::template zero_vector<unit::Acceleration>();
+    }
     /// A body falls asleep.
     void slept(std::uint32_t id, const typename S::Acceleration& pull) { pulls_[id] = pull; }
     /// Velocities before a pass over the contacts.
@@ -97,19 +99,20 @@ public:
     /// Finds the contacts of the present positions.
     /// \param pull a function of a slot: the acceleration of an awake body, m/s^2
     /// \param later whether this is a part of a step and not the first
-    template <class Data, class Policies, class Pull> void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
+    template <class Data, class Policies, class Pull>
+    void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
         find(data, policies, pull);
         stale_ = false;
         if constexpr (C::acts_next) {
             hand_over(data, NextStep{}, working_.value.found);
             keep_those_that_touch(data);
             compare(working_.value.touching, later);
-        } else
-            compare(working_.value.found, later);
+        } else compare(working_.value.found, later);
     }
     /// Bodies were added or changed between two steps: what acts in the next one follows them.
     /// \return whether it was found anew
-    template <class Data, class Policies, class Pull> bool refresh(Data& data, const Policies& policies, const Pull& pull) {
+    template <class Data, class Policies, class Pull>
+    bool refresh(Data& data, const Policies& policies, const Pull& pull) {
         if (!stale_) return false;
         stale_ = false;
         if constexpr (C::acts_next) {
@@ -121,11 +124,13 @@ public:
     /// Who asks for forces between two steps gets those of the contacts that are there; the next step looks for itself.
     template <class Data, class Policies> void refresh_between_steps(Data& data, const Policies& policies) {
         if constexpr (C::acts_next)
-            if (refresh(data, policies, [](Bodies::Slot) { return S::template zero_vector<unit::Acceleration>(); })) stale_ = true;
+            if (refresh(data, policies, [](Bodies::Slot) { return S::template zero_vector<unit::Acceleration>(); }))
+                stale_ = true;
     }
     /// A step of this length is about to be taken: what may come to touch in it is looked for.
     void expect(const typename S::Time& dt) {
-        if (dt != expected) stale_ = true; // a shorter one, too: a world that was loaded looks again, and finds the same
+        if (dt != expected)
+            stale_ = true; // a shorter one, too: a world that was loaded looks again, and finds the same
         expected = dt;
     }
     /// Bodies are not where they were.
@@ -133,20 +138,28 @@ public:
 
 private:
     /// Those that act in the next step.
-    using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>, typename C::template responses<Level::accelerations>>;
+    using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>,
+                                        typename C::template responses<Level::accelerations>>;
 
     /// The present contacts, sorted, into `found`.
-    template <class Data, class Policies, class Pull> void find(const Data& data, const Policies& policies, const Pull& pull) {
+    template <class Data, class Policies, class Pull>
+    void find(const Data& data, const Policies& policies, const Pull& pull) {
         auto& w = working_.value;
         w.found.clear();
-        if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0) find_among_moving(data, policies, pull);
+        if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0)
+            find_among_moving(data, policies, pull);
         keep_those_at_rest(data);
-        if constexpr (C::sweeps) static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
+        if constexpr (C::sweeps)
+            static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
         w.order.sort(w.found, data.bodies.ids());
         if constexpr (C::sweeps) // what the discrete functions saw, too, stands before what was added
-            w.found.erase(std::unique(w.found.begin(), w.found.end(), [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; }), w.found.end());
+            w.found.erase(
+                std::unique(w.found.begin(), w.found.end(),
+                            [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; }),
+                w.found.end());
     }
-    template <class Data, class Policies, class Pull> void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
+    template <class Data, class Policies, class Pull>
+    void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
         auto& w = working_.value;
         if constexpr (C::anticipates) look_ahead(data, pull);
         gather(data);
@@ -165,15 +178,19 @@ private:
             const auto& acting = data.template state<typename detail::FirstOf<NextStep>::type>();
             auto next = acting.all.cbegin();
             for (const auto& contact : working_.value.found) {
-                while (next != acting.all.cend() && std::pair(next->a, next->b) < std::pair(contact.first.id, contact.second.id)) ++next;
-                const bool presses = next != acting.all.cend() && next->a == contact.first.id && next->b == contact.second.id && next->impulse > Scalar(0);
+                while (next != acting.all.cend() &&
+                       std::pair(next->a, next->b) < std::pair(contact.first.id, contact.second.id))
+                    ++next;
+                const bool presses = next != acting.all.cend() && next->a == contact.first.id &&
+                                     next->b == contact.second.id && next->impulse > Scalar(0);
                 if (contact.depth.value() > Scalar(0) || presses) touching.push_back(contact);
             }
         } else
             for (const auto& contact : working_.value.found)
                 if (contact.depth.value() > Scalar(0)) touching.push_back(contact);
     }
-    template <class Data, class... R> void hand_over([[maybe_unused]] Data& data, Types<R...>, [[maybe_unused]] const std::vector<Contact<S>>& all) {
+    template <class Data, class... R>
+    void hand_over([[maybe_unused]] Data& data, Types<R...>, [[maybe_unused]] const std::vector<Contact<S>>& all) {
         (data.template state<R>().take(data, all), ...);
     }
 
@@ -188,9 +205,10 @@ private:
         std::optional<typename Broadphase::template In<S>> finder;
         std::vector<Contact<S>> found;
         ContactOrder<S> order;
-        [[no_unique_address]] std::conditional_t<C::rests, SleepScratch<S, Islands>, detail::Absent> sleep; // only where somebody sleeps
+        [[no_unique_address]] std::conditional_t<C::rests, SleepScratch<S, Islands>, detail::Absent>
+            sleep;                                        // only where somebody sleeps
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
-        std::vector<Ahead> ahead; // by slot, of those that are looked at before they touch
+        std::vector<Ahead> ahead;                         // by slot, of those that are looked at before they touch
         std::vector<Contact<S>> touching;
     };
 
@@ -228,13 +246,16 @@ private:
         const Scalar dt = expected.value();
         for (std::size_t slot = 0; slot < ahead.size(); ++slot) {
             const bool goes = moves(data, slot);
-            const auto v = goes ? data.load(Bodies::Slot(slot)).template get<Velocity>() : S::template zero_vector<unit::Velocity>();
+            const auto v = goes ? data.load(Bodies::Slot(slot)).template get<Velocity>()
+                                : S::template zero_vector<unit::Velocity>();
             ahead[slot].way = (Scalar(1.1) * dt) * v.value();
-            ahead[slot].slack = slot < data.bodies.end(Motion::awake) ? norm(pull(Bodies::Slot(slot))).value() * dt * dt : Scalar(0);
+            ahead[slot].slack =
+                slot < data.bodies.end(Motion::awake) ? norm(pull(Bodies::Slot(slot))).value() * dt * dt : Scalar(0);
             ahead[slot].margin = norm(ahead[slot].way) + ahead[slot].slack;
         }
     }
-    template <class Data> void widen(const Data& data, std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
+    template <class Data>
+    void widen(const Data& data, std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
         if (!moves(data, slot)) return;
         auto& ahead = working_.value.ahead[slot];
         auto by = (upper - lower).value();
@@ -246,17 +267,22 @@ private:
         upper += S::Position::from_value(by);
     }
     /// The narrowphase of two bodies that come to touch in the next step, if they go on as they do. A pair that falls side by side does not.
-    template <class Data> [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b, Contact<S>& contact) const {
+    template <class Data>
+    [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
+                                          std::size_t slot_b, Contact<S>& contact) const {
         const Ahead &ahead_a = working_.value.ahead[slot_a], &ahead_b = working_.value.ahead[slot_b];
         const auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
         const auto margin = S::Length::from_value(ahead_a.margin + ahead_b.margin);
         if (!Narrowphase::template nearly_collide<S>(shapes, a, xa, b, xb, margin, contact)) return false;
         if (contact.depth.value() >= Scalar(0)) return true;
-        return -contact.depth.value() <= norm(Vector<Scalar, S::dimension>(ahead_a.way - ahead_b.way)) + ahead_a.slack + ahead_b.slack;
+        return -contact.depth.value() <=
+               norm(Vector<Scalar, S::dimension>(ahead_a.way - ahead_b.way)) + ahead_a.slack + ahead_b.slack;
     }
 
     /// The narrowphase of two bodies.
-    template <class Data, class Policies> [[gnu::always_inline]] void look(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i, std::uint32_t j) {
+    template <class Data, class Policies>
+    [[gnu::always_inline]] void look(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i,
+                                     std::uint32_t j) {
         const auto a = i < j ? i : j, b = i < j ? j : i;
         const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
         if constexpr (C::filters::size > 0) {
@@ -265,20 +291,19 @@ private:
         Contact<S> contact;
         if constexpr (C::anticipates) {
             if (!come_near(data, a, slot_a, b, slot_b, contact)) return;
-        } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b, data.lanes.template get<Position>(slot_b), contact))
+        } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b,
+                                                            data.lanes.template get<Position>(slot_b), contact))
             return;
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
         working_.value.found.push_back(contact);
     }
 
-    template <class Data, class Policies, class F> static bool passes(const Data& data, const Policies& policies, std::size_t a, std::size_t b, Types<F>) {
-        auto row = [&](std::size_t slot) {
-            Row<S, reads_of<F>> values;
-            [&]<class... Column>(Columns<Column...>) { ((values.template get<Column>() = data.lanes.template get<Column>(slot)), ...); }(reads_of<F>{});
-            return values;
-        };
-        return typename F::template In<S>(std::get<F>(policies)).passes(row(a), row(b));
+    template <class Data, class Policies, class F>
+    static bool passes(const Data& data, const Policies& policies, std::size_t a, std::size_t b, Types<F>) {
+        const reads_of<F> looked_at{};
+        return typename F::template In<S>(std::get<F>(policies))
+            .passes(data.lanes.get(looked_at, a), data.lanes.get(looked_at, b));
     }
 
     /// Planes and their like meet everything that has a box.
@@ -313,7 +338,9 @@ private:
         ended.insert(ended.end(), ends_next_.begin(), ends_next_.end());
         ends_next_.clear();
         auto old = contacts.cbegin();
-        auto before = [](const Contact<S>& x, const Contact<S>& y) { return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id); };
+        auto before = [](const Contact<S>& x, const Contact<S>& y) {
+            return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id);
+        };
         for (auto& contact : found) {
             for (; old != contacts.cend() && before(*old, contact); ++old) ended.push_back({old->first, old->second});
             const bool same = old != contacts.cend() && old->first == contact.first && old->second == contact.second;
@@ -330,9 +357,9 @@ private:
     friend struct CollisionArchive;
     template <class> friend class SweptCollisions;
 
-    std::vector<ContactEnd> ends_next_; // of bodies that were removed between two steps
-    bool stale_ = false; // what follows from where the bodies are does not any more
-    std::vector<std::uint8_t> sensors_; // by id
+    std::vector<ContactEnd> ends_next_;           // of bodies that were removed between two steps
+    bool stale_ = false;                          // what follows from where the bodies are does not any more
+    std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
 
     /// A cache: a copy of a world begins without it.

@@ -58,27 +58,33 @@ template <class R> inline constexpr bool acts_at(Level level) {
     return false;
 }
 /// Which answer each contact for itself, when it has been found.
-template <class R> inline constexpr bool answers_contacts = acts_at<R>(Level::velocities) || acts_at<R>(Level::positions);
+template <class R>
+inline constexpr bool answers_contacts = acts_at<R>(Level::velocities) || acts_at<R>(Level::positions);
 
 /// What it is for: a response on positions that changes none has no effect.
-template <class R> inline constexpr bool changes_its_level =
+template <class R>
+inline constexpr bool changes_its_level =
     (!acts_at<R>(Level::velocities) || (contains<Velocity, writes_of<R>> && !contains<Position, writes_of<R>>)) &&
     (!acts_at<R>(Level::positions) || contains<Position, writes_of<R>>);
 
 /// \tparam A, B how the bodies are handed over: by reference, or as a value that nobody can change
 template <class R, class S, class A, class B>
-concept RespondsTo = requires(const Bound<R, S>& response, const Contact<S>& contact, A a, B b, const ContactContext<S, PullProbe<S>>& meeting) {
+concept RespondsTo = requires(const Bound<R, S>& response, const Contact<S>& contact, A a, B b,
+                              const ContactContext<S, PullProbe<S>>& meeting) {
     response.respond(contact, static_cast<A>(a), static_cast<B>(b), meeting);
 };
-template <class R, class S> concept Responds = Binds<R, S> && RespondsTo<R, S, ResponseRow<R, S>&, ResponseRow<R, S>&>;
+template <class R, class S>
+concept Responds = Binds<R, S> && RespondsTo<R, S, ResponseRow<R, S>&, ResponseRow<R, S>&>;
 /// It would change a copy, and nothing would say so.
 template <class R, class S>
-concept RespondsToCopies = Binds<R, S> && (RespondsTo<R, S, ResponseRow<R, S>&&, ResponseRow<R, S>&> || RespondsTo<R, S, ResponseRow<R, S>&, ResponseRow<R, S>&&>);
+concept RespondsToCopies = Binds<R, S> && (RespondsTo<R, S, ResponseRow<R, S>&&, ResponseRow<R, S>&> ||
+                                           RespondsTo<R, S, ResponseRow<R, S>&, ResponseRow<R, S>&&>);
 
 /// What is kept for the next step: it takes the contacts, and is a part of the world's value like any other.
 template <class State, class S>
 concept KeepsContacts = std::copyable<State> && std::default_initializable<State> &&
-                        requires(State& state, const State& kept, const DataProbe& data, const std::vector<Contact<S>>& contacts, const Bodies& bodies, HashProbe& hash) {
+                        requires(State& state, const State& kept, const DataProbe& data,
+                                 const std::vector<Contact<S>>& contacts, const Bodies& bodies, HashProbe& hash) {
                             state.take(data, contacts);
                             state.arrange(bodies, std::uint64_t());
                             state.begin_step();
@@ -92,7 +98,8 @@ concept KeepsContactsIn = keeps_state<R, S> && KeepsContacts<state_of<R, S>, S>;
 /// What a response that owns substeps does between two of them, and its contacts with it.
 template <class R, class S>
 concept SolvesContactsIn = Binds<R, S> && KeepsContactsIn<R, S> &&
-                           requires(const Bound<R, S>& response, state_of<R, S>& contacts, const typename S::Scalar& h, const DataProbe& data, std::size_t slot) {
+                           requires(const Bound<R, S>& response, state_of<R, S>& contacts, const typename S::Scalar& h,
+                                    const DataProbe& data, std::size_t slot) {
                                { response.parts() } -> std::same_as<int>;
                                response.solve(contacts, h);
                                response.remember_approaches(contacts, data, ApproachProbe<S>());
@@ -127,17 +134,22 @@ concept FilterIn = PlaysRole<F, roles::Filter> && detail::DeclaresReads<F> && de
 ///
 /// `Narrowphase` is one, and `Swept` wraps it (notes 2.1.2); yours will rather wrap it, too.
 template <class N, class S>
-concept NarrowphaseIn = PlaysRole<N, roles::Narrowphase> && requires {
-    typename N::template Shapes<S>;
-    typename N::template Collisions<detail::DataProbe>;
-    { N::any_bounded } -> std::convertible_to<bool>;
-    { N::any_unbounded } -> std::convertible_to<bool>;
-    { N::template knows<int> } -> std::convertible_to<bool>;
-    N::for_each_kind(detail::KindProbe());
-} && requires(const typename N::template Shapes<S>& shapes, std::uint32_t id, const typename S::Position& x, const typename S::Length& margin, Touch<S>& touch) {
-    { N::template collide_bodies<S>(shapes, id, x, id, x, touch) } -> std::same_as<bool>;
-    { N::template nearly_collide<S>(shapes, id, x, id, x, margin, touch) } -> std::same_as<bool>;
-};
+concept NarrowphaseIn = PlaysRole<N, roles::Narrowphase> &&
+                        requires {
+                            typename N::template Shapes<S>;
+                            typename N::template Collisions<detail::DataProbe>;
+                            { N::any_bounded } -> std::convertible_to<bool>;
+                            { N::any_unbounded } -> std::convertible_to<bool>;
+                            { N::template knows<int> } -> std::convertible_to<bool>;
+                            N::for_each_kind(detail::KindProbe());
+                        } &&
+                        requires(const typename N::template Shapes<S>& shapes, std::uint32_t id,
+                                 const typename S::Position& x, const typename S::Length& margin, Touch<S>& touch) {
+                            { N::template collide_bodies<S>(shapes, id, x, id, x, touch) } -> std::same_as<bool>;
+                            {
+                                N::template nearly_collide<S>(shapes, id, x, id, x, margin, touch)
+                            } -> std::same_as<bool>;
+                        };
 
 /// A response in space `S` that answers one contact at a time: at the level of velocities or of positions, which it writes, and
 /// `In<S>` has `respond(contact, a, b, meeting)`, which changes the columns of the two bodies that it declared:
@@ -145,8 +157,8 @@ concept NarrowphaseIn = PlaysRole<N, roles::Narrowphase> && requires {
 ///
 /// `Impulse` and `Projection` are such (notes 2.2.1).
 template <class R, class S>
-concept ContactResponseIn = PlaysRole<R, roles::Response> && detail::answers_contacts<R> && detail::DeclaresWrites<R> && detail::changes_its_level<R> &&
-                            detail::Responds<R, S> && !detail::RespondsToCopies<R, S>;
+concept ContactResponseIn = PlaysRole<R, roles::Response> && detail::answers_contacts<R> && detail::DeclaresWrites<R> &&
+                            detail::changes_its_level<R> && detail::Responds<R, S> && !detail::RespondsToCopies<R, S>;
 
 /// A response in space `S` whose contacts are forces of the next step: at the level of accelerations, it couples bodies like a
 /// force between them (`CouplingIn`), and `template <class S> State` keeps the contacts that it is given by `take(data,
@@ -154,12 +166,14 @@ concept ContactResponseIn = PlaysRole<R, roles::Response> && detail::answers_con
 ///
 /// `Penalty` is one (notes 2.2.2).
 template <class R, class S>
-concept ForceResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::accelerations) && CouplingIn<R, S> && detail::KeepsContactsIn<R, S>;
+concept ForceResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::accelerations) &&
+                          CouplingIn<R, S> && detail::KeepsContactsIn<R, S>;
 
 /// A response in space `S` that takes a step in parts and solves all contacts between them. `SoftSubsteps` is one, and says
 /// what each of the verbs is for.
 template <class R, class S>
-concept SubstepResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::substeps) && detail::SolvesContactsIn<R, S>;
+concept SubstepResponseIn =
+    PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::substeps) && detail::SolvesContactsIn<R, S>;
 
 /// A response in space `S`, at whichever level: `Projection`, `Impulse`, `Penalty` and `SoftSubsteps` are such (notes 2.2).
 template <class R, class S>

@@ -22,9 +22,9 @@ namespace ansatz {
 
 /// Where and how two shapes intersect.
 template <class S> struct Touch {
-    typename S::Position point{};                        ///< P, m
-    Vector<typename S::Scalar, S::dimension> normal;     ///< N, from the second to the first
-    typename S::Length depth{};                          ///< p, m, greater than zero
+    typename S::Position point{};                    ///< P, m
+    Vector<typename S::Scalar, S::dimension> normal; ///< N, from the second to the first
+    typename S::Length depth{};                      ///< p, m, greater than zero
 };
 
 /// The same with the roles of the two exchanged.
@@ -33,8 +33,8 @@ template <class S> Touch<S> swapped(const Touch<S>& t) { return {t.point, -t.nor
 /// Two bodies of a world that intersect; the first is the one with the smaller id. A response that stops bodies before they
 /// intersect (`SoftSubsteps`) leaves them in contact while they press each other; the depth is zero then, or a little less.
 template <class S> struct Contact : Touch<S> {
-    Handle first;  ///< a
-    Handle second; ///< b
+    Handle first;            ///< a
+    Handle second;           ///< b
     std::uint32_t steps = 0; ///< how many steps it has lasted; 0 where it begins
     /// Whether it was no contact before the last step.
     bool begins() const { return steps == 0; }

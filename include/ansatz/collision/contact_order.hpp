@@ -27,7 +27,8 @@ public:
         next_.assign(begin_.begin(), begin_.end());
         for (const auto& c : contacts) {
             auto place = next_[c.first.id]++;
-            for (; place > begin_[c.first.id] && c.second.id < sorted_[place - 1].second.id; --place) sorted_[place] = sorted_[place - 1];
+            for (; place > begin_[c.first.id] && c.second.id < sorted_[place - 1].second.id; --place)
+                sorted_[place] = sorted_[place - 1];
             sorted_[place] = c;
         }
         contacts.swap(sorted_);

@@ -32,10 +32,8 @@ public:
     void unite(std::uint32_t i, std::uint32_t j) {
         i = of(i);
         j = of(j);
-        if (i < j)
-            parent_[j] = i;
-        else
-            parent_[i] = j;
+        if (i < j) parent_[j] = i;
+        else parent_[i] = j;
     }
 
 private:

@@ -19,7 +19,7 @@ namespace ansatz {
 
 /// All points x with \f$ \mathbf N \cdot (\mathbf x - \mathbf x_{body}) \le offset \f$.
 struct Plane {
-    using shape = Plane; ///< it is a shape
+    using shape = Plane;                   ///< it is a shape
     static constexpr bool bounded = false; ///< no box holds it
 
     /// N; any length but zero, it is made a unit vector. In two dimensions the third component must be zero.
@@ -45,21 +45,25 @@ struct Plane {
     /// \throws std::invalid_argument for a normal without a direction, and for an offset that is not finite
     void check() const {
         require_finite("Plane", "normal", normal);
-        if (!(normal.value().stableNorm() > 0)) refuse_value("Plane", "normal", describe(normal), "it has a direction; the ground's is (0, 1, 0)");
+        if (!(normal.value().stableNorm() > 0))
+            refuse_value("Plane", "normal", describe(normal), "it has a direction; the ground's is (0, 1, 0)");
         require_finite("Plane", "offset", offset);
     }
 
     /// In the scalar of a space.
     template <class S> struct In {
-        using description = Plane; ///< what it was made from
+        using description = Plane;                       ///< what it was made from
         Vector<typename S::Scalar, S::dimension> normal; ///< a unit vector
         typename S::Length offset;                       ///< m
         explicit In(const Plane& plane)
-            : normal(S::convert("Plane::normal", VectorQuantity<unit::Dimensionless, 3>(plane.normal.value().stableNormalized())).value()),
+            : normal(S::convert("Plane::normal",
+                                VectorQuantity<unit::Dimensionless, 3>(plane.normal.value().stableNormalized()))
+                         .value()),
               offset(S::convert(plane.offset)) {}
 
         /// How far a point is above the surface of the plane at position `x`, m; negative below it.
-        [[gnu::always_inline]] typename S::Length height(const typename S::Position& point, const typename S::Position& x) const {
+        [[gnu::always_inline]] typename S::Length height(const typename S::Position& point,
+                                                         const typename S::Position& x) const {
             return dot(point - x, normal) - offset;
         }
     };

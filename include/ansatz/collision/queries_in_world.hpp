@@ -46,7 +46,7 @@ template <class C, class Policies> class Query {
 public:
     using S = typename C::S;            ///< the space
     using Hit = RayHit<S>;              ///< a body that a ray meets
-    using Place = typename S::Position; ///< m
+    using Point = typename S::Position; ///< m
 
     /// Of a world.
     Query(const WorldData<C>& data, const Policies& policies) : data_(data), policies_(policies) {}
@@ -85,7 +85,7 @@ public:
     void overlap(const Kind& shape, const X& x, std::vector<Handle>& bodies, const Option&... option) const {
         if constexpr (requires { shape.check(); }) shape.check();
         const typename Kind::template In<S> in(shape);
-        const Place at = detail::finite_vector<S, unit::Length>("World::query().overlap", "the shape's position", x);
+        const Point at = detail::finite_vector<S, unit::Length>("World::query().overlap", "the shape's position", x);
         bodies.clear();
         Touch<S> touch;
         each(
@@ -111,10 +111,10 @@ private:
                 static_assert(sizeof(detail::CheckRay<Kind, S>) > 0);
                 if constexpr (detail::MetByRays<Kind, S>) {
                     Hit hit;
-                    if (!ray_hits(shape, ray, Place(ray.origin - data_.lanes.template get<Position>(slot)), hit))
+                    if (!ray_hits(shape, ray, Point(ray.origin - data_.lanes.template get<Position>(slot)), hit))
                         return;
                     hit.body = data_.bodies.handle(slot);
-                    hit.point = ray.origin + hit.distance.value() * Place::from_value(ray.direction);
+                    hit.point = ray.origin + hit.distance.value() * Point::from_value(ray.direction);
                     f(hit);
                 }
             },
@@ -158,11 +158,8 @@ private:
     }
     static bool passes(const auto&, std::size_t, Types<>) { return true; }
     template <class Filter> bool passes(const auto& asking, std::size_t slot, Types<Filter>) const {
-        Row<S, filter_columns> body;
-        [&]<class... Column>(Columns<Column...>) {
-            ((body.template get<Column>() = data_.lanes.template get<Column>(slot)), ...);
-        }(filter_columns{});
-        return typename Filter::template In<S>(std::get<Filter>(policies_)).passes(asking, body);
+        return typename Filter::template In<S>(std::get<Filter>(policies_))
+            .passes(asking, data_.lanes.get(filter_columns{}, slot));
     }
 
     const WorldData<C>& data_;

@@ -24,7 +24,8 @@ struct Restitution {
     static constexpr double most = 1; ///< no kinetic energy is lost
     /// Which policies read it.
     template <bool Stored> struct Needs {
-        static_assert(Stored, "Ansatz: none of this world's responses reads a restitution, so it stores none; leave restitution(...) out, or add a response "
+        static_assert(Stored, "Ansatz: none of this world's responses reads a restitution, so it stores none; leave "
+                              "restitution(...) out, or add a response "
                               "that does, e.g. Impulse{} or SoftSubsteps{}");
     };
 };
@@ -36,14 +37,16 @@ struct Friction {
     static constexpr double least = 0; ///< none
     /// Which policies read it.
     template <bool Stored> struct Needs {
-        static_assert(Stored, "Ansatz: none of this world's responses knows friction, so it stores none; ask for it, e.g. Impulse<Friction>{} or "
+        static_assert(Stored, "Ansatz: none of this world's responses knows friction, so it stores none; ask for it, "
+                              "e.g. Impulse<Friction>{} or "
                               "SoftSubsteps<Friction>{}, or leave friction(...) out");
     };
 };
 
 namespace detail {
 /// A plain number from outside.
-template <class C, class Number> auto coefficient(const char* what, [[maybe_unused]] const char* symbol, const Number& given) {
+template <class C, class Number>
+auto coefficient(const char* what, [[maybe_unused]] const char* symbol, const Number& given) {
     constexpr bool plain = std::is_convertible_v<Number, double>;
     static_assert(plain, "Ansatz: restitution and friction take a plain number, e.g. restitution(0.8), friction(0.3)");
     double value = 0;
@@ -55,7 +58,9 @@ template <class C, class Number> auto coefficient(const char* what, [[maybe_unus
 
 /// How much of the approach a body gives back, from 0 to 1; of two that meet the larger counts. 0 if it is not given.
 /// \throws std::invalid_argument for another number
-template <class Number> auto restitution(const Number& e) { return detail::coefficient<Restitution>("restitution", "e", e); }
+template <class Number> auto restitution(const Number& e) {
+    return detail::coefficient<Restitution>("restitution", "e", e);
+}
 /// Coulomb's coefficient of a body, finite and not negative; of two that meet the geometric mean counts. 0 if it is not given.
 /// \throws std::invalid_argument for another number
 template <class Number> auto friction(const Number& mu) { return detail::coefficient<Friction>("friction", "mu", mu); }

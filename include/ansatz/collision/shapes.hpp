@@ -28,21 +28,22 @@ concept ShapeNamed = requires {
     { T::name } -> std::convertible_to<std::string_view>;
 };
 template <class T, class S>
-concept ShapeMade = requires { typename T::template In<S>; } && std::constructible_from<typename T::template In<S>, const T&> &&
-                    std::same_as<typename T::template In<S>::description, T>;
+concept ShapeMade =
+    requires { typename T::template In<S>; } && std::constructible_from<typename T::template In<S>, const T&> &&
+    std::same_as<typename T::template In<S>::description, T>;
 template <class T, class S>
 concept ShapeKept = std::copyable<T> && std::copyable<typename T::template In<S>>;
 template <class T, class S>
-concept ShapeBoxed = !T::bounded || requires(const typename T::template In<S>& in, const typename S::Position& x, typename S::Position& corner) {
-    in.bounds(x, corner, corner);
-};
+concept ShapeBoxed = !T::bounded || requires(const typename T::template In<S>& in, const typename S::Position& x,
+                                             typename S::Position& corner) { in.bounds(x, corner, corner); };
 } // namespace detail
 
 /// A shape in a space: named, made from its description, stored in vectors, and with a box if it says that it has one.
 ///
 /// `Sphere`, `Plane` and `Box` are shapes (notes 2.1.2).
 template <class T, class S>
-concept ShapeIn = ShapeDescription<T> && detail::ShapeNamed<T> && detail::ShapeMade<T, S> && detail::ShapeKept<T, S> && detail::ShapeBoxed<T, S>;
+concept ShapeIn = ShapeDescription<T> && detail::ShapeNamed<T> && detail::ShapeMade<T, S> && detail::ShapeKept<T, S> &&
+                  detail::ShapeBoxed<T, S>;
 
 /// The shapes of bodies, by the ids of the bodies, each kind in a vector of its own.
 template <class S, class... T> class ShapesOf {
@@ -51,7 +52,8 @@ public:
     static_assert(sizeof...(T) < none, "Ansatz: a Narrowphase has at most 254 kinds of shapes");
 
     /// The place of a kind in the list.
-    template <class Kind> static constexpr std::uint8_t kind_of = [] {
+    template <class Kind>
+    static constexpr std::uint8_t kind_of = [] {
         std::uint8_t place = none, next = 0;
         ((place = std::same_as<Kind, T> ? next : place, ++next), ...);
         return place;
@@ -84,7 +86,9 @@ public:
     /// How many bodies have a shape of this kind.
     template <class Kind> std::size_t count() const { return std::get<kind_of<Kind>>(kinds_).shapes.size(); }
     /// The bodies that have one.
-    template <class Kind> const std::vector<std::uint32_t>& owners() const { return std::get<kind_of<Kind>>(kinds_).owners; }
+    template <class Kind> const std::vector<std::uint32_t>& owners() const {
+        return std::get<kind_of<Kind>>(kinds_).owners;
+    }
 
     /// Room for a body with this id.
     void make_room(std::uint32_t id) {
@@ -98,7 +102,8 @@ public:
         place_.reserve(n);
     }
     /// Gives a body a shape.
-    template <class Kind> void set(std::uint32_t id, const Kind& description, const typename Kind::template In<S>& shape) {
+    template <class Kind>
+    void set(std::uint32_t id, const Kind& description, const typename Kind::template In<S>& shape) {
         make_room(id);
         erase(id);
         auto& all = std::get<kind_of<Kind>>(kinds_);
@@ -133,8 +138,8 @@ private:
         all.owners.pop_back();
     }
 
-    std::vector<std::uint8_t> kind_;    // by id
-    std::vector<std::uint32_t> place_;  // by id
+    std::vector<std::uint8_t> kind_;   // by id
+    std::vector<std::uint32_t> place_; // by id
     std::tuple<OfKind<T>...> kinds_;
 };
 

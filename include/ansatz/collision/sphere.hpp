@@ -16,7 +16,7 @@ namespace ansatz {
 
 /// All points no further than `radius` from the position.
 struct Sphere {
-    using shape = Sphere; ///< it is a shape
+    using shape = Sphere;                 ///< it is a shape
     static constexpr bool bounded = true; ///< a box holds it
 
     /// r, m, finite and greater than zero
@@ -30,10 +30,12 @@ struct Sphere {
     /// In the scalar of a space.
     template <class S> struct In {
         using description = Sphere; ///< what it was made from
-        typename S::Length radius; ///< m
+        typename S::Length radius;  ///< m
         /// \throws std::invalid_argument for a radius that is nothing, or too much, in the scalar of the space
         explicit In(const Sphere& sphere) : radius(S::convert(sphere.radius)) {
-            if (!(radius.value() > 0)) refuse_value("Sphere", "radius", describe(sphere.radius), "it is greater than zero in the world's scalar");
+            if (!(radius.value() > 0))
+                refuse_value("Sphere", "radius", describe(sphere.radius),
+                             "it is greater than zero in the world's scalar");
         }
         /// A larger one.
         [[gnu::always_inline]] In grown(const typename S::Length& by) const {
@@ -43,7 +45,8 @@ struct Sphere {
         }
 
         /// The corners of its bounding box, at position `x`.
-        [[gnu::always_inline]] void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+        [[gnu::always_inline]] void bounds(const typename S::Position& x, typename S::Position& lower,
+                                           typename S::Position& upper) const {
             auto low = x.value(), high = x.value();
             for (int k = 0; k < S::dimension; ++k) {
                 low[k] -= radius.value();

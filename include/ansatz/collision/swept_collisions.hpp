@@ -36,7 +36,7 @@ template <class C> class SweptCollisions : public Collisions<C> {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Place = typename S::Position;          ///< m
+    using Point = typename S::Position;          ///< m
     using Narrowphase = typename C::Narrowphase; ///< of the world
     using Broadphase = typename C::Broadphase;   ///< of the world
 
@@ -53,8 +53,8 @@ public:
     ///               passed
     /// \param place  called as `place(slot, to, where, lost)` for each body that is kept: it ends at `to`; it was
     ///               stopped at `where`, with the share `lost` of its motion left
-    template <class Data, class Policies, class Place_>
-    void hold_back(const Data& data, const Policies& policies, bool pushed, Place_&& place) {
+    template <class Data, class Policies, class SetPlace>
+    void hold_back(const Data& data, const Policies& policies, bool pushed, SetPlace&& place) {
         auto& w = sweep_.value;
         w.pushed = pushed;
         w.impacts.clear();
@@ -63,7 +63,7 @@ public:
         find_pairs(data, policies);
         follow();
         for (const auto& t : w.travellers)
-            if (t.lost > Scalar(0)) place(t.slot, Place(t.at + (Scalar(1) - t.since) * t.rate), t.stopped_at, t.lost);
+            if (t.lost > Scalar(0)) place(t.slot, Point(t.at + (Scalar(1) - t.since) * t.rate), t.stopped_at, t.lost);
     }
     /// Those that were held back are in contact, whether the discrete functions see it or not.
     template <class Data> void add_impacts(const Data& data, std::vector<Contact<S>>& found) {
@@ -95,15 +95,15 @@ private:
 
     struct Moved {
         std::uint32_t id;
-        Place from;
+        Point from;
     };
     /// A body: from `since` on it is at `at` and moves at `rate`.
     struct Traveller {
         std::uint32_t id, slot;
         bool stops, fast, sensor;
-        Place at, rate;
+        Point at, rate;
         Scalar since{0}, lost{0};
-        Place stopped_at{};
+        Point stopped_at{};
         int count = 0;
         std::uint32_t version = 0, first_link = none;
     };
@@ -134,7 +134,7 @@ private:
     /// Half of the smallest extent of a shape, m; nothing for one without end.
     template <class Shape> static Scalar half_extent(const Shape& shape) {
         if constexpr (Shape::description::bounded) {
-            Place lower, upper;
+            Point lower, upper;
             shape.bounds(S::template zero_vector<unit::Length>(), lower, upper);
             Scalar least = upper.value()[0] - lower.value()[0];
             for (int k = 1; k < S::dimension; ++k) least = min(least, Scalar(upper.value()[k] - lower.value()[k]));
@@ -162,7 +162,7 @@ private:
         for (const auto& m : w.moved) {
             const auto slot = data.bodies.slot_of_id(m.id);
             Traveller t = traveller(data, slot, data.bodies.motion(slot) == Motion::awake);
-            const Place now = t.at;
+            const Point now = t.at;
             t.at = m.from;
             t.rate = now - m.from;
             this->shapes.visit(m.id, [&](const auto& shape) {
@@ -193,7 +193,7 @@ private:
         auto& w = sweep_.value;
         this->shapes.visit(t.id, [&](const auto& shape) {
             if constexpr (std::remove_cvref_t<decltype(shape)>::description::bounded) {
-                Place lower, upper, lower_then, upper_then;
+                Point lower, upper, lower_then, upper_then;
                 shape.bounds(t.at, lower, upper);
                 shape.bounds(t.at + t.rate, lower_then, upper_then);
                 for (auto* corner : {&lower, &upper, &lower_then, &upper_then})
@@ -201,7 +201,7 @@ private:
                 auto low = lower.value(), high = upper.value();
                 for (int k = 0; k < S::dimension; ++k)
                     low[k] = min(low[k], lower_then.value()[k]), high[k] = max(high[k], upper_then.value()[k]);
-                w.boxes.push_back(Place::from_value(low), Place::from_value(high));
+                w.boxes.push_back(Point::from_value(low), Point::from_value(high));
                 w.travellers.push_back(t);
             }
         });
@@ -256,14 +256,14 @@ private:
             w.impacts.back().first.arm += a.at + (e.time - a.since) * a.rate; // the place
             if (a.sensor || b.sensor) continue;
             const bool stop_a = a.stops && (a.fast || !b.stops), stop_b = b.stops && (b.fast || !a.stops);
-            const Place rate_a = a.rate, rate_b = b.rate;
-            if (stop_a) stop(a, e.time, stop_b ? Place(S::template zero_vector<unit::Length>()) : rate_b);
-            if (stop_b) stop(b, e.time, stop_a ? Place(S::template zero_vector<unit::Length>()) : rate_a);
+            const Point rate_a = a.rate, rate_b = b.rate;
+            if (stop_a) stop(a, e.time, stop_b ? Point(S::template zero_vector<unit::Length>()) : rate_b);
+            if (stop_b) stop(b, e.time, stop_a ? Point(S::template zero_vector<unit::Length>()) : rate_a);
             if (stop_a) look_again(w.pairs[e.pair].a, e.time);
             if (stop_b) look_again(w.pairs[e.pair].b, e.time);
         }
     }
-    static void stop(Traveller& t, const Scalar& time, const Place& rate) {
+    static void stop(Traveller& t, const Scalar& time, const Point& rate) {
         t.at += (time - t.since) * t.rate;
         t.since = time;
         t.rate = rate;
@@ -283,8 +283,8 @@ private:
         const auto &a = w.travellers[w.pairs[p].a], &b = w.travellers[w.pairs[p].b];
         if (a.count >= most_stops || b.count >= most_stops) return;
         const Scalar left = Scalar(1) - from;
-        const Place between = (a.at + (from - a.since) * a.rate) - (b.at + (from - b.since) * b.rate),
-                    motion = left * Place(a.rate - b.rate);
+        const Point between = (a.at + (from - a.since) * a.rate) - (b.at + (from - b.since) * b.rate),
+                    motion = left * Point(a.rate - b.rate);
         Event e{from, a.id, b.id, p, a.version, b.version, {}};
         bool there = false;
         Narrowphase::template with_both<S>(this->shapes, a.id, b.id, [&](const auto& one, const auto& other) {
@@ -300,10 +300,10 @@ private:
     }
     /// Whether a motion has to be stopped, and when.
     template <class A, class B>
-    static bool stops(const A& a, const B& b, const Place& between, const Place& motion, bool notices, bool pushed,
+    static bool stops(const A& a, const B& b, const Point& between, const Point& motion, bool notices, bool pushed,
                       FirstTouch<S>& first) {
         using Length = typename S::Length;
-        const Place origin = S::template zero_vector<unit::Length>();
+        const Point origin = S::template zero_vector<unit::Length>();
         Touch<S> before, after;
         const bool inside = detail::intersect<S>(a, between, b, origin, before);
         if (notices && inside) return false;
@@ -311,7 +311,7 @@ private:
         Length deeper = Length::from_value(thick / 16);
         if (inside) deeper += before.depth;
         if (!detail::touch_first<S>(a, b, between, motion, deeper, first)) return false;
-        const bool in_the_end = detail::intersect<S>(a, Place(between + motion), b, origin, after);
+        const bool in_the_end = detail::intersect<S>(a, Point(between + motion), b, origin, after);
         if (in_the_end && dot(after.normal, inside ? before.normal : first.normal) > Scalar(0.5) &&
             (inside || pushed || after.depth.value() <= thick / 4))
             return false;

@@ -58,12 +58,14 @@ struct DefaultHeuristic<Graph> {
 
 /// What is wrong with a list of policies, in sentences. One assert a rule.
 template <class Graph, class... Policies> struct CheckedPolicies {
-    static_assert(SearchGraph<Graph>, "Ansatz paths: AStar searches a graph of Boost.Graph: out_edges(v, g) and target(e, g) "
-                                      "must work on it, and boost::graph_traits know its vertices and edges");
-    static_assert((has_known_role<Policies> && ...),
-                  "Ansatz paths: AStar was given something that is no policy of a search; after the graph it takes a "
-                  "heuristic (Octile{}), a queue (Heap{}, Buckets{}), CostIn<Number>{}, Reopening{}, an engine, WeightsOf{map} "
-                  "or IndexOf{map, count}, in any order");
+    static_assert(SearchGraph<Graph>,
+                  "Ansatz paths: AStar searches a graph of Boost.Graph: out_edges(v, g) and target(e, g) "
+                  "must work on it, and boost::graph_traits know its vertices and edges");
+    static_assert(
+        (has_known_role<Policies> && ...),
+        "Ansatz paths: AStar was given something that is no policy of a search; after the graph it takes a "
+        "heuristic (Octile{}), a queue (Heap{}, Buckets{}), CostIn<Number>{}, Reopening{}, an engine, WeightsOf{map} "
+        "or IndexOf{map, count}, in any order");
     static_assert(count_of<roles::Heuristic, Policies...> <= 1,
                   "Ansatz paths: AStar has two heuristics; for the larger of both write Maximum{Octile{}, Euclid{}}");
     static_assert(count_of<roles::Queue, Policies...> <= 1, "Ansatz paths: AStar has two queues; leave one out");
@@ -71,7 +73,8 @@ template <class Graph, class... Policies> struct CheckedPolicies {
     static_assert(count_of<roles::Reopening, Policies...> <= 1,
                   "Ansatz paths: AStar is told twice what to do with closed nodes; leave one out");
     static_assert(count_of<roles::Engine, Policies...> <= 1, "Ansatz paths: AStar has two engines; leave one out");
-    static_assert(count_of<roles::Weights, Policies...> <= 1, "Ansatz paths: AStar has two maps of weights; leave one out");
+    static_assert(count_of<roles::Weights, Policies...> <= 1,
+                  "Ansatz paths: AStar has two maps of weights; leave one out");
     static_assert(count_of<roles::Index, Policies...> <= 1, "Ansatz paths: AStar has two index maps; leave one out");
     static constexpr bool ok = true;
 };
@@ -87,13 +90,14 @@ template <class Graph, class... Policies> class AStar {
     using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
     using Reopens = detail::pick<roles::Reopening, Reopening, Policies...>;
     using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
-    static_assert(detail::IsNumbered<Graph> || !std::is_same_v<Index, detail::NotGiven> || detail::IsHashed<VertexOf<Graph>>,
+    static_assert(detail::IsNumbered<Graph> || !std::is_same_v<Index, detail::NotGiven> ||
+                      detail::IsHashed<VertexOf<Graph>>,
                   "Ansatz paths: the vertices of this graph have no numbers; give them a vertex_index, or write "
                   "AStar{graph, ..., IndexOf{map, count}}, or specialise std::hash for them");
 
 public:
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
-    using Goal = GoalOf<Graph>; ///< where it may end: a vertex or a condition
+    using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition
     /// The number it counts in.
     using Cost = typename detail::pick<roles::Cost, Natural, Policies...>::type;
     /// The heuristic, bound to a goal.
@@ -101,14 +105,16 @@ public:
                                                                                    std::declval<const Goal&>()));
     /// The open list.
     using Queue = typename QueuePolicy::template In<Cost, Vertex>;
-    using NodeOf = Node<Vertex, Cost>; ///< f, g, h and parent of a vertex
+    using NodeOf = Node<Vertex, Cost>;                                        ///< f, g, h and parent of a vertex
     using Work = Search<Graph, Cost, Queue, Reopens, Given, Index, Estimate>; ///< what it keeps while it runs
-    static_assert(Queue::exact || Reopens::reopens,
-                  "Ansatz paths: Buckets are in order only to a bucket's width, and need Reopening; with NoReopening or "
-                  "UpdateClosed take Heap");
-    static_assert(!std::is_integral_v<Cost> || std::is_integral_v<typename Work::Weight>,
-                  "Ansatz paths: the weights of this graph have fractions, which a whole-number cost would cut off, and then "
-                  "heuristics are too much; take CostIn<double>");
+    static_assert(
+        Queue::exact || Reopens::reopens,
+        "Ansatz paths: Buckets are in order only to a bucket's width, and need Reopening; with NoReopening or "
+        "UpdateClosed take Heap");
+    static_assert(
+        !std::is_integral_v<Cost> || std::is_integral_v<typename Work::Weight>,
+        "Ansatz paths: the weights of this graph have fractions, which a whole-number cost would cut off, and then "
+        "heuristics are too much; take CostIn<double>");
     /// As many expansions as it takes.
     static constexpr std::size_t without_end = std::numeric_limits<std::size_t>::max();
 
@@ -190,7 +196,7 @@ public:
     }
     std::size_t expanded() const { return search_.expanded; }   ///< nodes whose neighbours were looked at
     std::size_t generated() const { return search_.generated; } ///< nodes that were ever on the open list
-    std::size_t reopened() const { return search_.reopened; }   ///< how often a closed node was reached on a cheaper way
+    std::size_t reopened() const { return search_.reopened; } ///< how often a closed node was reached on a cheaper way
     /// The outcome in a sentence, with the place.
     std::string why() const;
     /// @}
@@ -216,7 +222,8 @@ public:
 
 private:
     static void require(const Graph& g, const char* what, const Vertex& v) {
-        if (!detail::contains(v, g)) refuse_value("AStar", what, detail::name_of_vertex(v, g), detail::size_of_graph(g));
+        if (!detail::contains(v, g))
+            refuse_value("AStar", what, detail::name_of_vertex(v, g), detail::size_of_graph(g));
     }
     bool has_stamp(const Vertex& v, std::uint32_t stamp) const {
         const auto* n = node(v);
@@ -250,7 +257,8 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
     case Outcome::running: return "the search " + way + " goes on after " + std::to_string(expanded()) + " expansions";
     case Outcome::found: return "the path " + way + " costs " + describe(cost());
     case Outcome::no_path:
-        return "there is no path " + way + ": all " + std::to_string(expanded()) + " nodes that can be reached were looked at";
+        return "there is no path " + way + ": all " + std::to_string(expanded()) +
+               " nodes that can be reached were looked at";
     case Outcome::gave_up:
         return "the search " + way + " gave up after " + std::to_string(expanded()) + " expansions; nearest came " +
                name(search_.nearest);
@@ -266,8 +274,7 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
     return "";
 }
 
-template <class Graph, class... Policies>
-auto AStar<Graph, Policies...>::open_list() const -> std::vector<Vertex> {
+template <class Graph, class... Policies> auto AStar<Graph, Policies...>::open_list() const -> std::vector<Vertex> {
     std::vector<Vertex> open;
     search_.queue.each([&](const Vertex& v) {
         if (is_open(v)) open.push_back(v);
@@ -283,8 +290,7 @@ auto AStar<Graph, Policies...>::open_list() const -> std::vector<Vertex> {
     return once;
 }
 
-template <class Graph, class... Policies>
-auto AStar<Graph, Policies...>::closed_list() const -> std::vector<Vertex> {
+template <class Graph, class... Policies> auto AStar<Graph, Policies...>::closed_list() const -> std::vector<Vertex> {
     std::vector<Vertex> closed;
     search_.each_vertex([&](const Vertex& v) {
         if (is_closed(v)) closed.push_back(v);

@@ -33,9 +33,11 @@ template <class Work> struct BoostWeights {
     const Work* work;
     friend value_type get(const BoostWeights& map, const key_type& e) {
         const auto& g = map.work->graph();
-        if (!edge_passable(e, g) || !vertex_passable(typename Work::Vertex(target(e, g)), g)) return infinite<value_type>;
+        if (!edge_passable(e, g) || !vertex_passable(typename Work::Vertex(target(e, g)), g))
+            return infinite<value_type>;
         const auto weight = get(map.work->weights, e);
-        return weight >= decltype(weight)(0) ? Work::cost_of(weight) : value_type(0); // the visitor refuses it, before Boost throws
+        return weight >= decltype(weight)(0) ? Work::cost_of(weight)
+                                             : value_type(0); // the visitor refuses it, before Boost throws
     }
 };
 template <class Work> struct BoostIndex {
@@ -54,7 +56,8 @@ template <class Work, class Distances> struct BoostVisitor : boost::default_asta
     Distances distances;
     std::size_t most;
     template <class V, class Graph> void examine_vertex(const V& v, const Graph&) {
-        if (!(get(distances, v) < infinite<typename Work::Cost>)) throw BoostStop{}; // only what nobody can reach is left
+        if (!(get(distances, v) < infinite<typename Work::Cost>))
+            throw BoostStop{}; // only what nobody can reach is left
         if (work->is_goal(v)) {
             work->reach(v, get(distances, v));
             throw BoostStop{};
@@ -101,8 +104,8 @@ struct BoostAStar {
         work.trouble = Outcome::running;
         try {
             boost::astar_search(
-                work.graph(), work.start, [&](const Vertex& v) { return work.estimate(v); }, visitor, parent_map, g_map, f_map,
-                detail::BoostWeights<Work>{&work}, index, colour_map, std::less<Cost>{},
+                work.graph(), work.start, [&](const Vertex& v) { return work.estimate(v); }, visitor, parent_map, g_map,
+                f_map, detail::BoostWeights<Work>{&work}, index, colour_map, std::less<Cost>{},
                 [](Cost a, Cost b) { return detail::add(a, b); }, detail::infinite<Cost>, Cost(0));
         } catch (const detail::BoostStop&) { // its documented way to stop early
         }

@@ -61,8 +61,7 @@ struct Buckets {
         Cost least_f() {
             if (!late_.empty()) return least_late();
             const std::uint64_t first = occupied_ == 0 ? far_least_ : first_bucket();
-            if constexpr (std::is_integral_v<Cost>)
-                return Cost(Cost(first) << shift_);
+            if constexpr (std::is_integral_v<Cost>) return Cost(Cost(first) << shift_);
             else // a little less, since f was rounded on its way into the bucket
                 return Cost(first) * width_ * (1 - 8 * std::numeric_limits<Cost>::epsilon());
         }
@@ -76,8 +75,7 @@ struct Buckets {
             const std::uint64_t bucket = bucket_of(f);
             if (bucket - base_ >= ring) // before the base too: the difference is huge then
                 push_outside(bucket, f, v);
-            else
-                put(bucket, v);
+            else put(bucket, v);
         }
         [[gnu::always_inline]] Vertex pop() {
             if (occupied_ != 0) {
@@ -113,7 +111,9 @@ struct Buckets {
         };
         template <class Graph> void set_width(const Graph& g) {
             double span = chosen_;
-            if constexpr (requires { { bucket_width(g, std::type_identity<Cost>{}) } -> std::convertible_to<double>; })
+            if constexpr (requires {
+                              { bucket_width(g, std::type_identity<Cost>{}) } -> std::convertible_to<double>;
+                          })
                 if (span == 0) span = bucket_width(g, std::type_identity<Cost>{});
             if (span == 0) span = 1;
             if constexpr (std::is_integral_v<Cost>) { // a power of two, so that no division is needed
@@ -124,8 +124,7 @@ struct Buckets {
             }
         }
         std::uint64_t bucket_of(Cost f) const {
-            if constexpr (std::is_integral_v<Cost>)
-                return std::uint64_t(f) >> shift_;
+            if constexpr (std::is_integral_v<Cost>) return std::uint64_t(f) >> shift_;
             else {
                 const Cost quotient = f * per_width_;
                 return quotient < Cost(4e18) ? std::uint64_t(quotient) : std::uint64_t(4000000000000000000);
@@ -194,7 +193,8 @@ struct Buckets {
         std::vector<Late> late_; ///< before it
         std::uint64_t occupied_ = 0, base_ = 0;
         std::uint64_t far_least_ = nothing_far; ///< the first bucket of those beyond
-        std::uint64_t soon_ = nothing_far;      ///< where the ring does not suffice: that, or 0 where something lies before it
+        std::uint64_t soon_ =
+            nothing_far; ///< where the ring does not suffice: that, or 0 where something lies before it
         double chosen_;
         std::uint64_t shift_ = 0; ///< wide, so that no write to a node can be one to it
         Cost width_ = 1, per_width_ = 1;

@@ -25,8 +25,9 @@ namespace ansatz::paths {
 
 /// The number that a search calculates with: `AStar{grid, Octile{}, CostIn<double>{}}`.
 template <class Number> struct CostIn {
-    static_assert(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
-                  "Ansatz paths: CostIn takes a plain number; write e.g. CostIn<double>, and give quantities to the graph");
+    static_assert(
+        std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>,
+        "Ansatz paths: CostIn takes a plain number; write e.g. CostIn<double>, and give quantities to the graph");
     using role = roles::Cost;
     using type = Number; ///< what it calculates with
 };
@@ -43,23 +44,21 @@ namespace detail {
 
 /// The dearest cost there is: of a node that nobody has reached.
 template <class Cost>
-inline constexpr Cost infinite = std::numeric_limits<Cost>::has_infinity ? std::numeric_limits<Cost>::infinity()
-                                                                         : std::numeric_limits<Cost>::max();
+inline constexpr Cost infinite =
+    std::numeric_limits<Cost>::has_infinity ? std::numeric_limits<Cost>::infinity() : std::numeric_limits<Cost>::max();
 /// a + b, which stops at the dearest cost instead of starting again at zero.
 template <class Cost> [[gnu::always_inline]] constexpr Cost add(Cost a, Cost b) {
     if constexpr (std::integral<Cost>) {
         Cost sum{};
         return __builtin_add_overflow(a, b, &sum) ? infinite<Cost> : sum;
-    } else
-        return a + b;
+    } else return a + b;
 }
 /// factor times cost, rounded down where the cost is a whole number, so that an estimate never grows by rounding.
 template <class Cost> [[gnu::always_inline]] inline Cost scaled(Cost cost, double factor) {
     if constexpr (std::integral<Cost>) {
         const double product = std::floor(double(cost) * factor);
         return product >= double(infinite<Cost>) ? infinite<Cost> : Cost(product);
-    } else
-        return Cost(cost * Cost(factor));
+    } else return Cost(cost * Cost(factor));
 }
 
 } // namespace detail

@@ -27,8 +27,8 @@ struct Offset {
 /// Where a member should be.
 struct Slot {
     std::size_t member = 0; ///< by its place among the offsets
-    Cell cell;            ///< the leader's own where this member's is blocked
-    bool blocked = false; ///< its own place is a wall, outside, or behind a wall
+    Cell cell;              ///< the leader's own where this member's is blocked
+    bool blocked = false;   ///< its own place is a wall, outside, or behind a wall
 };
 
 /// A group by its offsets.

@@ -54,7 +54,7 @@ template <class Map> WeightsOf(Map) -> WeightsOf<Map>;
 /// Numbers of the vertices kept outside the graph, from 0 to below `count`: `AStar{graph, heuristic, IndexOf{map, n}}`.
 template <class Map> struct IndexOf {
     using role = roles::Index;
-    Map map; ///< from a vertex to its number
+    Map map;               ///< from a vertex to its number
     std::size_t count = 0; ///< how many vertices there are
 };
 /// `IndexOf{map, count}` holds this map.
@@ -88,19 +88,22 @@ struct NotGiven {};
 /// of Boost.Graph (filtered_graph, reverse_graph) have what the graph in their m_g has.
 template <class Graph, class Tag> constexpr bool has_property() {
     using boost::lookup_one_property;
-    if constexpr (requires { typename Graph::vertex_list_selector; typename Graph::edge_property_type; }) {
+    if constexpr (requires {
+                      typename Graph::vertex_list_selector;
+                      typename Graph::edge_property_type;
+                  }) {
         if constexpr (std::is_same_v<Tag, boost::vertex_index_t>)
-            return std::is_integral_v<VertexOf<Graph>> || lookup_one_property<typename Graph::vertex_property_type, Tag>::found;
-        else
-            return lookup_one_property<typename Graph::edge_property_type, Tag>::found;
+            return std::is_integral_v<VertexOf<Graph>> ||
+                   lookup_one_property<typename Graph::vertex_property_type, Tag>::found;
+        else return lookup_one_property<typename Graph::edge_property_type, Tag>::found;
     } else if constexpr (requires(const Graph& g) { g.m_g; })
         return has_property<std::decay_t<decltype(std::declval<const Graph&>().m_g)>, Tag>();
-    else
-        return true;
+    else return true;
 }
 
 template <class Graph>
-concept HasWeights = has_property<Graph, boost::edge_weight_t>() && requires(const Graph& g, EdgeOf<Graph> e) { get(get(boost::edge_weight, g), e); };
+concept HasWeights = has_property<Graph, boost::edge_weight_t>() &&
+                     requires(const Graph& g, EdgeOf<Graph> e) { get(get(boost::edge_weight, g), e); };
 template <class Graph, class Cost>
 concept HasWeightsIn = requires(const Graph& g) { edge_weights(g, std::type_identity<Cost>{}); };
 template <class Graph>
@@ -115,66 +118,66 @@ concept IsHashed = requires(const Vertex& v) {
 };
 
 template <class Graph> [[gnu::always_inline]] inline bool vertex_passable(const VertexOf<Graph>& v, const Graph& g) {
-    if constexpr (requires { { is_passable(v, g) } -> std::convertible_to<bool>; })
+    if constexpr (requires {
+                      { is_passable(v, g) } -> std::convertible_to<bool>;
+                  })
         return is_passable(v, g);
-    else
-        return true;
+    else return true;
 }
 template <class Graph> [[gnu::always_inline]] inline bool edge_passable(const EdgeOf<Graph>& e, const Graph& g) {
     // Where the vertices already are numbers an edge must not be mistaken for one.
-    if constexpr (requires { { is_passable(e, g) } -> std::convertible_to<bool>; })
+    if constexpr (requires {
+                      { is_passable(e, g) } -> std::convertible_to<bool>;
+                  })
         return is_passable(e, g);
-    else
-        return true;
+    else return true;
 }
 /// The flag of a vertex that is to be a start or a goal, for graphs whose out_edges leaves blocked ones out by itself.
 template <class Graph> bool blocked(const VertexOf<Graph>& v, const Graph& g) {
-    if constexpr (requires { { is_blocked(v, g) } -> std::convertible_to<bool>; })
+    if constexpr (requires {
+                      { is_blocked(v, g) } -> std::convertible_to<bool>;
+                  })
         return is_blocked(v, g);
-    else
-        return !vertex_passable(v, g);
+    else return !vertex_passable(v, g);
 }
 template <class Graph> bool contains(const VertexOf<Graph>& v, const Graph& g) {
-    if constexpr (requires { { has_vertex(v, g) } -> std::convertible_to<bool>; })
+    if constexpr (requires {
+                      { has_vertex(v, g) } -> std::convertible_to<bool>;
+                  })
         return has_vertex(v, g);
-    else if constexpr (std::integral<VertexOf<Graph>> && requires { num_vertices(g); })
-        return v < num_vertices(g);
-    else
-        return true;
+    else if constexpr (std::integral<VertexOf<Graph>> && requires { num_vertices(g); }) return v < num_vertices(g);
+    else return true;
 }
 template <class Graph> [[gnu::cold]] std::string name_of_vertex(const VertexOf<Graph>& v, const Graph& g) {
-    if constexpr (requires { { name_of(v, g) } -> std::convertible_to<std::string>; })
+    if constexpr (requires {
+                      { name_of(v, g) } -> std::convertible_to<std::string>;
+                  })
         return name_of(v, g);
-    else if constexpr (std::is_arithmetic_v<VertexOf<Graph>>)
-        return describe(v);
-    else if constexpr (IsNumbered<Graph>)
-        return describe(get(get(boost::vertex_index, g), v));
-    else
-        return "of this graph";
+    else if constexpr (std::is_arithmetic_v<VertexOf<Graph>>) return describe(v);
+    else if constexpr (IsNumbered<Graph>) return describe(get(get(boost::vertex_index, g), v));
+    else return "of this graph";
 }
 template <class Graph> [[gnu::cold]] std::string size_of_graph(const Graph& g) {
-    if constexpr (requires { { size_in_words(g) } -> std::convertible_to<std::string>; })
+    if constexpr (requires {
+                      { size_in_words(g) } -> std::convertible_to<std::string>;
+                  })
         return size_in_words(g);
     else if constexpr (requires { num_vertices(g); })
         return "the graph has the vertices 0 to " + std::to_string(num_vertices(g)) + " without the last";
-    else
-        return "the graph has no such vertex";
+    else return "the graph has no such vertex";
 }
 
 /// The weights: those that were given, else the graph's own in this number, else the graph's own, else one each.
 template <class Graph, class Cost, class Given> decltype(auto) weights_of(const Graph& g, const Given& given) {
-    if constexpr (!std::is_same_v<Given, NotGiven>)
-        return given.map;
-    else if constexpr (HasWeightsIn<Graph, Cost>)
-        return edge_weights(g, std::type_identity<Cost>{});
-    else if constexpr (HasWeights<Graph>)
-        return get(boost::edge_weight, g);
-    else
-        return OneEach<Cost>{};
+    if constexpr (!std::is_same_v<Given, NotGiven>) return given.map;
+    else if constexpr (HasWeightsIn<Graph, Cost>) return edge_weights(g, std::type_identity<Cost>{});
+    else if constexpr (HasWeights<Graph>) return get(boost::edge_weight, g);
+    else return OneEach<Cost>{};
 }
 /// The number that a graph's weights are, where nobody chose another.
 template <class Graph, class Given> struct NaturalCost {
-    using map = std::decay_t<decltype(weights_of<Graph, int>(std::declval<const Graph&>(), std::declval<const Given&>()))>;
+    using map =
+        std::decay_t<decltype(weights_of<Graph, int>(std::declval<const Graph&>(), std::declval<const Given&>()))>;
     using type = std::decay_t<decltype(get(std::declval<map>(), std::declval<EdgeOf<Graph>>()))>;
 };
 template <class Graph, class Given>

@@ -71,7 +71,9 @@ struct Heap {
             return least;
         }
         /// What comes out next unless something is put in before; null where there is nothing.
-        [[gnu::always_inline]] const Vertex* peek() const { return entries_.empty() ? nullptr : &entries_.front().vertex; }
+        [[gnu::always_inline]] const Vertex* peek() const {
+            return entries_.empty() ? nullptr : &entries_.front().vertex;
+        }
         /// Every entry, stale ones too: use(vertex).
         template <class Use> void each(Use&& use) const {
             for (const auto& entry : entries_) use(entry.vertex);

@@ -14,8 +14,8 @@
 
 #include <ansatz/paths/heuristics/by.hpp>
 #include <ansatz/paths/heuristics/checked.hpp>
-#include <ansatz/paths/heuristics/grid_metrics.hpp>
 #include <ansatz/paths/heuristics/euclid.hpp>
+#include <ansatz/paths/heuristics/grid_metrics.hpp>
 #include <ansatz/paths/heuristics/landmarks.hpp>
 #include <ansatz/paths/heuristics/maximum.hpp>
 #include <ansatz/paths/heuristics/unscaled.hpp>

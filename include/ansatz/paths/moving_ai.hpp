@@ -30,7 +30,7 @@ struct MovingAiMap {
     std::string name; ///< of the file, without its folders
     /// Columns.
     std::size_t width = 0, height = 0; ///< rows
-    std::string tiles; ///< the letters, row by row
+    std::string tiles;                 ///< the letters, row by row
     /// Whether a letter is free ground: '.', 'G' or 'S'.
     static bool passable(char tile) { return tile == '.' || tile == 'G' || tile == 'S'; }
     /// As a grid: `map.grid()`, or `map.grid<Grid<Four>>(0.5 * metre)`.
@@ -47,11 +47,11 @@ struct MovingAiMap {
 /// One query of a scenario file.
 struct Scenario {
     std::size_t bucket = 0; ///< the group of queries of about this length, as the file counts them
-    std::string map; ///< as the file names it, perhaps with folders
+    std::string map;        ///< as the file names it, perhaps with folders
     /// Columns of its map.
     std::size_t width = 0, height = 0; ///< rows of its map
     /// From here.
-    Cell start, goal; ///< to here
+    Cell start, goal;     ///< to here
     double length = 0;    ///< of the shortest path, in tiles
     double tolerance = 0; ///< half a unit of the last digit that was printed
     std::size_t line = 0; ///< where it stands
@@ -72,7 +72,8 @@ public:
     const std::string& text() const { return text_; }
     std::size_t number() const { return number_; }
     [[noreturn, gnu::cold]] void fail(const std::string& found, const std::string& expected) const {
-        refuse(Refusal::invalid_argument, name_ + ":" + std::to_string(number_) + ": " + found + "; expected " + expected);
+        refuse(Refusal::invalid_argument,
+               name_ + ":" + std::to_string(number_) + ": " + found + "; expected " + expected);
     }
     /// The next line, which must begin with this word and a space.
     std::size_t count_after(const std::string& word) {
@@ -140,7 +141,8 @@ inline MovingAiMap read_moving_ai_map(std::istream& in, const std::string& name)
     if (lines.text() != "map") lines.fail(lines.shown(), "\"map\"");
     for (std::size_t y = 0; y < map.height; ++y) {
         if (!lines.next())
-            lines.fail("the file ends after " + std::to_string(y) + " rows", std::to_string(map.height) + " rows, the height");
+            lines.fail("the file ends after " + std::to_string(y) + " rows",
+                       std::to_string(map.height) + " rows, the height");
         if (lines.text().size() != map.width)
             lines.fail("row " + std::to_string(y) + " has " + std::to_string(lines.text().size()) + " tiles",
                        std::to_string(map.width) + ", the width");
@@ -178,12 +180,15 @@ inline std::vector<Scenario> read_moving_ai_scenarios(std::istream& in, const st
         Scenario s;
         s.line = lines.number();
         s.map = std::string(fields[1]);
-        const char* const names[] = {"the bucket", "", "the width", "the height", "the start's column", "the start's row",
-                                     "the goal's column", "the goal's row"};
+        const char* const names[] = {"the bucket",         "",
+                                     "the width",          "the height",
+                                     "the start's column", "the start's row",
+                                     "the goal's column",  "the goal's row"};
         std::size_t numbers[8]{};
         for (std::size_t i = 0; i < 8; ++i)
             if (i != 1 && (!detail::whole(fields[i], numbers[i]) || (i > 1 && numbers[i] > 65535)))
-                lines.fail(std::string(names[i]) + " is \"" + std::string(fields[i]) + "\"", "a whole number from 0 to 65535");
+                lines.fail(std::string(names[i]) + " is \"" + std::string(fields[i]) + "\"",
+                           "a whole number from 0 to 65535");
         s.bucket = numbers[0], s.width = numbers[2], s.height = numbers[3];
         if (numbers[4] >= s.width || numbers[6] >= s.width || numbers[5] >= s.height || numbers[7] >= s.height)
             lines.fail("the start or the goal lies outside the map",
@@ -211,8 +216,9 @@ inline void require_map(const Scenario& s, const MovingAiMap& map) {
     if (detail::without_folders(s.map) != map.name)
         refuse(Refusal::invalid_argument, where + " is for the map " + s.map + "; this is " + map.name);
     if (s.width != map.width || s.height != map.height)
-        refuse(Refusal::invalid_argument, where + " is for a map of " + std::to_string(s.width) + " x " + std::to_string(s.height) +
-                                              " tiles; " + map.name + " has " + std::to_string(map.width) + " x " + std::to_string(map.height));
+        refuse(Refusal::invalid_argument, where + " is for a map of " + std::to_string(s.width) + " x " +
+                                              std::to_string(s.height) + " tiles; " + map.name + " has " +
+                                              std::to_string(map.width) + " x " + std::to_string(map.height));
 }
 
 } // namespace ansatz::paths

@@ -19,10 +19,10 @@ namespace ansatz::paths {
 
 /// The notes' node structure: parent, g, h and f.
 template <class Vertex, class Cost> struct Node {
-    Cost g{};         ///< of the cheapest way from the start that is known
-    Cost h{};         ///< estimated, from here to the goal
-    Vertex parent{};  ///< the node before this one on that way; the start is its own
-    std::uint32_t stamp = 0; ///< whether it is open, closed, or of an earlier query
+    Cost g{};                        ///< of the cheapest way from the start that is known
+    Cost h{};                        ///< estimated, from here to the goal
+    Vertex parent{};                 ///< the node before this one on that way; the start is its own
+    std::uint32_t stamp = 0;         ///< whether it is open, closed, or of an earlier query
     Cost f() const { return g + h; } ///< of the cheapest way through here, as far as is known: g + h
 };
 

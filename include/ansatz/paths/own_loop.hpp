@@ -29,7 +29,8 @@ struct OwnLoop {
     /// Expands up to `most` nodes.
     /// \param work what the search knows: graph, weights, nodes, queue, estimate, counters
     template <class Work, class Watcher>
-    [[gnu::noinline]] static Outcome run(Work& work, std::size_t most, Watcher& watcher) { // on its own, so that registers suffice
+    [[gnu::noinline]] static Outcome run(Work& work, std::size_t most,
+                                         Watcher& watcher) { // on its own, so that registers suffice
         using Vertex = typename Work::Vertex;
         using Cost = typename Work::Cost;
         constexpr bool exact = Work::Queue::exact;
@@ -93,8 +94,9 @@ private:
     };
     /// 2.3.3 and 2.3.4: a way to Q was found that costs g.
     template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>
-    [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost g, const Estimate& estimate,
-                                             const std::uint32_t open, Counts& counts, Watcher& watcher) {
+    [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost g,
+                                             const Estimate& estimate, const std::uint32_t open, Counts& counts,
+                                             Watcher& watcher) {
         const bool first = node.stamp < open; // on no list
         if (!first && !(g < node.g)) return;
         if (first) {
@@ -114,12 +116,9 @@ private:
             node.stamp = open;
             work.queue.push(detail::add(g, node.h), node.h, q);
         }
-        if (first)
-            watcher.opened(q, node);
-        else if (closed)
-            watcher.reopened(q, node);
-        else
-            watcher.improved(q, node);
+        if (first) watcher.opened(q, node);
+        else if (closed) watcher.reopened(q, node);
+        else watcher.improved(q, node);
     }
 };
 

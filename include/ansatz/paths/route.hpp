@@ -37,7 +37,7 @@ enum class Replan : bool {
 template <class Search> class Route {
 public:
     using Vertex = typename Search::Vertex; ///< of the graph
-    using Cost = typename Search::Cost; ///< the number of the search
+    using Cost = typename Search::Cost;     ///< the number of the search
 
     /// \param search used, not copied; several routes may share one
     explicit Route(Search& search, Replan rule = Replan::when_touched) : search_(&search), rule_(rule) {}
@@ -52,11 +52,11 @@ public:
     bool arrived() const { return outcome_ == Outcome::found && at_ + 1 == path_.size(); }
     /// How the last search ended.
     Outcome outcome() const { return outcome_; }
-    const Vertex& here() const { return here_; }                        ///< where the walker stands
+    const Vertex& here() const { return here_; } ///< where the walker stands
     /// Where the walker goes next; here() when it has arrived or there is no path.
     const Vertex& next() const { return arrived() || path_.empty() ? here_ : path_[at_ + 1]; }
     std::span<const Vertex> ahead() const { return std::span(path_).subspan(path_.empty() ? 0 : at_); } ///< with here()
-    std::size_t searches() const { return searches_; }                  ///< how often it searched
+    std::size_t searches() const { return searches_; } ///< how often it searched
     /// The walker has reached next(). \return where it stands
     const Vertex& step() {
         if (outcome_ == Outcome::found && !arrived()) here_ = path_[++at_];
@@ -69,16 +69,14 @@ public:
         if (outcome_ != Outcome::found) { // a way may have opened
             if constexpr (requires { g.cheaper_version(); })
                 return outcome_ != Outcome::not_begun && g.cheaper_version() != cheaper_;
-            else
-                return outcome_ != Outcome::not_begun;
+            else return outcome_ != Outcome::not_begun;
         }
         if constexpr (requires { g.version(); })
             if (g.version() == version_) return false;
         if (rule_ == Replan::also_when_cheaper) {
             if constexpr (requires { g.cheaper_version(); }) {
                 if (g.cheaper_version() != cheaper_) return true;
-            } else
-                return true; // the graph cannot tell
+            } else return true; // the graph cannot tell
         }
         for (std::size_t i = at_; i + 1 < path_.size(); ++i)
             if (step_cost(path_[i], path_[i + 1]) > costs_[i]) return true;

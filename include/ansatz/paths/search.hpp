@@ -25,15 +25,16 @@ namespace ansatz::paths {
 /// \tparam Estimate  what the heuristic became when it was bound to a goal: estimate(v) is h
 template <class Graph_, class Cost_, class Queue_, class Reopens_, class Given, class Index, class Estimate_>
 struct Search {
-    using Graph = Graph_; ///< what is searched
-    using Cost = Cost_; ///< the number it counts in
-    using Queue = Queue_; ///< the open list
-    using Reopens = Reopens_; ///< what becomes of closed nodes: Reopening or another
-    using Estimate = Estimate_; ///< the heuristic, bound to a goal
+    using Graph = Graph_;           ///< what is searched
+    using Cost = Cost_;             ///< the number it counts in
+    using Queue = Queue_;           ///< the open list
+    using Reopens = Reopens_;       ///< what becomes of closed nodes: Reopening or another
+    using Estimate = Estimate_;     ///< the heuristic, bound to a goal
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
-    using Goal = GoalOf<Graph>; ///< where it may end: a vertex or a condition
+    using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition
     /// The property map of the weights.
-    using Weights = std::decay_t<decltype(detail::weights_of<Graph, Cost>(std::declval<const Graph&>(), std::declval<const Given&>()))>;
+    using Weights = std::decay_t<decltype(detail::weights_of<Graph, Cost>(std::declval<const Graph&>(),
+                                                                          std::declval<const Given&>()))>;
     /// What a weight is.
     using Weight = std::decay_t<decltype(get(std::declval<const Weights&>(), std::declval<const EdgeOf<Graph>&>()))>;
     /// Whether the vertices have numbers; else they are hashed.
@@ -43,12 +44,9 @@ struct Search {
 
     /// The map that numbers the vertices; where they are hashed there is none.
     static auto index_map_of(const Graph& g, const Index& i) {
-        if constexpr (!std::is_same_v<Index, detail::NotGiven>)
-            return i.map;
-        else if constexpr (numbered)
-            return get(boost::vertex_index, g);
-        else
-            return detail::NotGiven{};
+        if constexpr (!std::is_same_v<Index, detail::NotGiven>) return i.map;
+        else if constexpr (numbered) return get(boost::vertex_index, g);
+        else return detail::NotGiven{};
     }
     /// The type of that map.
     using IndexMap = decltype(index_map_of(std::declval<const Graph&>(), std::declval<const Index&>()));
@@ -57,27 +55,30 @@ struct Search {
 
     /// Looks at the graph, which must live as long; keeps the others.
     Search(const Graph& g, Queue q, const Given& given, const Index& i)
-        : queue(std::move(q)), weights(detail::weights_of<Graph, Cost>(g, given)), graph_(&g), given_(given), index_(i) {}
+        : queue(std::move(q)),
+          weights(detail::weights_of<Graph, Cost>(g, given)),
+          graph_(&g),
+          given_(given),
+          index_(i) {}
 
     /// The graph that is searched.
     const Graph& graph() const { return *graph_; }
     /// Where this vertex' node is kept.
     [[gnu::always_inline]] auto slot(const Vertex& v) {
-        if constexpr (numbered)
-            return std::size_t(get(index_map(), v));
-        else
-            return nodes.slot_of(v);
+        if constexpr (numbered) return std::size_t(get(index_map(), v));
+        else return nodes.slot_of(v);
     }
     /// Where the nodes are, by value: for the loop, which asks for little else.
     struct NumberedPlace {
         typename Nodes::Record* records; ///< all nodes, by number
-        IndexMap index; ///< numbers the vertices
+        IndexMap index;                  ///< numbers the vertices
         /// The node of a vertex.
         [[gnu::always_inline]] auto& of(const Vertex& v) const { return records[std::size_t(get(index, v))]; }
         /// Has the nodes of a vertex' neighbours brought near, for it will be looked at next.
         [[gnu::always_inline]] void fetch_around(const Vertex& v, const Graph& g) const {
             if constexpr (requires { g.index_offsets(); }) {
-                const auto at = reinterpret_cast<std::uintptr_t>(records) + std::size_t(get(index, v)) * sizeof(typename Nodes::Record);
+                const auto at = reinterpret_cast<std::uintptr_t>(records) +
+                                std::size_t(get(index, v)) * sizeof(typename Nodes::Record);
                 const auto row = std::size_t(g.index_offsets()[1]) * sizeof(typename Nodes::Record);
                 __builtin_prefetch(reinterpret_cast<const void*>(at - row)); // an address beyond the array does no harm
                 __builtin_prefetch(reinterpret_cast<const void*>(at + row));
@@ -85,10 +86,11 @@ struct Search {
         }
         /// The node of the vertex that an edge leads to.
         template <class Edge> [[gnu::always_inline]] auto& of_target(const Edge& e, const Vertex& v) const {
-            if constexpr (requires { { target_index(e, index) } -> std::convertible_to<std::size_t>; })
+            if constexpr (requires {
+                              { target_index(e, index) } -> std::convertible_to<std::size_t>;
+                          })
                 return records[target_index(e, index)]; // the graph has it at hand
-            else
-                return of(v);
+            else return of(v);
         }
     };
     /// The same where the vertices are hashed.
@@ -97,7 +99,9 @@ struct Search {
         /// The node of a vertex; makes it where there is none.
         [[gnu::always_inline]] auto& of(const Vertex& v) const { return (*nodes)[nodes->slot_of(v)]; }
         /// The node of the vertex that an edge leads to.
-        template <class Edge> [[gnu::always_inline]] auto& of_target(const Edge&, const Vertex& v) const { return of(v); }
+        template <class Edge> [[gnu::always_inline]] auto& of_target(const Edge&, const Vertex& v) const {
+            return of(v);
+        }
         /// Nothing: where they lie only the hash tells.
         void fetch_around(const Vertex&, const Graph&) const {}
     };
@@ -105,10 +109,8 @@ struct Search {
     using Place = std::conditional_t<numbered, NumberedPlace, HashedPlace>;
     /// Where the nodes are now; holds until there are more.
     Place place() {
-        if constexpr (numbered)
-            return {&nodes[0], index_map()};
-        else
-            return {&nodes};
+        if constexpr (numbered) return {&nodes[0], index_map()};
+        else return {&nodes};
     }
     /// The heuristic, bound to the goal of this query.
     const Estimate& bound() const { return *estimate_; }
@@ -120,8 +122,7 @@ struct Search {
         if constexpr (numbered) {
             const std::size_t i = const_cast<Search*>(this)->slot(v); // looks a number up, changes nothing
             if (i < nodes.size()) at = &nodes[i];
-        } else if (const auto i = nodes.find(v); i != Nodes::none)
-            at = &nodes[i];
+        } else if (const auto i = nodes.find(v); i != Nodes::none) at = &nodes[i];
         return at && (at->stamp == nodes.stamps().open() || at->stamp == nodes.stamps().closed()) ? at : nullptr;
     }
     /// Every vertex that may have a node: use(vertex).
@@ -129,18 +130,14 @@ struct Search {
         if constexpr (numbered) {
             const auto all = vertices(*graph_);
             for (auto at = all.first; at != all.second; ++at) use(Vertex(*at));
-        } else
-            nodes.each(use);
+        } else nodes.each(use);
     }
     /// Makes room for vertices that the graph has got since.
     void grow() { nodes.grow(count()); }
     std::size_t count() const { ///< of the vertices, where they are numbered
-        if constexpr (!std::is_same_v<Index, detail::NotGiven>)
-            return index_.count;
-        else if constexpr (numbered)
-            return std::size_t(num_vertices(*graph_));
-        else
-            return 0;
+        if constexpr (!std::is_same_v<Index, detail::NotGiven>) return index_.count;
+        else if constexpr (numbered) return std::size_t(num_vertices(*graph_));
+        else return 0;
     }
     /// h of a vertex.
     [[gnu::always_inline]] Cost estimate(const Vertex& v) const { return (*estimate_)(v); }
@@ -148,10 +145,8 @@ struct Search {
     void bind(Estimate e) { estimate_.emplace(std::move(e)); }
     /// Whether a vertex is the goal that is wanted, or meets it.
     [[gnu::always_inline]] static bool reaches(const Vertex& v, const Goal& wanted) {
-        if constexpr (std::is_same_v<Goal, Vertex>)
-            return v == wanted;
-        else
-            return is_reached(v, wanted);
+        if constexpr (std::is_same_v<Goal, Vertex>) return v == wanted;
+        else return is_reached(v, wanted);
     }
     /// Whether a vertex is the goal of this query, or meets it.
     bool is_goal(const Vertex& v) const { return reaches(v, goal); }
@@ -159,8 +154,7 @@ struct Search {
     template <class Weight> [[gnu::always_inline]] static Cost cost_of(const Weight& weight) {
         if constexpr (std::is_integral_v<Cost> && std::is_floating_point_v<Weight>)
             return weight >= Weight(detail::infinite<Cost>) ? detail::infinite<Cost> : Cost(weight);
-        else
-            return Cost(weight);
+        else return Cost(weight);
     }
 
     /// Forgets the last query and sets out for another.
@@ -187,28 +181,29 @@ struct Search {
         goal_known = true, goal_vertex = v, goal_cost = g;
     }
     /// Notes which edge has a weight that is negative or not a number.
-    template <class Weight> [[gnu::cold, gnu::noinline]] void refuse_weight(const Vertex& p, const Vertex& q, const Weight& weight) {
+    template <class Weight>
+    [[gnu::cold, gnu::noinline]] void refuse_weight(const Vertex& p, const Vertex& q, const Weight& weight) {
         trouble = Outcome::bad_weight, bad_from = p, bad_to = q, bad_value = double(weight);
     }
 
-    Nodes nodes; ///< of this query, and of earlier ones with their old stamps
-    Queue queue; ///< the open list
-    Weights weights; ///< as they were when the query began
+    Nodes nodes;       ///< of this query, and of earlier ones with their old stamps
+    Queue queue;       ///< the open list
+    Weights weights;   ///< as they were when the query began
     Vertex start{},    ///< where the query began
         goal_vertex{}, ///< where it reached the goal
         nearest{},     ///< closed, with the least h
         bad_from{},    ///< where the edge of the refused weight begins
         bad_to{};      ///< where it ends
-    Goal goal{}; ///< of this query
+    Goal goal{};       ///< of this query
     /// The goal's g so far.
     Cost goal_cost{}, nearest_h{}; ///< h of `nearest`
-    double bad_value = 0; ///< the weight that was refused
+    double bad_value = 0;          ///< the weight that was refused
     /// Whether the goal has been reached.
     bool goal_known = false, too_far = false; ///< whether a cost was more than its number holds
-    Outcome trouble = Outcome::bad_weight; ///< what the query ends with after refuse_weight
-    std::size_t expanded = 0, ///< nodes whose neighbours were looked at
-        generated = 0,        ///< nodes that were ever on the open list
-        reopened = 0;         ///< how often a closed node was reached on a cheaper way
+    Outcome trouble = Outcome::bad_weight;    ///< what the query ends with after refuse_weight
+    std::size_t expanded = 0,                 ///< nodes whose neighbours were looked at
+        generated = 0,                        ///< nodes that were ever on the open list
+        reopened = 0;                         ///< how often a closed node was reached on a cheaper way
 
 private:
     const Graph* graph_;

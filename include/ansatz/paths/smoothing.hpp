@@ -50,8 +50,7 @@ namespace detail {
 /// The same, and all tiles that are entered weigh what the last one does.
 template <class Map> bool straight_and_even(const Map& map, Cell a, Cell b) {
     const double weight = map.weight(b);
-    return line_of_sight(map, a, b) &&
-           walk_line(a, b, [&](Cell, Cell to) { return map.weight(to) == weight; });
+    return line_of_sight(map, a, b) && walk_line(a, b, [&](Cell, Cell to) { return map.weight(to) == weight; });
 }
 } // namespace detail
 

@@ -61,7 +61,8 @@ template <class Graph, class Cost> struct EdgeTable {
 /// \tparam Graph numbered, and a VertexListGraph
 template <class Cost = double, class Graph>
 std::vector<Cost> true_costs(const Graph& g, const VertexOf<Graph>& one, Toward toward = Toward::to_it) {
-    static_assert(detail::IsNumbered<Graph>, "Ansatz paths: true_costs needs a graph whose vertices are numbered and listed");
+    static_assert(detail::IsNumbered<Graph>,
+                  "Ansatz paths: true_costs needs a graph whose vertices are numbered and listed");
     std::vector<Cost> costs(num_vertices(g), detail::infinite<Cost>);
     if (detail::blocked(one, g)) return costs;
     const detail::EdgeTable<Graph, Cost> edges(g, toward == Toward::to_it);

@@ -48,8 +48,8 @@ template <class Measure = ByLength, int Dim = 3> class Waypoints {
 public:
     using default_heuristic = Euclid;
     using Place = VectorQuantity<unit::Length, Dim>; ///< coordinates, m
-    using Length = Quantity<unit::Length>; ///< m
-    using Speed = Quantity<unit::Velocity>; ///< m/s
+    using Length = Quantity<unit::Length>;           ///< m
+    using Speed = Quantity<unit::Velocity>;          ///< m/s
 
     /// A place. \return its number, from 0
     /// \throws std::invalid_argument for coordinates that are not finite
@@ -138,8 +138,8 @@ public:
     }
     /// @}
 
-    std::size_t size() const { return places_.size(); }    ///< how many places
-    std::size_t roads() const { return roads_.size(); }    ///< how many roads
+    std::size_t size() const { return places_.size(); } ///< how many places
+    std::size_t roads() const { return roads_.size(); } ///< how many roads
     /// Whether there is this place and it is free.
     bool passable(std::size_t place) const { return place < size() && places_[place].free; }
     /// Whether a road is free.
@@ -187,21 +187,28 @@ private:
         double cost = 0; ///< what the search sees
     };
     void require_place(const char* where, std::size_t place) const {
-        if (place >= size()) refuse_value(where, "the place", std::to_string(place), "there are " + std::to_string(size()) + " places, numbered from 0");
+        if (place >= size())
+            refuse_value(where, "the place", std::to_string(place),
+                         "there are " + std::to_string(size()) + " places, numbered from 0");
     }
     void require_places(const char* where, std::size_t from, std::size_t to) const {
         require_place(where, from);
         require_place(where, to);
     }
     void require_road(const char* where, std::size_t road) const {
-        if (road >= roads_.size()) refuse_value(where, "the road", std::to_string(road), "there are " + std::to_string(roads_.size()) + " roads, numbered from 0");
+        if (road >= roads_.size())
+            refuse_value(where, "the road", std::to_string(road),
+                         "there are " + std::to_string(roads_.size()) + " roads, numbered from 0");
     }
     void require_length(const char* where, std::size_t from, std::size_t to, Length length) const {
         if (!is_finite(length) || length.value() < apart(from, to).value() * (1 - 1e-12))
-            refuse_value(where, "the length from place " + std::to_string(from) + " to " + std::to_string(to), describe(length),
+            refuse_value(where, "the length from place " + std::to_string(from) + " to " + std::to_string(to),
+                         describe(length),
                          "it must be finite and at least the straight distance, " + describe(apart(from, to)));
     }
-    Length apart(std::size_t a, std::size_t b) const { return Length::from_value((places_[b].at - places_[a].at).value().norm()); }
+    Length apart(std::size_t a, std::size_t b) const {
+        return Length::from_value((places_[b].at - places_[a].at).value().norm());
+    }
     std::size_t put(std::size_t from, std::size_t to, Length length, Speed speed) {
         roads_.push_back({from, to, length, speed, true, 0});
         places_[from].roads.push_back(roads_.size() - 1);
@@ -223,8 +230,11 @@ private:
         for (std::size_t i = 1; i < path.size(); ++i) {
             const Kept* best = nullptr;
             for (const std::size_t road : places_[path[i - 1]].roads)
-                if (roads_[road].to == path[i] && roads_[road].free && (!best || roads_[road].cost < best->cost)) best = &roads_[road];
-            if (!best) refuse_value("Waypoints", "the step", std::to_string(path[i - 1]) + " to " + std::to_string(path[i]), "no road leads there");
+                if (roads_[road].to == path[i] && roads_[road].free && (!best || roads_[road].cost < best->cost))
+                    best = &roads_[road];
+            if (!best)
+                refuse_value("Waypoints", "the step", std::to_string(path[i - 1]) + " to " + std::to_string(path[i]),
+                             "no road leads there");
             all += value(*best);
         }
         return all;
@@ -299,7 +309,9 @@ template <class M, int D> std::pair<RoadsOut, RoadsOut> out_edges(std::size_t v,
     const auto roads = g.roads_from(v);
     return {RoadsOut(v, roads.data()), RoadsOut(v, roads.data() + roads.size())};
 }
-template <class M, int D> std::size_t out_degree(std::size_t v, const Waypoints<M, D>& g) { return g.roads_from(v).size(); }
+template <class M, int D> std::size_t out_degree(std::size_t v, const Waypoints<M, D>& g) {
+    return g.roads_from(v).size();
+}
 template <class M, int D> std::size_t source(const Road& r, const Waypoints<M, D>&) { return r.from; }
 template <class M, int D> std::size_t target(const Road& r, const Waypoints<M, D>& g) { return g.end_of(r.number); }
 template <class M, int D> std::pair<PlaceNumbers, PlaceNumbers> vertices(const Waypoints<M, D>& g) {
@@ -311,9 +323,13 @@ template <class M, int D> auto get(boost::vertex_index_t, const Waypoints<M, D>&
 }
 template <class M, int D> RoadCosts<M, D> get(boost::edge_weight_t, const Waypoints<M, D>& g) { return {&g}; }
 template <class M, int D> std::size_t get(boost::vertex_index_t, const Waypoints<M, D>&, std::size_t v) { return v; }
-template <class M, int D> double get(boost::edge_weight_t, const Waypoints<M, D>& g, const Road& r) { return g.cost_of(r.number); }
+template <class M, int D> double get(boost::edge_weight_t, const Waypoints<M, D>& g, const Road& r) {
+    return g.cost_of(r.number);
+}
 template <class M, int D> bool is_passable(std::size_t v, const Waypoints<M, D>& g) { return g.passable(v); }
-template <class M, int D> bool is_passable(const Road& r, const Waypoints<M, D>& g) { return g.road_passable(r.number); }
+template <class M, int D> bool is_passable(const Road& r, const Waypoints<M, D>& g) {
+    return g.road_passable(r.number);
+}
 template <class M, int D> const auto& position_of(std::size_t v, const Waypoints<M, D>& g) { return g.position(v); }
 template <class M, int D> double least_cost_per_metre(const Waypoints<M, D>& g) {
     return std::is_same_v<M, ByTime> ? 1 / g.fastest().value() : 1;
@@ -325,7 +341,9 @@ template <class M, int D> double least_cost_per_metre(const Waypoints<M, D>& g) 
 
 namespace boost {
 template <class M, int D> struct graph_traits<ansatz::paths::Waypoints<M, D>> {
-    struct traversal_category : virtual incidence_graph_tag, virtual vertex_list_graph_tag {};
+    struct traversal_category
+        : virtual incidence_graph_tag
+        , virtual vertex_list_graph_tag {};
     using vertex_descriptor = std::size_t;
     using edge_descriptor = ansatz::paths::Road;
     using out_edge_iterator = ansatz::paths::RoadsOut;

@@ -16,7 +16,9 @@ namespace ansatz {
 namespace states::detail {
 
 /// An address for each type, to tell types apart at run time.
-template <class T> struct TypeTag { static constexpr char here = 0; };
+template <class T> struct TypeTag {
+    static constexpr char here = 0;
+};
 template <class T> constexpr const void* tag_of() { return &TypeTag<T>::here; }
 
 /// What the state of an interpreted machine holds of a class.
@@ -47,11 +49,11 @@ template <class Context> struct BoundGuard {
         Quantity<unit::Time> in_state, dt;
     };
     bool (*ask)(const void* guard, const Asked&, const void* memory) = nullptr;
-    void (*begin)(const void* guard, const Asked&, void* memory) = nullptr;  // null: it remembers nothing
+    void (*begin)(const void* guard, const Asked&, void* memory) = nullptr; // null: it remembers nothing
     void (*sample)(const void* guard, const Asked&, void* memory) = nullptr;
     std::shared_ptr<const void> guard;
-    std::size_t memory = 0;       // bytes
-    const void* own = nullptr;    // tag of the class that it reads, or null
+    std::size_t memory = 0;    // bytes
+    const void* own = nullptr; // tag of the class that it reads, or null
     bool needs_time = false, equality = false;
 };
 
@@ -65,19 +67,23 @@ template <class G, class Context, class Own> BoundGuard<Context> bind_guard(cons
     bound.equality = g.is_equality();
     static constexpr auto question = [](const typename Bound::Asked& a) {
         static constexpr Own nothing{};
-        return Question<Context, Own>{a.context, a.own != nullptr ? *static_cast<const Own*>(a.own) : nothing, a.in_state, a.dt};
+        return Question<Context, Own>{a.context, a.own != nullptr ? *static_cast<const Own*>(a.own) : nothing,
+                                      a.in_state, a.dt};
     };
     using Memory = typename G::Memory;
     bound.ask = [](const void* guard, const typename Bound::Asked& a, const void* memory) {
         if constexpr (std::is_same_v<Memory, NoMemory>)
             return static_cast<const G*>(guard)->ask(question(a), NoMemory{});
-        else
-            return static_cast<const G*>(guard)->ask(question(a), *static_cast<const Memory*>(memory));
+        else return static_cast<const G*>(guard)->ask(question(a), *static_cast<const Memory*>(memory));
     };
     if constexpr (!std::is_same_v<Memory, NoMemory>) {
         bound.memory = sizeof(Memory);
-        bound.begin = [](const void* guard, const typename Bound::Asked& a, void* memory) { static_cast<const G*>(guard)->begin(*new (memory) Memory{}, question(a)); };
-        bound.sample = [](const void* guard, const typename Bound::Asked& a, void* memory) { static_cast<const G*>(guard)->sample(*static_cast<Memory*>(memory), question(a)); };
+        bound.begin = [](const void* guard, const typename Bound::Asked& a, void* memory) {
+            static_cast<const G*>(guard)->begin(*new (memory) Memory{}, question(a));
+        };
+        bound.sample = [](const void* guard, const typename Bound::Asked& a, void* memory) {
+            static_cast<const G*>(guard)->sample(*static_cast<Memory*>(memory), question(a));
+        };
     }
     if constexpr (!std::is_same_v<Own, NoBehaviour>) bound.own = tag_of<Own>();
     return bound;
@@ -92,7 +98,9 @@ struct NoEvents {
     static constexpr std::uint16_t find_event(std::string_view) { return index(EventId::none); }
 };
 template <class F, class Context> BoundAction<Context> bind_action(const F& f) {
-    return {[](const void* action, Context& c, Quantity<unit::Time> dt, EventQueue& q) { act<NoEvents>(*static_cast<const F*>(action), c, dt, q); },
+    return {[](const void* action, Context& c, Quantity<unit::Time> dt, EventQueue& q) {
+                act<NoEvents>(*static_cast<const F*>(action), c, dt, q);
+            },
             std::make_shared<const F>(f)};
 }
 
@@ -102,8 +110,8 @@ template <class F, class Context> BoundAction<Context> bind_action(const F& f) {
 /// \tparam Context  the user's
 template <class Context> class Bindings {
 public:
-    using Guard = states::detail::BoundGuard<Context>; ///< a guard without its type
-    using Action = states::detail::BoundAction<Context>; ///< an action without its type
+    using Guard = states::detail::BoundGuard<Context>;                 ///< a guard without its type
+    using Action = states::detail::BoundAction<Context>;               ///< an action without its type
     using Maker = std::unique_ptr<states::detail::Own<Context>> (*)(); ///< makes an object of a state class
 
     /// A guard: a function of the context, or one of the library's.
@@ -113,7 +121,8 @@ public:
         if constexpr (std::derived_from<F, states::GuardBase>)
             guards_.emplace(std::move(name), states::detail::bind_guard<F, Context, states::NoBehaviour>(f));
         else
-            guards_.emplace(std::move(name), states::detail::bind_guard<states::Asked<F>, Context, states::NoBehaviour>(states::Asked<F>{{}, f}));
+            guards_.emplace(std::move(name), states::detail::bind_guard<states::Asked<F>, Context, states::NoBehaviour>(
+                                                 states::Asked<F>{{}, f}));
         return *this;
     }
     /// An action: a function of the context, or of it and an EventQueue&.
@@ -125,7 +134,10 @@ public:
     /// A state class.
     template <class B> Bindings& behaviour(std::string name) {
         check("behaviour", name, behaviours_.count(name) > 0);
-        behaviours_.emplace(std::move(name), +[]() -> std::unique_ptr<states::detail::Own<Context>> { return std::make_unique<states::detail::OwnOf<Context, B>>(); });
+        behaviours_.emplace(
+            std::move(name), +[]() -> std::unique_ptr<states::detail::Own<Context>> {
+                return std::make_unique<states::detail::OwnOf<Context, B>>();
+            });
         return *this;
     }
     /// Where the text of `<log>` goes; nowhere without it.
@@ -134,14 +146,28 @@ public:
         return *this;
     }
     /// A guard that was bound elsewhere; a name that is bound already keeps its function.
-    Bindings& adopt(const std::string& name, Guard guard) { guards_.emplace(name, std::move(guard)); return *this; }
-    Bindings& adopt(const std::string& name, Action action) { actions_.emplace(name, std::move(action)); return *this; } ///< an action
-    Bindings& adopt(const std::string& name, Maker maker) { behaviours_.emplace(name, maker); return *this; }             ///< a state class
+    Bindings& adopt(const std::string& name, Guard guard) {
+        guards_.emplace(name, std::move(guard));
+        return *this;
+    }
+    /// An action.
+    Bindings& adopt(const std::string& name, Action action) {
+        actions_.emplace(name, std::move(action));
+        return *this;
+    }
+    /// A state class.
+    Bindings& adopt(const std::string& name, Maker maker) {
+        behaviours_.emplace(name, maker);
+        return *this;
+    }
 
-    const Guard* find_guard(const std::string& name) const { return find(guards_, name); }     ///< null: nobody bound it
-    const Action* find_action(const std::string& name) const { return find(actions_, name); }  ///< null: nobody bound it
-    const Maker* find_behaviour(const std::string& name) const { return find(behaviours_, name); } ///< null: nobody bound it
-    const auto& log_function() const { return log_; }                                            ///< null: none
+    const Guard* find_guard(const std::string& name) const { return find(guards_, name); }    ///< null: nobody bound it
+    const Action* find_action(const std::string& name) const { return find(actions_, name); } ///< null: nobody bound it
+    /// Null: nobody bound it.
+    const Maker* find_behaviour(const std::string& name) const {
+        return find(behaviours_, name);
+    }
+    const auto& log_function() const { return log_; } ///< null: none
     /// The names of its guards, for a sentence.
     std::string guard_names() const { return names(guards_); }
     std::string action_names() const { return names(actions_); } ///< of its actions
@@ -161,7 +187,8 @@ private:
     }
     static void check(const char* what, const std::string& name, bool known) {
         if (name.empty()) refuse(Refusal::invalid_argument, std::string("Bindings::") + what + ": the name is empty");
-        if (known) refuse(Refusal::invalid_argument, std::string("Bindings::") + what + ": \"" + name + "\" is bound already");
+        if (known)
+            refuse(Refusal::invalid_argument, std::string("Bindings::") + what + ": \"" + name + "\" is bound already");
     }
     std::map<std::string, Guard> guards_;
     std::map<std::string, Action> actions_;
@@ -181,28 +208,36 @@ template <class D> Bindings<typename D::Context> bindings_named(auto namer) {
         d::each_part<Part>(node, [&](const auto& part) {
             ++number;
             if constexpr (!std::is_same_v<decltype(part.action), states::Raised>)
-                names.adopt(namer(part.called, where, what, number), d::bind_action<std::remove_cvref_t<decltype(part.action)>, Context>(part.action));
+                names.adopt(namer(part.called, where, what, number),
+                            d::bind_action<std::remove_cvref_t<decltype(part.action)>, Context>(part.action));
         });
     };
-    [&]<std::size_t... S>(std::index_sequence<S...>) { (
-        [&] {
-            const auto& node = *std::get<S>(M::state_nodes);
-            using Own = typename P::template Behaviour<S>;
-            std::size_t entry = 0, exit = 0, each = 0, guard = 0, then = 0;
-            actions.template operator()<d::part_entry>(node, node.name, "entry", entry);
-            actions.template operator()<d::part_exit>(node, node.name, "exit", exit);
-            actions.template operator()<d::part_each>(node, node.name, "update", each);
-            d::each_part<d::part_behaves>(node, [&](const auto& b) {
-                names.adopt(namer(b.called, node.name, "class", 1), typename Bindings<Context>::Maker(+[]() -> std::unique_ptr<d::Own<Context>> { return std::make_unique<d::OwnOf<Context, Own>>(); }));
-            });
-            d::each_part<d::part_transition>(node, [&](const auto& t) {
-                d::each_part<d::part_when>(t, [&](const auto& when) {
-                    using GuardType = std::remove_cvref_t<decltype(when.guard)>;
-                    names.adopt(d::guard_name(when, node.name, ++guard, namer), d::bind_guard<GuardType, Context, Own>(when.guard));
+    [&]<std::size_t... S>(std::index_sequence<S...>) {
+        (
+            [&] {
+                const auto& node = *std::get<S>(M::state_nodes);
+                using Own = typename P::template Behaviour<S>;
+                std::size_t entry = 0, exit = 0, each = 0, guard = 0, then = 0;
+                actions.template operator()<d::part_entry>(node, node.name, "entry", entry);
+                actions.template operator()<d::part_exit>(node, node.name, "exit", exit);
+                actions.template operator()<d::part_each>(node, node.name, "update", each);
+                d::each_part<d::part_behaves>(node, [&](const auto& b) {
+                    names.adopt(namer(b.called, node.name, "class", 1),
+                                typename Bindings<Context>::Maker(+[]() -> std::unique_ptr<d::Own<Context>> {
+                                    return std::make_unique<d::OwnOf<Context, Own>>();
+                                }));
                 });
-                actions.template operator()<d::part_then>(t, node.name, "action", then);
-            });
-        }(), ...); }(std::make_index_sequence<M::state_count>{});
+                d::each_part<d::part_transition>(node, [&](const auto& t) {
+                    d::each_part<d::part_when>(t, [&](const auto& when) {
+                        using GuardType = std::remove_cvref_t<decltype(when.guard)>;
+                        names.adopt(d::guard_name(when, node.name, ++guard, namer),
+                                    d::bind_guard<GuardType, Context, Own>(when.guard));
+                    });
+                    actions.template operator()<d::part_then>(t, node.name, "action", then);
+                });
+            }(),
+            ...);
+    }(std::make_index_sequence<M::state_count>{});
     return names;
 }
 
@@ -210,6 +245,8 @@ template <class D> Bindings<typename D::Context> bindings_named(auto namer) {
 
 /// The names of a description, bound to its functions: what reads back a file that was written of it. Of two different
 /// functions under one name the first is taken.
-template <class D> Bindings<typename D::Context> bindings_of() { return states::detail::bindings_named<D>(states::detail::Called{}); }
+template <class D> Bindings<typename D::Context> bindings_of() {
+    return states::detail::bindings_named<D>(states::detail::Called{});
+}
 
 } // namespace ansatz

@@ -34,8 +34,8 @@ struct ChartTransition {
     Range targets, content;
     std::uint16_t lands = 0xffff; // of a plain one: the state in which it ends
     std::uint16_t guard = 0xffff;
-    bool stays = false;                                     // no target
-    bool plain = false;                                     // only the present state changes
+    bool stays = false; // no target
+    bool plain = false; // only the present state changes
 };
 /// Something that is done.
 struct Step {
@@ -52,9 +52,9 @@ template <class Context> class Regions;
 /// \tparam Context  the user's
 template <class Context> class Chart {
 public:
-    const Outline& outline() const { return outline_; }        ///< its structure and names
-    bool parallel() const { return parallel_; }                ///< several states can be active beside each other
-    std::size_t state_count() const { return states_.size(); } ///< with the root
+    const Outline& outline() const { return outline_; }            ///< its structure and names
+    bool parallel() const { return parallel_; }                    ///< several states can be active beside each other
+    std::size_t state_count() const { return states_.size(); }     ///< with the root
     std::size_t event_count() const { return events_.size() + 1; } ///< names that it mentions, and one for all others
 
     /// The event of a name: itself, or the longest known name that it begins with, or the one that only "*" takes.
@@ -71,8 +71,11 @@ public:
         const auto at = state_ids_.find(name);
         return at == state_ids_.end() ? StateId::none : StateId(at->second);
     }
-    std::string_view name(StateId id) const { return outline_.states[index(id)].name; }                         ///< of a state
-    std::string_view name(EventId id) const { return index(id) < events_.size() ? std::string_view(events_[index(id)]) : "*"; } ///< of an event
+    std::string_view name(StateId id) const { return outline_.states[index(id)].name; } ///< of a state
+    /// Of an event.
+    std::string_view name(EventId id) const {
+        return index(id) < events_.size() ? std::string_view(events_[index(id)]) : "*";
+    }
 
 private:
     template <class> friend class states::detail::ChartBuilder;
@@ -95,11 +98,11 @@ private:
     std::vector<std::string> events_;
     std::map<std::string, std::uint16_t, std::less<>> event_ids_, state_ids_;
     std::shared_ptr<const std::function<void(Context&, std::string_view)>> log_;
-    std::size_t memory_ = 0;                  // bytes for all guards
-    std::vector<std::uint32_t> memory_at_;    // of each guard
+    std::size_t memory_ = 0;               // bytes for all guards
+    std::vector<std::uint32_t> memory_at_; // of each guard
     // Per state: a cell an event, then conditions, then at once. A cell is the first candidate, or `no_candidate`.
     std::vector<std::uint32_t> cells_;
-    std::vector<std::uint16_t> candidates_;   // transitions; 0xffff ends a list
+    std::vector<std::uint16_t> candidates_; // transitions; 0xffff ends a list
     std::size_t columns_ = 0;
 };
 

@@ -40,22 +40,28 @@ inline constexpr std::size_t most_cells = std::size_t(1) << 24; // 64 MB
 /// The structure: who is where, and all names resolved.
 template <class Context> class ChartBuilder {
 public:
-    ChartBuilder(Chart<Context>& chart, const Bindings<Context>& names) : c_(chart), names_(names), outline_(chart.outline_) {}
+    ChartBuilder(Chart<Context>& chart, const Bindings<Context>& names)
+        : c_(chart), names_(names), outline_(chart.outline_) {}
 
     void build() {
         if (outline_.states.empty()) wrong(0, "a machine has at least its root; the outline is empty");
-        if (outline_.states.size() >= 0xfff0) wrong(0, "it has " + std::to_string(outline_.states.size()) + " states; a machine has at most 65519");
-        if (outline_.transitions.size() >= 0xfff0) wrong(0, "it has " + std::to_string(outline_.transitions.size()) + " transitions; a machine has at most 65519");
+        if (outline_.states.size() >= 0xfff0)
+            wrong(0, "it has " + std::to_string(outline_.states.size()) + " states; a machine has at most 65519");
+        if (outline_.transitions.size() >= 0xfff0)
+            wrong(0, "it has " + std::to_string(outline_.transitions.size()) +
+                         " transitions; a machine has at most 65519");
         tree();
         for (std::size_t t = 0; t < outline_.transitions.size(); ++t) collect_events(outline_.transitions[t]);
-        if (c_.events_.size() >= 0xfff0) wrong(0, "it mentions " + std::to_string(c_.events_.size()) + " events; a machine has at most 65519");
+        if (c_.events_.size() >= 0xfff0)
+            wrong(0, "it mentions " + std::to_string(c_.events_.size()) + " events; a machine has at most 65519");
         for (std::size_t s = 0; s < c_.states_.size(); ++s) state(s);
         for (const auto& t : outline_.transitions) transition(t);
         c_.log_ = names_.log_function();
     }
 
     /// The whole of it.
-    static SharedChart<Context> make(Outline outline, const Bindings<Context>& names, std::optional<Outline> shown_as = {}) {
+    static SharedChart<Context> make(Outline outline, const Bindings<Context>& names,
+                                     std::optional<Outline> shown_as = {}) {
         auto chart = std::make_shared<Chart<Context>>();
         chart->outline_ = std::move(outline);
         ChartBuilder builder(*chart, names);
@@ -76,11 +82,13 @@ private:
         for (std::size_t s = 0; s < c_.states_.size(); ++s) {
             const auto& from = outline_.states[s];
             auto& to = c_.states_[s];
-            if (s > 0 && (from.parent >= s || c_.states_[from.parent].end != s)) wrong(from.line, "the outline is not depth first at the state " + shown(from.name));
+            if (s > 0 && (from.parent >= s || c_.states_[from.parent].end != s))
+                wrong(from.line, "the outline is not depth first at the state " + shown(from.name));
             to.kind = from.kind;
             to.parent = std::uint16_t(from.parent);
             if (s > 0) depth[s] = depth[from.parent] + 1;
-            if (depth[s] > most_depth) wrong(from.line, "the state " + shown(from.name) + " is nested more than 256 deep");
+            if (depth[s] > most_depth)
+                wrong(from.line, "the state " + shown(from.name) + " is nested more than 256 deep");
             for (std::size_t up = s;; up = c_.states_[up].parent) {
                 c_.states_[up].end = std::uint16_t(s + 1);
                 if (up == 0) break;
@@ -88,8 +96,13 @@ private:
             if (s == 0) continue;
             if (from.name.empty()) wrong(from.line, "a state has no id");
             const auto parent = c_.states_[from.parent].kind;
-            if (is_history(parent) || parent == Kind::final) wrong(from.line, "the state " + shown(from.name) + " stands in " + shown(outline_.states[from.parent].name) + ", a final state or a history, which has none inside");
-            if (!c_.state_ids_.emplace(from.name, std::uint16_t(s)).second) wrong(from.line, "the id " + shown(from.name) + " is taken already, by the state of line " + std::to_string(outline_.states[index(c_.find(from.name))].line));
+            if (is_history(parent) || parent == Kind::final)
+                wrong(from.line, "the state " + shown(from.name) + " stands in " +
+                                     shown(outline_.states[from.parent].name) +
+                                     ", a final state or a history, which has none inside");
+            if (!c_.state_ids_.emplace(from.name, std::uint16_t(s)).second)
+                wrong(from.line, "the id " + shown(from.name) + " is taken already, by the state of line " +
+                                     std::to_string(outline_.states[index(c_.find(from.name))].line));
             if (from.kind == Kind::parallel) c_.parallel_ = true;
         }
     }
@@ -117,10 +130,13 @@ private:
         to.exit = steps(from.exit);
         to.each = steps(from.each);
         to.initial_content = steps(from.initial_content);
-        to.acts = to.entry.count + to.exit.count + to.each.count + to.initial_content.count > 0 || !from.behaviour.empty();
+        to.acts =
+            to.entry.count + to.exit.count + to.each.count + to.initial_content.count > 0 || !from.behaviour.empty();
         if (!from.behaviour.empty()) {
             const auto* maker = names_.find_behaviour(from.behaviour);
-            if (maker == nullptr) wrong(from.line, who + " is of the class " + shown(from.behaviour) + ", which nobody bound; call behaviour<...>(" + shown(from.behaviour) + ")");
+            if (maker == nullptr)
+                wrong(from.line, who + " is of the class " + shown(from.behaviour) +
+                                     ", which nobody bound; call behaviour<...>(" + shown(from.behaviour) + ")");
             to.behaviour = std::uint16_t(c_.behaviours_.size());
             c_.behaviours_.push_back(*maker);
         }
@@ -132,10 +148,8 @@ private:
         std::uint16_t first = nowhere;
         std::size_t children = 0;
         for (std::size_t child = s + 1; child < to.end; child = c_.states_[child].end, ++children) {
-            if (is_history(outline_.states[child].kind))
-                c_.ids_.push_back(std::uint16_t(child));
-            else if (first == nowhere)
-                first = std::uint16_t(child);
+            if (is_history(outline_.states[child].kind)) c_.ids_.push_back(std::uint16_t(child));
+            else if (first == nowhere) first = std::uint16_t(child);
         }
         to.histories.count = std::uint32_t(c_.ids_.size()) - to.histories.first;
         if (s == 0 && first == nowhere) wrong(from.line, "the machine has no states");
@@ -143,16 +157,21 @@ private:
         initial(from, to, s, first, who);
     }
 
-    void initial(const Outline::State& from, ChartState& to, std::size_t s, std::uint16_t first, const std::string& who) {
+    void initial(const Outline::State& from, ChartState& to, std::size_t s, std::uint16_t first,
+                 const std::string& who) {
         to.initial.first = std::uint32_t(c_.ids_.size());
         if (is_history(to.kind)) {
-            if (from.initial.empty()) wrong(from.line, "the history " + shown(from.name) + " does not say where to go the first time");
+            if (from.initial.empty())
+                wrong(from.line, "the history " + shown(from.name) + " does not say where to go the first time");
         } else if (to.kind == Kind::parallel && !from.initial.empty())
-            wrong(from.line, "the parallel state " + shown(from.name) + " has an initial state; all its states are entered");
+            wrong(from.line,
+                  "the parallel state " + shown(from.name) + " has an initial state; all its states are entered");
         for (const auto& name : from.initial) {
             const auto id = find(name, from.line, who);
-            if (!inside(is_history(to.kind) ? to.parent : s, id) || id == s) wrong(from.line, who + " begins in " + shown(name) + ", which is not inside it");
-            if (is_history(to.kind) && is_history(outline_.states[id].kind)) wrong(from.line, who + " begins in the history " + shown(name));
+            if (!inside(is_history(to.kind) ? to.parent : s, id) || id == s)
+                wrong(from.line, who + " begins in " + shown(name) + ", which is not inside it");
+            if (is_history(to.kind) && is_history(outline_.states[id].kind))
+                wrong(from.line, who + " begins in the history " + shown(name));
             c_.ids_.push_back(id);
         }
         if (from.initial.empty() && to.kind == Kind::state && first != nowhere) c_.ids_.push_back(first);
@@ -162,14 +181,16 @@ private:
 
     // Several targets are states that can be active at once: in different parts of a parallel state.
     void check_together(Range targets, long line, const std::string& who) const {
-        if (targets.count > most_targets) wrong(line, who + " goes to " + std::to_string(targets.count) + " states; 64 are possible");
+        if (targets.count > most_targets)
+            wrong(line, who + " goes to " + std::to_string(targets.count) + " states; 64 are possible");
         for (std::size_t i = 0; i < targets.count; ++i)
             for (std::size_t j = i + 1; j < targets.count; ++j) {
                 const std::size_t a = c_.ids_[targets.first + i], b = c_.ids_[targets.first + j];
                 std::size_t up = a;
                 while (up != 0 && up != b && !inside(up, b)) up = outline_.states[up].parent;
                 if (a == b || up == a || up == b || outline_.states[up].kind != Kind::parallel)
-                    wrong(line, who + " goes to " + shown(outline_.states[a].name) + " and " + shown(outline_.states[b].name) + ", which are never active together");
+                    wrong(line, who + " goes to " + shown(outline_.states[a].name) + " and " +
+                                    shown(outline_.states[b].name) + ", which are never active together");
             }
     }
 
@@ -179,7 +200,9 @@ private:
             Step step{content.what, 0};
             if (content.what == Outline::Content::What::action) {
                 const auto* action = names_.find_action(content.name);
-                if (action == nullptr) wrong(content.line, "the action " + shown(content.name) + " is not bound; bound are: " + names_.action_names());
+                if (action == nullptr)
+                    wrong(content.line,
+                          "the action " + shown(content.name) + " is not bound; bound are: " + names_.action_names());
                 step.number = std::uint16_t(c_.actions_.size());
                 c_.actions_.push_back(*action);
             } else if (content.what == Outline::Content::What::raise) {
@@ -190,7 +213,8 @@ private:
                 step.number = std::uint16_t(c_.texts_.size());
                 c_.texts_.push_back(content.name);
             }
-            if (c_.actions_.size() >= 0xfff0 || c_.texts_.size() >= 0xfff0) wrong(content.line, "it does more than 65519 things");
+            if (c_.actions_.size() >= 0xfff0 || c_.texts_.size() >= 0xfff0)
+                wrong(content.line, "it does more than 65519 things");
             c_.steps_.push_back(step);
             c_.acts_ = true;
         }
@@ -202,7 +226,8 @@ private:
         to.source = std::uint16_t(from.source);
         const auto& source = outline_.states[from.source];
         const std::string who = "the transition of " + shown(source.name);
-        if (source.kind == Kind::final || is_history(source.kind)) wrong(from.line, "the state " + shown(source.name) + " is final or a history and has a transition");
+        if (source.kind == Kind::final || is_history(source.kind))
+            wrong(from.line, "the state " + shown(source.name) + " is final or a history and has a transition");
         to.targets.first = std::uint32_t(c_.ids_.size());
         for (const auto& name : from.targets) c_.ids_.push_back(find(name, from.line, who));
         to.targets.count = std::uint32_t(from.targets.size());
@@ -217,12 +242,17 @@ private:
         }
         c_.transitions_.push_back(to);
     }
-    void guard(ChartTransition& to, const Outline::Transition& from, const Outline::State& source, const std::string& who) {
+    void guard(ChartTransition& to, const Outline::Transition& from, const Outline::State& source,
+               const std::string& who) {
         const auto* found = names_.find_guard(from.guard);
-        if (found == nullptr) wrong(from.line, who + " has the guard " + shown(from.guard) + ", which is not bound; bound are: " + names_.guard_names());
+        if (found == nullptr)
+            wrong(from.line, who + " has the guard " + shown(from.guard) +
+                                 ", which is not bound; bound are: " + names_.guard_names());
         if (found->own != nullptr) {
             const auto* maker = names_.find_behaviour(source.behaviour);
-            if (maker == nullptr || (*maker)()->tag() != found->own) wrong(from.line, who + " has the guard " + shown(from.guard) + ", which reads the class of another state");
+            if (maker == nullptr || (*maker)()->tag() != found->own)
+                wrong(from.line,
+                      who + " has the guard " + shown(from.guard) + ", which reads the class of another state");
         }
         to.guard = std::uint16_t(c_.guards_.size());
         c_.guards_.push_back(*found);
@@ -260,7 +290,9 @@ public:
     void build() {
         c_.columns_ = c_.event_count() + 2;
         if (c_.columns_ * c_.state_count() > most_cells)
-            builder_.wrong(0, "it has " + std::to_string(c_.state_count()) + " states and " + std::to_string(c_.event_count()) + " events; the product of both is at most 16777216");
+            builder_.wrong(0, "it has " + std::to_string(c_.state_count()) + " states and " +
+                                  std::to_string(c_.event_count()) +
+                                  " events; the product of both is at most 16777216");
         columns_of_transitions();
         c_.cells_.assign(c_.columns_ * c_.state_count(), no_candidate);
         for (std::size_t s = 1; s < c_.state_count(); ++s)
@@ -278,10 +310,8 @@ private:
         for (std::size_t t = 0; t < c_.transitions_.size(); ++t) {
             const auto& from = c_.outline_.transitions[t];
             of_state_[from.source].push_back(std::uint16_t(t));
-            if (from.events.empty())
-                columns_[t] = {std::uint32_t(c_.columns_ - (from.guard.empty() ? 1 : 2))};
-            else
-                events(t);
+            if (from.events.empty()) columns_[t] = {std::uint32_t(c_.columns_ - (from.guard.empty() ? 1 : 2))};
+            else events(t);
             work += columns_[t].size();
             if (work > most_cells) builder_.wrong(from.line, "its transitions take more than 16777216 events");
         }
@@ -298,7 +328,9 @@ private:
             }
             found.push_back(c_.event_ids_.find(one)->second);
             one += '.';
-            for (auto at = c_.event_ids_.lower_bound(one); at != c_.event_ids_.end() && at->first.starts_with(one); ++at) found.push_back(at->second);
+            for (auto at = c_.event_ids_.lower_bound(one); at != c_.event_ids_.end() && at->first.starts_with(one);
+                 ++at)
+                found.push_back(at->second);
         }
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -322,7 +354,8 @@ private:
             c_.candidates_.insert(c_.candidates_.end(), lists_[column].begin(), lists_[column].end());
             c_.candidates_.push_back(nowhere);
         }
-        if (c_.candidates_.size() > most_cells) builder_.wrong(0, "its states and transitions make more than 16777216 candidates");
+        if (c_.candidates_.size() > most_cells)
+            builder_.wrong(0, "its states and transitions make more than 16777216 candidates");
     }
     // A transition that changes the present state and does nothing else: no guard, and nothing inside its domain acts,
     // remembers or ends.
@@ -356,7 +389,9 @@ template <class Context> SharedChart<Context> make_chart(Outline outline, const 
 template <class D> SharedChart<typename D::Context> chart_of() {
     using Builder = states::detail::ChartBuilder<typename D::Context>;
     // Numbers for names: two functions of a description may have one name.
-    static const auto chart = Builder::make(states::detail::outline_named<D>(states::detail::Numbered{}), states::detail::bindings_named<D>(states::detail::Numbered{}), outline_of<D>());
+    static const auto chart =
+        Builder::make(states::detail::outline_named<D>(states::detail::Numbered{}),
+                      states::detail::bindings_named<D>(states::detail::Numbered{}), outline_of<D>());
     return chart;
 }
 

@@ -21,7 +21,7 @@ namespace ansatz {
 struct Finding {
     /// What it is about.
     enum class What : std::uint8_t { unreachable, no_exit, hidden, equality, overlap, back_and_forth };
-    What what; ///< what it is about
+    What what;         ///< what it is about
     std::string state; ///< the name of the state
     long line = 0;     ///< in the machine's file, if it has one
     std::string text;  ///< a sentence
@@ -42,7 +42,8 @@ public:
         for (std::size_t s = 1; s < outline.states.size(); ++s) ids_.emplace_back(outline.states[s].name, s);
         std::sort(ids_.begin(), ids_.end());
         of_state_.resize(outline.states.size());
-        for (std::size_t t = 0; t < outline.transitions.size(); ++t) of_state_[outline.transitions[t].source].push_back(t);
+        for (std::size_t t = 0; t < outline.transitions.size(); ++t)
+            of_state_[outline.transitions[t].source].push_back(t);
         children_.resize(outline.states.size());
         for (std::size_t s = 1; s < outline.states.size(); ++s) children_[outline.states[s].parent].push_back(s);
         reach(0);
@@ -102,7 +103,11 @@ inline void check_exits(const Outline& outline, const Reach& reached, std::vecto
         if (compound[s] || state.kind == Kind::final || is_history(state.kind) || !reached(s)) continue;
         bool leaves = false;
         for (std::size_t up = s; up != 0; up = outline.states[up].parent) leaves = leaves || out[up] != 0;
-        if (!leaves) found.push_back({Finding::What::no_exit, state.name, state.line, "the state \"" + state.name + "\" has no exit: no transition of it or around it leads anywhere else; if that is meant, make it a final state"});
+        if (!leaves)
+            found.push_back({Finding::What::no_exit, state.name, state.line,
+                             "the state \"" + state.name +
+                                 "\" has no exit: no transition of it or around it leads anywhere else; if that is "
+                                 "meant, make it a final state"});
     }
 }
 
@@ -111,14 +116,19 @@ inline void check_hidden(const Outline& outline, std::vector<Finding>& found) {
     const auto& all = outline.transitions;
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = i + 1; j < all.size() && all[j].source == all[i].source; ++j) {
-            const bool same = all[i].events == all[j].events || (!all[j].events.empty() && all[j].events.find(' ') == std::string::npos && matches(all[i].events, all[j].events));
+            const bool same = all[i].events == all[j].events ||
+                              (!all[j].events.empty() && all[j].events.find(' ') == std::string::npos &&
+                               matches(all[i].events, all[j].events));
             const bool always = all[i].guard.empty() || all[i].guard == all[j].guard;
             const bool at_once = all[i].events.empty() && all[i].guard.empty();
             const auto& name = outline.states[all[j].source].name;
             if (same && always && !(all[i].events.empty() && !at_once && all[i].guard != all[j].guard))
                 found.push_back({Finding::What::hidden, name, all[j].line,
-                                 "a transition of \"" + name + "\"" + (all[j].events.empty() ? "" : " on \"" + all[j].events + "\"") + " is never taken: an earlier one " +
-                                     (all[i].guard.empty() ? "without a guard" : "with the same guard") + " is taken before it"});
+                                 "a transition of \"" + name + "\"" +
+                                     (all[j].events.empty() ? "" : " on \"" + all[j].events + "\"") +
+                                     " is never taken: an earlier one " +
+                                     (all[i].guard.empty() ? "without a guard" : "with the same guard") +
+                                     " is taken before it"});
         }
 }
 
@@ -131,14 +141,19 @@ inline std::vector<Finding> check(const Outline& outline) {
     const states::detail::Reach reached(outline);
     for (std::size_t s = 1; s < outline.states.size(); ++s) {
         const auto& state = outline.states[s];
-        if (!reached(s) && !states::is_history(state.kind)) found.push_back({Finding::What::unreachable, state.name, state.line, "the state \"" + state.name + "\" is unreachable: no transition and no initial state leads to it"});
+        if (!reached(s) && !states::is_history(state.kind))
+            found.push_back(
+                {Finding::What::unreachable, state.name, state.line,
+                 "the state \"" + state.name + "\" is unreachable: no transition and no initial state leads to it"});
     }
     states::detail::check_exits(outline, reached, found);
     states::detail::check_hidden(outline, found);
     for (const auto& t : outline.transitions)
         if (t.equality)
             found.push_back({Finding::What::equality, outline.states[t.source].name, t.line,
-                             "the guard \"" + t.guard + "\" of \"" + outline.states[t.source].name + "\" compares a continuous value for equality: a value that moves in steps passes it by; use crosses, rises_through or falls_through"});
+                             "the guard \"" + t.guard + "\" of \"" + outline.states[t.source].name +
+                                 "\" compares a continuous value for equality: a value that moves in steps passes it "
+                                 "by; use crosses, rises_through or falls_through"});
     return found;
 }
 
@@ -146,7 +161,9 @@ inline std::vector<Finding> check(const Outline& outline) {
 /// \throws std::invalid_argument with origin, line and name
 inline void refuse_unreachable(const Outline& outline) {
     for (const auto& finding : check(outline))
-        if (finding.what == Finding::What::unreachable) refuse(Refusal::invalid_argument, outline.origin + (finding.line > 0 ? ":" + std::to_string(finding.line) : "") + ": " + finding.text);
+        if (finding.what == Finding::What::unreachable)
+            refuse(Refusal::invalid_argument,
+                   outline.origin + (finding.line > 0 ? ":" + std::to_string(finding.line) : "") + ": " + finding.text);
 }
 
 } // namespace ansatz

@@ -20,33 +20,29 @@ struct Absent {};
 /// Calls f with a number as a constant: the switch that every generated one is made of.
 template <std::size_t N, std::size_t From = 0> [[gnu::always_inline]] inline bool with_number(std::size_t i, auto&& f) {
     auto at = [&]<std::size_t K>() {
-        if constexpr (From + K < N)
-            return bool(f.template operator()<From + K>());
-        else
-            return false;
+        if constexpr (From + K < N) return bool(f.template operator()<From + K>());
+        else return false;
     };
     switch (i) {
-        case From: return at.template operator()<0>();
-        case From + 1: return at.template operator()<1>();
-        case From + 2: return at.template operator()<2>();
-        case From + 3: return at.template operator()<3>();
-        case From + 4: return at.template operator()<4>();
-        case From + 5: return at.template operator()<5>();
-        case From + 6: return at.template operator()<6>();
-        case From + 7: return at.template operator()<7>();
-        case From + 8: return at.template operator()<8>();
-        case From + 9: return at.template operator()<9>();
-        case From + 10: return at.template operator()<10>();
-        case From + 11: return at.template operator()<11>();
-        case From + 12: return at.template operator()<12>();
-        case From + 13: return at.template operator()<13>();
-        case From + 14: return at.template operator()<14>();
-        case From + 15: return at.template operator()<15>();
-        default:
-            if constexpr (From + 16 < N)
-                return with_number<N, From + 16>(i, f);
-            else
-                return false;
+    case From: return at.template operator()<0>();
+    case From + 1: return at.template operator()<1>();
+    case From + 2: return at.template operator()<2>();
+    case From + 3: return at.template operator()<3>();
+    case From + 4: return at.template operator()<4>();
+    case From + 5: return at.template operator()<5>();
+    case From + 6: return at.template operator()<6>();
+    case From + 7: return at.template operator()<7>();
+    case From + 8: return at.template operator()<8>();
+    case From + 9: return at.template operator()<9>();
+    case From + 10: return at.template operator()<10>();
+    case From + 11: return at.template operator()<11>();
+    case From + 12: return at.template operator()<12>();
+    case From + 13: return at.template operator()<13>();
+    case From + 14: return at.template operator()<14>();
+    case From + 15: return at.template operator()<15>();
+    default:
+        if constexpr (From + 16 < N) return with_number<N, From + 16>(i, f);
+        else return false;
     }
 }
 
@@ -56,44 +52,39 @@ template <class M, std::size_t Leaf> constexpr std::size_t label(std::size_t k) 
     return k < known.size ? std::size_t(known.at[k]) : 0x10000 + k;
 }
 /// Calls f with the event as a constant, if it means something in this state.
-template <class M, std::size_t Leaf, std::size_t From = 0> [[gnu::always_inline]] inline bool switch_over(std::size_t event, auto&& f) {
+template <class M, std::size_t Leaf, std::size_t From = 0>
+[[gnu::always_inline]] inline bool switch_over(std::size_t event, auto&& f) {
     constexpr const auto& known = M::template events_of<Leaf>;
     auto at = [&]<std::size_t K>() {
-        if constexpr (From + K < known.size)
-            return bool(f.template operator()<known.at[From + K]>());
-        else
-            return false;
+        if constexpr (From + K < known.size) return bool(f.template operator()<known.at[From + K]>());
+        else return false;
     };
     switch (event) {
-        case label<M, Leaf>(From): return at.template operator()<0>();
-        case label<M, Leaf>(From + 1): return at.template operator()<1>();
-        case label<M, Leaf>(From + 2): return at.template operator()<2>();
-        case label<M, Leaf>(From + 3): return at.template operator()<3>();
-        case label<M, Leaf>(From + 4): return at.template operator()<4>();
-        case label<M, Leaf>(From + 5): return at.template operator()<5>();
-        case label<M, Leaf>(From + 6): return at.template operator()<6>();
-        case label<M, Leaf>(From + 7): return at.template operator()<7>();
-        default:
-            if constexpr (From + 8 < known.size)
-                return switch_over<M, Leaf, From + 8>(event, f);
-            else
-                return false;
+    case label<M, Leaf>(From): return at.template operator()<0>();
+    case label<M, Leaf>(From + 1): return at.template operator()<1>();
+    case label<M, Leaf>(From + 2): return at.template operator()<2>();
+    case label<M, Leaf>(From + 3): return at.template operator()<3>();
+    case label<M, Leaf>(From + 4): return at.template operator()<4>();
+    case label<M, Leaf>(From + 5): return at.template operator()<5>();
+    case label<M, Leaf>(From + 6): return at.template operator()<6>();
+    case label<M, Leaf>(From + 7): return at.template operator()<7>();
+    default:
+        if constexpr (From + 8 < known.size) return switch_over<M, Leaf, From + 8>(event, f);
+        else return false;
     }
 }
 
 /// Calls an action, whatever of context, time and queue it wants.
-template <class M, class F, class Context> constexpr void act(const F& f, Context& context, Quantity<unit::Time> dt, EventQueue& queue) {
-    if constexpr (std::is_same_v<F, Raised>)
-        queue.raise(EventId(M::find_event(f.event)));
-    else if constexpr (std::is_invocable_v<const F&, Context&>)
-        f(context);
-    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>)
-        f(context, queue);
-    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>)
-        f(context, dt);
+template <class M, class F, class Context>
+constexpr void act(const F& f, Context& context, Quantity<unit::Time> dt, EventQueue& queue) {
+    if constexpr (std::is_same_v<F, Raised>) queue.raise(EventId(M::find_event(f.event)));
+    else if constexpr (std::is_invocable_v<const F&, Context&>) f(context);
+    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>) f(context, queue);
+    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>) f(context, dt);
     else {
         static_assert(std::is_invocable_v<const F&, Context&, Quantity<unit::Time>, EventQueue&>,
-                      "Ansatz: an action is a function of the machine's Context, or of it and an EventQueue&, or raise(\"event\"); "
+                      "Ansatz: an action is a function of the machine's Context, or of it and an EventQueue&, or "
+                      "raise(\"event\"); "
                       "that of each_update may take the time of the update too");
         f(context, dt, queue);
     }
@@ -105,13 +96,13 @@ template <class... P> struct BehaviourOf<State<P...>> {
     template <class Q> static constexpr auto of(std::type_identity<Q>) { return std::type_identity<NoBehaviour>{}; }
     template <class B> static constexpr auto of(std::type_identity<Behaves<B>>) { return std::type_identity<B>{}; }
     template <class A, class B> static constexpr auto pick(std::type_identity<A> a, std::type_identity<B> b) {
-        if constexpr (std::is_same_v<A, NoBehaviour>)
-            return b;
-        else
-            return a;
+        if constexpr (std::is_same_v<A, NoBehaviour>) return b;
+        else return a;
     }
     static constexpr auto all() { return std::type_identity<NoBehaviour>{}; }
-    template <class F, class... R> static constexpr auto all(F first, R... rest) { return pick(of(first), all(rest...)); }
+    template <class F, class... R> static constexpr auto all(F first, R... rest) {
+        return pick(of(first), all(rest...));
+    }
     using type = typename decltype(all(std::type_identity<P>{}...))::type;
 };
 
@@ -124,7 +115,8 @@ template <class B, class Context> constexpr void behave_exit(B& b, Context& c, E
     if constexpr (requires { b.exit(c, q); }) b.exit(c, q);
     else if constexpr (requires { b.exit(c); }) b.exit(c);
 }
-template <class B, class Context> constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQueue& q) {
+template <class B, class Context>
+constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQueue& q) {
     if constexpr (requires { b.update(c, dt, q); }) b.update(c, dt, q);
     else if constexpr (requires { b.update(c, q); }) b.update(c, q);
     else if constexpr (requires { b.update(c, dt); }) b.update(c, dt);
@@ -136,22 +128,34 @@ template <class... P> struct GuardOf<Transition<P...>> {
     template <class Q> static constexpr auto of(std::type_identity<Q>) { return std::type_identity<void>{}; }
     template <class G> static constexpr auto of(std::type_identity<When<G>>) { return std::type_identity<G>{}; }
     template <class A, class B> static constexpr auto pick(std::type_identity<A> a, std::type_identity<B> b) {
-        if constexpr (std::is_void_v<A>)
-            return b;
-        else
-            return a;
+        if constexpr (std::is_void_v<A>) return b;
+        else return a;
     }
     static constexpr auto all() { return std::type_identity<void>{}; }
-    template <class F, class... R> static constexpr auto all(F first, R... rest) { return pick(of(first), all(rest...)); }
+    template <class F, class... R> static constexpr auto all(F first, R... rest) {
+        return pick(of(first), all(rest...));
+    }
     using type = typename decltype(all(std::type_identity<P>{}...))::type;
 };
 
-template <class G> struct MemoryOf { using type = typename G::Memory; static constexpr bool timed = G::needs_time; };
-template <> struct MemoryOf<void> { using type = NoMemory; static constexpr bool timed = false; };
+template <class G> struct MemoryOf {
+    using type = typename G::Memory;
+    static constexpr bool timed = G::needs_time;
+};
+template <> struct MemoryOf<void> {
+    using type = NoMemory;
+    static constexpr bool timed = false;
+};
 
-template <std::size_t I, class T> struct Slot { T it{}; };
+template <std::size_t I, class T> struct Slot {
+    T it{};
+};
 // Those that hold nothing: one for all, so that many of them still take no byte.
-template <std::size_t I, class T> requires(std::is_same_v<T, NoBehaviour> || std::is_same_v<T, NoMemory>) struct Slot<I, T> { static inline T it{}; };
+template <std::size_t I, class T>
+    requires(std::is_same_v<T, NoBehaviour> || std::is_same_v<T, NoMemory>)
+struct Slot<I, T> {
+    static inline T it{};
+};
 template <std::size_t I> struct Slot<I, Absent> {};
 template <class S, class... T> struct Slots;
 template <std::size_t... I, class... T> struct Slots<std::index_sequence<I...>, T...> : Slot<I, T>... {};

@@ -27,17 +27,18 @@ enum class Direction : std::uint8_t { rising, falling, either };
 
 /// Holds in the update in which a value goes through a limit.
 template <class Read, class Limit> struct Crossing : GuardBase {
-    static_assert(detail::continuous<Limit> || std::is_integral_v<Limit>, "Ansatz: a crossing is of a number or a quantity");
+    static_assert(detail::continuous<Limit> || std::is_integral_v<Limit>,
+                  "Ansatz: a crossing is of a number or a quantity");
     /// Of the value and the limit, without their unit.
     using Number = decltype(detail::number_of(std::declval<const Limit&>()));
     /// What it remembers between two updates.
     struct Memory {
-        Number previous{}; ///< the last value that was a number
+        Number previous{};    ///< the last value that was a number
         bool known = false;   ///< whether there was a good value yet
         bool crossed = false; ///< whether the last update crossed
     };
-    Value<Read> value; ///< what crosses
-    Limit limit; ///< in the unit of the value
+    Value<Read> value;   ///< what crosses
+    Limit limit;         ///< in the unit of the value
     Direction direction; ///< in which it counts
     /// Of a value, its limit and a direction.
     constexpr Crossing(Value<Read> v, Limit l, Direction d) : value(v), limit(l), direction(d) {}
@@ -52,7 +53,8 @@ template <class Read, class Limit> struct Crossing : GuardBase {
     constexpr void sample(Memory& memory, const auto& q) const {
         const auto read = value(std::as_const(q.context));
         static_assert(detail::comparable<decltype(read), Limit>,
-                      "Ansatz: a crossing guard's limit has another unit than its value, or none; write e.g. rises_through(value(\"x\", &Npc::x), 5.0 * metre)");
+                      "Ansatz: a crossing guard's limit has another unit than its value, or none; write e.g. "
+                      "rises_through(value(\"x\", &Npc::x), 5.0 * metre)");
         const Number now = Number(detail::number_of(read));
         const Number at = detail::number_of(limit);
         memory.crossed = false;
@@ -75,10 +77,16 @@ template <class Read, class Limit> struct Crossing : GuardBase {
 };
 
 /// Was below the limit at the previous update and is at or above it now.
-template <class R, class L> constexpr Crossing<R, L> rises_through(Value<R> v, L limit) { return {v, limit, Direction::rising}; }
+template <class R, class L> constexpr Crossing<R, L> rises_through(Value<R> v, L limit) {
+    return {v, limit, Direction::rising};
+}
 /// Was above the limit at the previous update and is at or below it now.
-template <class R, class L> constexpr Crossing<R, L> falls_through(Value<R> v, L limit) { return {v, limit, Direction::falling}; }
+template <class R, class L> constexpr Crossing<R, L> falls_through(Value<R> v, L limit) {
+    return {v, limit, Direction::falling};
+}
 /// Was on one side of the limit at the previous update and is on it or on the other side now.
-template <class R, class L> constexpr Crossing<R, L> crosses(Value<R> v, L limit) { return {v, limit, Direction::either}; }
+template <class R, class L> constexpr Crossing<R, L> crosses(Value<R> v, L limit) {
+    return {v, limit, Direction::either};
+}
 
 } // namespace ansatz::states

@@ -80,8 +80,8 @@ template <class... P> struct Transition {
 };
 /// A state, with what is in it.
 template <class... P> struct State {
-    std::string_view name; ///< its name, unique in the machine; empty for the machine itself
-    Kind kind; ///< a place to be, final, parallel, or a history
+    std::string_view name;  ///< its name, unique in the machine; empty for the machine itself
+    Kind kind;              ///< a place to be, final, parallel, or a history
     std::tuple<P...> parts; ///< transitions, states, actions, in the order in which they were written
 };
 
@@ -102,28 +102,30 @@ constexpr Internal internal() { return {}; }
 
 /// A guard: a function of the context, or one of the library's guards.
 template <class F> constexpr auto when(F guard) {
-    if constexpr (std::derived_from<F, GuardBase>)
-        return When<F>{{}, guard};
-    else
-        return When<Asked<F>>{{}, {{}, guard}};
+    if constexpr (std::derived_from<F, GuardBase>) return When<F>{{}, guard};
+    else return When<Asked<F>>{{}, {{}, guard}};
 }
 /// The same with a name, by which a file calls it.
 template <class F> constexpr auto when(std::string_view name, F guard) {
-    if constexpr (std::derived_from<F, GuardBase>)
-        return When<F>{name, guard};
-    else
-        return When<Asked<F>>{name, {name, guard}};
+    if constexpr (std::derived_from<F, GuardBase>) return When<F>{name, guard};
+    else return When<Asked<F>>{name, {name, guard}};
 }
 /// An action: a function of the context, or of the context and an EventQueue& in which it raises events.
 template <class F> constexpr Then<F> then(F action) { return {{}, action}; }
 /// The same with a name, by which a file calls it.
 template <class F> constexpr Then<F> then(std::string_view name, F action) { return {name, action}; }
-template <class F> constexpr OnEntry<F> on_entry(F action) { return {{}, action}; }                              ///< when the state is entered
-template <class F> constexpr OnEntry<F> on_entry(std::string_view name, F action) { return {name, action}; }     ///< the same with a name
-template <class F> constexpr OnExit<F> on_exit(F action) { return {{}, action}; }                                ///< when the state is left
-template <class F> constexpr OnExit<F> on_exit(std::string_view name, F action) { return {name, action}; }       ///< the same with a name
-template <class F> constexpr Each<F> each_update(F action) { return {{}, action}; }                          ///< at every update, after the conditions
-template <class F> constexpr Each<F> each_update(std::string_view name, F action) { return {name, action}; } ///< the same with a name
+/// When the state is entered.
+template <class F> constexpr OnEntry<F> on_entry(F action) { return {{}, action}; }
+/// The same with a name.
+template <class F> constexpr OnEntry<F> on_entry(std::string_view name, F action) { return {name, action}; }
+/// When the state is left.
+template <class F> constexpr OnExit<F> on_exit(F action) { return {{}, action}; }
+/// The same with a name.
+template <class F> constexpr OnExit<F> on_exit(std::string_view name, F action) { return {name, action}; }
+/// At every update, after the conditions.
+template <class F> constexpr Each<F> each_update(F action) { return {{}, action}; }
+/// The same with a name.
+template <class F> constexpr Each<F> each_update(std::string_view name, F action) { return {name, action}; }
 /// The action that raises an event, for then, on_entry, on_exit and each_update.
 constexpr Raised raise(std::string_view event) { return {event}; }
 
@@ -131,37 +133,91 @@ constexpr Raised raise(std::string_view event) { return {event}; }
 /// each also with an EventQueue& at the end, and its own data, which the machine keeps in every representation.
 template <class B> constexpr Behaves<B> behaves(std::string_view name = {}) { return {name}; }
 
-template <class... P> constexpr Transition<P...> transition(P... parts) { return {{parts...}}; }                                   ///< a transition of the state it stands in
-template <class... P> constexpr State<P...> state(std::string_view name, P... parts) { return {name, Kind::state, {parts...}}; }       ///< a state
-template <class... P> constexpr State<P...> final_state(std::string_view name, P... parts) { return {name, Kind::final, {parts...}}; } ///< its parent is done: raises "done.state.<parent>"
+/// A transition of the state it stands in.
+template <class... P> constexpr Transition<P...> transition(P... parts) {
+    return {{parts...}};
+}
+/// A state.
+template <class... P> constexpr State<P...> state(std::string_view name, P... parts) {
+    return {name, Kind::state, {parts...}};
+}
+/// Its parent is done: raises "done.state.<parent>".
+template <class... P> constexpr State<P...> final_state(std::string_view name, P... parts) {
+    return {name, Kind::final, {parts...}};
+}
 /// Where its parent was when it was left last: the state directly in it (shallow_history) or the innermost one (deep_history).
 /// \param parts  `to("...")`: where to go the first time
-template <class... P> constexpr State<P...> shallow_history(std::string_view name, P... parts) { return {name, Kind::shallow_history, {parts...}}; }
-template <class... P> constexpr State<P...> deep_history(std::string_view name, P... parts) { return {name, Kind::deep_history, {parts...}}; } ///< the innermost one
-template <class... P> constexpr State<P...> parallel(std::string_view name, P... parts) { return {name, Kind::parallel, {parts...}}; }           ///< all states in it at once; only Interpreted
+template <class... P> constexpr State<P...> shallow_history(std::string_view name, P... parts) {
+    return {name, Kind::shallow_history, {parts...}};
+}
+/// The innermost one.
+template <class... P> constexpr State<P...> deep_history(std::string_view name, P... parts) {
+    return {name, Kind::deep_history, {parts...}};
+}
+/// All states in it at once; only Interpreted.
+template <class... P> constexpr State<P...> parallel(std::string_view name, P... parts) {
+    return {name, Kind::parallel, {parts...}};
+}
 /// The machine: its states, and `initial` where it is not the first.
 template <class... P> constexpr State<P...> machine(P... parts) { return {"", Kind::state, {parts...}}; }
 
 namespace detail {
 
-template <class T> struct PartTraits { static constexpr int what = 0; };
-template <> struct PartTraits<On> { static constexpr int what = 1; };
-template <> struct PartTraits<To> { static constexpr int what = 2; };
-template <> struct PartTraits<Initial> { static constexpr int what = 3; };
-template <> struct PartTraits<Internal> { static constexpr int what = 4; };
-template <class G> struct PartTraits<When<G>> { static constexpr int what = 5; };
-template <class F> struct PartTraits<Then<F>> { static constexpr int what = 6; };
-template <class F> struct PartTraits<OnEntry<F>> { static constexpr int what = 7; };
-template <class F> struct PartTraits<OnExit<F>> { static constexpr int what = 8; };
-template <class F> struct PartTraits<Each<F>> { static constexpr int what = 9; };
+template <class T> struct PartTraits {
+    static constexpr int what = 0;
+};
+template <> struct PartTraits<On> {
+    static constexpr int what = 1;
+};
+template <> struct PartTraits<To> {
+    static constexpr int what = 2;
+};
+template <> struct PartTraits<Initial> {
+    static constexpr int what = 3;
+};
+template <> struct PartTraits<Internal> {
+    static constexpr int what = 4;
+};
+template <class G> struct PartTraits<When<G>> {
+    static constexpr int what = 5;
+};
+template <class F> struct PartTraits<Then<F>> {
+    static constexpr int what = 6;
+};
+template <class F> struct PartTraits<OnEntry<F>> {
+    static constexpr int what = 7;
+};
+template <class F> struct PartTraits<OnExit<F>> {
+    static constexpr int what = 8;
+};
+template <class F> struct PartTraits<Each<F>> {
+    static constexpr int what = 9;
+};
 template <class B> struct PartTraits<Behaves<B>> {
     static constexpr int what = 10;
     using Class = B;
 };
-template <class... P> struct PartTraits<Transition<P...>> { static constexpr int what = 11; };
-template <class... P> struct PartTraits<State<P...>> { static constexpr int what = 12; };
+template <class... P> struct PartTraits<Transition<P...>> {
+    static constexpr int what = 11;
+};
+template <class... P> struct PartTraits<State<P...>> {
+    static constexpr int what = 12;
+};
 
-enum Part { part_on = 1, part_to, part_initial, part_internal, part_when, part_then, part_entry, part_exit, part_each, part_behaves, part_transition, part_state };
+enum Part {
+    part_on = 1,
+    part_to,
+    part_initial,
+    part_internal,
+    part_when,
+    part_then,
+    part_entry,
+    part_exit,
+    part_each,
+    part_behaves,
+    part_transition,
+    part_state
+};
 
 template <class P> inline constexpr int part_of = PartTraits<std::remove_cvref_t<P>>::what;
 
@@ -173,28 +229,39 @@ template <int What, class... P> constexpr auto places(const std::tuple<P...>*) {
     ((part_of<P> == What ? void(found[next++] = at) : void(), ++at), ...);
     return found;
 }
-template <int What, class Node> inline constexpr auto places_in = places<What>(static_cast<const decltype(Node::parts)*>(nullptr));
+template <int What, class Node>
+inline constexpr auto places_in = places<What>(static_cast<const decltype(Node::parts)*>(nullptr));
 
 /// Calls f with each part of one sort. Nothing is made of the others: a machine has many parts, and few of any sort.
 template <int What, class Node> [[gnu::always_inline]] constexpr void each_part(const Node& node, auto&& f) {
-    if constexpr (constexpr auto at = places_in<What, Node>; at.size() == 1)
-        f(std::get<at[0]>(node.parts));
-    else if constexpr (at.size() > 1)
-        [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) { (f(std::get<at[I]>(node.parts)), ...); }(std::make_index_sequence<at.size()>{});
+    if constexpr (constexpr auto at = places_in<What, Node>; at.size() == 1) f(std::get<at[0]>(node.parts));
+    else if constexpr (at.size() > 1) [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+            (f(std::get<at[I]>(node.parts)), ...);
+        }
+    (std::make_index_sequence<at.size()>{});
 }
-template <class P> inline constexpr bool part_of_transition = part_of<P> == part_on || part_of<P> == part_to || part_of<P> == part_internal || part_of<P> == part_when || part_of<P> == part_then;
+template <class P>
+inline constexpr bool part_of_transition =
+    part_of<P> == part_on || part_of<P> == part_to || part_of<P> == part_internal || part_of<P> == part_when ||
+    part_of<P> == part_then;
 
 /// What may stand where, one sentence a rule.
 template <class... P> constexpr void check_transition(const Transition<P...>&) {
-    static_assert((part_of_transition<P> && ...), "Ansatz: the parts of a transition are on, when, then, to and internal, e.g. transition(on(\"alarm\"), to(\"chase\"))");
-    static_assert((std::size_t(part_of<P> == part_when) + ... + 0) <= 1, "Ansatz: a transition has one guard; combine several with &&, e.g. when(asked(\"near\", near) && asked(\"armed\", armed))");
+    static_assert((part_of_transition<P> && ...), "Ansatz: the parts of a transition are on, when, then, to and "
+                                                  "internal, e.g. transition(on(\"alarm\"), to(\"chase\"))");
+    static_assert((std::size_t(part_of<P> == part_when) + ... + 0) <= 1,
+                  "Ansatz: a transition has one guard; combine several with &&, e.g. when(asked(\"near\", near) && "
+                  "asked(\"armed\", armed))");
     static_assert((std::size_t(part_of<P> == part_to) + ... + 0) <= 1, "Ansatz: a transition goes to one state");
-    static_assert((std::size_t(part_of<P> == part_on) + ... + 0) <= 1, "Ansatz: a transition names its events once; several stand in one text, on(\"alarm noise\")");
+    static_assert((std::size_t(part_of<P> == part_on) + ... + 0) <= 1,
+                  "Ansatz: a transition names its events once; several stand in one text, on(\"alarm noise\")");
 }
 template <class... P> constexpr void check_state(const State<P...>&) {
     static_assert((((part_of<P> >= part_entry || part_of<P> == part_initial || part_of<P> == part_to)) && ...),
-                  "Ansatz: the parts of a state are transition(...), state(...), on_entry, on_exit, each_update, behaves and initial; on, when and then stand in a transition");
-    static_assert((std::size_t(part_of<P> == part_behaves) + ... + 0) <= 1, "Ansatz: a state has one class, behaves<Patrol>()");
+                  "Ansatz: the parts of a state are transition(...), state(...), on_entry, on_exit, each_update, "
+                  "behaves and initial; on, when and then stand in a transition");
+    static_assert((std::size_t(part_of<P> == part_behaves) + ... + 0) <= 1,
+                  "Ansatz: a state has one class, behaves<Patrol>()");
 }
 
 } // namespace detail

@@ -18,10 +18,8 @@ inline std::string in_quotes(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
-        if (c == '\n')
-            out += "\\n";
-        else
-            out += c;
+        if (c == '\n') out += "\\n";
+        else out += c;
     }
     return out + "\"";
 }
@@ -29,20 +27,26 @@ inline std::string in_quotes(std::string_view text) {
 /// Draws one outline.
 class DotWriter {
 public:
-    DotWriter(const Outline& outline, const std::vector<std::string>& active) : outline_(outline), active_(active), children_(outline.states.size()) {
+    DotWriter(const Outline& outline, const std::vector<std::string>& active)
+        : outline_(outline), active_(active), children_(outline.states.size()) {
         for (std::size_t s = 1; s < outline.states.size(); ++s) children_[outline.states[s].parent].push_back(s);
     }
     std::string write() {
-        text_ = "digraph " + in_quotes(outline_.name.empty() ? "machine" : outline_.name) + " {\n    compound=true; rankdir=LR;\n    node [shape=box, style=rounded, fontname=sans];\n    edge [fontname=sans, fontsize=10];\n";
+        text_ = "digraph " + in_quotes(outline_.name.empty() ? "machine" : outline_.name) +
+                " {\n    compound=true; rankdir=LR;\n    node [shape=box, style=rounded, fontname=sans];\n    edge "
+                "[fontname=sans, fontsize=10];\n";
         for (const auto child : children_[0]) state(child, 1);
-        text_ += "    start [shape=point, width=0.15];\n    start -> " + in_quotes(anchor(begin_of(0))) + head(begin_of(0)) + ";\n";
+        text_ += "    start [shape=point, width=0.15];\n    start -> " + in_quotes(anchor(begin_of(0))) +
+                 head(begin_of(0)) + ";\n";
         for (const auto& t : outline_.transitions) transition(t);
         return text_ + "}\n";
     }
 
 private:
     bool compound(std::size_t s) const { return !children_[s].empty(); }
-    bool is_active(std::size_t s) const { return std::find(active_.begin(), active_.end(), outline_.states[s].name) != active_.end(); }
+    bool is_active(std::size_t s) const {
+        return std::find(active_.begin(), active_.end(), outline_.states[s].name) != active_.end();
+    }
     std::size_t find(const std::string& name) const {
         for (std::size_t s = 1; s < outline_.states.size(); ++s)
             if (outline_.states[s].name == name) return s;
@@ -59,7 +63,9 @@ private:
         while (compound(s)) s = children_[s].front();
         return outline_.states[s].name;
     }
-    std::string head(std::size_t s) const { return compound(s) ? " [lhead=" + in_quotes("cluster_" + outline_.states[s].name) + "]" : ""; }
+    std::string head(std::size_t s) const {
+        return compound(s) ? " [lhead=" + in_quotes("cluster_" + outline_.states[s].name) + "]" : "";
+    }
 
     void state(std::size_t s, std::size_t depth) {
         const auto& it = outline_.states[s];
@@ -67,13 +73,17 @@ private:
         const char* fill = is_active(s) ? "style=\"rounded,filled\", fillcolor=gold" : "style=rounded";
         if (!compound(s)) {
             text_ += in + in_quotes(it.name) + " [" + fill;
-            if (is_history(it.kind)) text_ += std::string(", shape=circle, label=") + (it.kind == Kind::deep_history ? "\"H*\"" : "\"H\"");
+            if (is_history(it.kind))
+                text_ += std::string(", shape=circle, label=") + (it.kind == Kind::deep_history ? "\"H*\"" : "\"H\"");
             if (it.kind == Kind::final) text_ += ", peripheries=2";
             text_ += "];\n";
             return;
         }
-        text_ += in + "subgraph " + in_quotes("cluster_" + it.name) + " {\n" + in + "    label=" + in_quotes(it.name) + "; ";
-        text_ += is_active(s) ? "style=\"rounded,filled\"; fillcolor=lightyellow;" : it.kind == Kind::parallel ? "style=\"rounded,dashed\";" : "style=rounded;";
+        text_ +=
+            in + "subgraph " + in_quotes("cluster_" + it.name) + " {\n" + in + "    label=" + in_quotes(it.name) + "; ";
+        text_ += is_active(s)                ? "style=\"rounded,filled\"; fillcolor=lightyellow;"
+                 : it.kind == Kind::parallel ? "style=\"rounded,dashed\";"
+                                             : "style=rounded;";
         text_ += "\n";
         for (const auto child : children_[s]) state(child, depth + 1);
         text_ += in + "}\n";
@@ -83,7 +93,8 @@ private:
         if (!t.guard.empty()) label += (label.empty() ? "[" : " [") + t.guard + "]";
         for (std::size_t i = 0; i < std::max<std::size_t>(1, t.targets.size()); ++i) {
             const std::size_t target = t.targets.empty() ? t.source : find(t.targets[i]);
-            text_ += "    " + in_quotes(anchor(t.source)) + " -> " + in_quotes(anchor(target)) + " [label=" + in_quotes(label);
+            text_ += "    " + in_quotes(anchor(t.source)) + " -> " + in_quotes(anchor(target)) +
+                     " [label=" + in_quotes(label);
             if (compound(t.source)) text_ += ", ltail=" + in_quotes("cluster_" + outline_.states[t.source].name);
             if (compound(target)) text_ += ", lhead=" + in_quotes("cluster_" + outline_.states[target].name);
             if (t.events.empty()) text_ += ", style=dashed";

@@ -16,7 +16,9 @@ namespace ansatz::states {
 
 namespace detail {
 /// Whether a sum of steps has reached a time: 120 steps of 1/60 s have reached 2 s, whichever way the sum was rounded.
-constexpr bool reached(Quantity<unit::Time> passed, Quantity<unit::Time> wanted) { return passed.value() >= wanted.value() * (1 - 1e-9); }
+constexpr bool reached(Quantity<unit::Time> passed, Quantity<unit::Time> wanted) {
+    return passed.value() >= wanted.value() * (1 - 1e-9);
+}
 
 constexpr void check_dwell(std::string_view where, Quantity<unit::Time> t) {
     if (!(t.value() >= 0 && t.value() <= std::numeric_limits<double>::max()))
@@ -26,8 +28,8 @@ constexpr void check_dwell(std::string_view where, Quantity<unit::Time> t) {
 
 /// Holds once the source of the transition has been active for a time.
 struct After : GuardBase {
-    static constexpr bool needs_time = true; ///< it reads `in_state`
-    Quantity<unit::Time> time; ///< to wait, s
+    static constexpr bool needs_time = true;                      ///< it reads `in_state`
+    Quantity<unit::Time> time;                                    ///< to wait, s
     constexpr explicit After(Quantity<unit::Time> t) : time(t) {} ///< of a time, unchecked; see after()
     /// "after 2 s".
     std::string name() const { return "after " + describe(time); }
@@ -55,10 +57,10 @@ template <Guard G> struct HeldFor : GuardBase {
     /// What it remembers between two updates.
     struct Memory {
         [[no_unique_address]] typename G::Memory inner{}; ///< the memory of the other guard
-        Quantity<unit::Time> held{}; ///< for how long it has held, s
-        bool holds = false; ///< whether it held at the last update
+        Quantity<unit::Time> held{};                      ///< for how long it has held, s
+        bool holds = false;                               ///< whether it held at the last update
     };
-    G guard; ///< the other guard
+    G guard;                   ///< the other guard
     Quantity<unit::Time> time; ///< for which it has to hold, s
     /// Of a guard and a time, unchecked; see held_for().
     constexpr HeldFor(G g, Quantity<unit::Time> t) : guard(g), time(t) {}
@@ -82,7 +84,9 @@ template <Guard G> struct HeldFor : GuardBase {
     /// "guard for 0.5 s".
     std::string name() const { return guard.name() + " for " + describe(time); }
     /// The answer.
-    constexpr bool ask(const auto&, const Memory& memory) const { return memory.holds && detail::reached(memory.held, time); }
+    constexpr bool ask(const auto&, const Memory& memory) const {
+        return memory.holds && detail::reached(memory.held, time);
+    }
 };
 
 /// The guard has held at every update for this time, s.

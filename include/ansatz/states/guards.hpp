@@ -26,8 +26,8 @@ struct NoMemory {};
 
 /// What every guard of the library derives from.
 struct GuardBase {
-    using Memory = NoMemory; ///< what it remembers in the machine between updates: nothing
-    static constexpr bool needs_time = false; ///< whether it reads `in_state` or `dt`
+    using Memory = NoMemory;                             ///< what it remembers in the machine between updates: nothing
+    static constexpr bool needs_time = false;            ///< whether it reads `in_state` or `dt`
     constexpr bool is_equality() const { return false; } ///< whether it compares a continuous value for equality
 };
 
@@ -38,12 +38,13 @@ concept Guard = std::derived_from<G, GuardBase> && std::is_trivially_copyable_v<
 namespace detail {
 
 template <class F, class Context, class Own> constexpr bool call(const F& f, const Question<Context, Own>& q) {
-    if constexpr (std::is_invocable_v<const F&, Context&>)
-        return bool(f(q.context));
+    if constexpr (std::is_invocable_v<const F&, Context&>) return bool(f(q.context));
     else {
-        static_assert(std::is_invocable_v<const F&, Context&, const Own&>,
-                      "Ansatz: a guard is a function of the machine's Context, or of the Context and the class of the state that asks; "
-                      "it answers bool, e.g. when(\"sees\", [](const Npc& npc) { return npc.distance < 5.0 * metre; })");
+        static_assert(
+            std::is_invocable_v<const F&, Context&, const Own&>,
+            "Ansatz: a guard is a function of the machine's Context, or of the Context and the class of the state that "
+            "asks; "
+            "it answers bool, e.g. when(\"sees\", [](const Npc& npc) { return npc.distance < 5.0 * metre; })");
         return bool(f(q.context, q.own));
     }
 }
@@ -53,7 +54,7 @@ template <class F, class Context, class Own> constexpr bool call(const F& f, con
 /// A function of the user's as a guard.
 template <class F> struct Asked : GuardBase {
     std::string_view called; ///< its name in files and pictures; empty: it has none
-    F function; ///< of the context, or of it and the class of the state that asks
+    F function;              ///< of the context, or of it and the class of the state that asks
     constexpr Asked(std::string_view n, F f) : called(n), function(f) {} ///< of that name; see asked()
     /// Its name.
     std::string name() const { return std::string(called); }
@@ -68,7 +69,8 @@ namespace detail {
 
 /// Two guards and their memories.
 template <class A, class B> struct Pair : GuardBase {
-    static constexpr bool remembers = !std::is_same_v<typename A::Memory, NoMemory> || !std::is_same_v<typename B::Memory, NoMemory>;
+    static constexpr bool remembers =
+        !std::is_same_v<typename A::Memory, NoMemory> || !std::is_same_v<typename B::Memory, NoMemory>;
     struct Kept {
         typename A::Memory a{};
         typename B::Memory b{};
@@ -80,8 +82,16 @@ template <class A, class B> struct Pair : GuardBase {
     constexpr Pair(A first, B second) : a(first), b(second) {}
     constexpr bool is_equality() const { return a.is_equality() || b.is_equality(); }
 
-    constexpr void begin(Memory& memory, const auto& q) const { each(memory, [&](const auto& g, auto& m) { if constexpr (requires { g.begin(m, q); }) g.begin(m, q); }); }
-    constexpr void sample(Memory& memory, const auto& q) const { each(memory, [&](const auto& g, auto& m) { if constexpr (requires { g.sample(m, q); }) g.sample(m, q); }); }
+    constexpr void begin(Memory& memory, const auto& q) const {
+        each(memory, [&](const auto& g, auto& m) {
+            if constexpr (requires { g.begin(m, q); }) g.begin(m, q);
+        });
+    }
+    constexpr void sample(Memory& memory, const auto& q) const {
+        each(memory, [&](const auto& g, auto& m) {
+            if constexpr (requires { g.sample(m, q); }) g.sample(m, q);
+        });
+    }
 
 protected:
     constexpr void each(Memory& memory, auto&& f) const {
@@ -91,16 +101,12 @@ protected:
         }
     }
     constexpr bool ask_a(const auto& q, const Memory& memory) const {
-        if constexpr (remembers)
-            return a.ask(q, memory.a);
-        else
-            return a.ask(q, memory);
+        if constexpr (remembers) return a.ask(q, memory.a);
+        else return a.ask(q, memory);
     }
     constexpr bool ask_b(const auto& q, const Memory& memory) const {
-        if constexpr (remembers)
-            return b.ask(q, memory.b);
-        else
-            return b.ask(q, memory);
+        if constexpr (remembers) return b.ask(q, memory.b);
+        else return b.ask(q, memory);
     }
 };
 
@@ -112,7 +118,9 @@ template <Guard A, Guard B> struct And : detail::Pair<A, B> {
     /// "(a and b)".
     std::string name() const { return "(" + this->a.name() + " and " + this->b.name() + ")"; }
     /// The answer.
-    constexpr bool ask(const auto& q, const typename detail::Pair<A, B>::Memory& m) const { return this->ask_a(q, m) && this->ask_b(q, m); }
+    constexpr bool ask(const auto& q, const typename detail::Pair<A, B>::Memory& m) const {
+        return this->ask_a(q, m) && this->ask_b(q, m);
+    }
 };
 /// At least one holds.
 template <Guard A, Guard B> struct Or : detail::Pair<A, B> {
@@ -120,20 +128,26 @@ template <Guard A, Guard B> struct Or : detail::Pair<A, B> {
     /// "(a or b)".
     std::string name() const { return "(" + this->a.name() + " or " + this->b.name() + ")"; }
     /// The answer.
-    constexpr bool ask(const auto& q, const typename detail::Pair<A, B>::Memory& m) const { return this->ask_a(q, m) || this->ask_b(q, m); }
+    constexpr bool ask(const auto& q, const typename detail::Pair<A, B>::Memory& m) const {
+        return this->ask_a(q, m) || this->ask_b(q, m);
+    }
 };
 /// It does not hold.
 template <Guard A> struct Not : GuardBase {
-    using Memory = typename A::Memory; ///< that of the other guard
+    using Memory = typename A::Memory;                ///< that of the other guard
     static constexpr bool needs_time = A::needs_time; ///< whether the other reads `in_state` or `dt`
-    A a; ///< the other guard
-    constexpr explicit Not(A guard) : a(guard) {} ///< of that guard
+    A a;                                              ///< the other guard
+    constexpr explicit Not(A guard) : a(guard) {}     ///< of that guard
     /// Whether the other compares a continuous value for equality.
     constexpr bool is_equality() const { return a.is_equality(); }
     /// Begins the memory of the other, if it has one.
-    constexpr void begin(Memory& memory, const auto& q) const { if constexpr (requires { a.begin(memory, q); }) a.begin(memory, q); }
+    constexpr void begin(Memory& memory, const auto& q) const {
+        if constexpr (requires { a.begin(memory, q); }) a.begin(memory, q);
+    }
     /// Shows the other this update, if it remembers.
-    constexpr void sample(Memory& memory, const auto& q) const { if constexpr (requires { a.sample(memory, q); }) a.sample(memory, q); }
+    constexpr void sample(Memory& memory, const auto& q) const {
+        if constexpr (requires { a.sample(memory, q); }) a.sample(memory, q);
+    }
     /// "not a".
     std::string name() const { return "not " + a.name(); }
     /// The answer.

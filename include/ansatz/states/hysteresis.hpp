@@ -18,8 +18,8 @@ namespace ansatz::states {
 /// Two thresholds around a value.
 template <class Read, class Limit> struct Band {
     Value<Read> value; ///< what is compared
-    Limit low; ///< the lower threshold, in the unit of the value
-    Limit high; ///< the upper one
+    Limit low;         ///< the lower threshold, in the unit of the value
+    Limit high;        ///< the upper one
 
     /// The guard of the way up: the value is above the whole band.
     constexpr Compared<Read, Limit> above() const { return {value, Comparison::greater, high}; }
@@ -33,7 +33,8 @@ template <class Read, class Limit> struct Band {
 template <class R, class L> constexpr Band<R, L> band(Value<R> v, L threshold, L half_width) {
     const auto number = detail::number_of(half_width);
     if (!(number >= 0) || !(number <= std::numeric_limits<decltype(number)>::max()))
-        refuse_value("band", "half_width", detail::text_of(half_width), "half the width of a band of hysteresis is finite and not negative");
+        refuse_value("band", "half_width", detail::text_of(half_width),
+                     "half the width of a band of hysteresis is finite and not negative");
     return {v, threshold - half_width, threshold + half_width};
 }
 

@@ -57,9 +57,10 @@ constexpr bool matches(std::string_view descriptors, std::string_view name) {
 /// \tparam Own      the state class of the transition's source, or NoBehaviour
 template <class Context, class Own> struct Question {
     Context& context; ///< the user's
-    const Own& own; ///< the data of the transition's source
-    Quantity<unit::Time> in_state; ///< since the source of the transition was entered; 0 s where the machine keeps no time
-    Quantity<unit::Time> dt;       ///< of this update; 0 s where an event asks
+    const Own& own;   ///< the data of the transition's source
+    Quantity<unit::Time>
+        in_state;            ///< since the source of the transition was entered; 0 s where the machine keeps no time
+    Quantity<unit::Time> dt; ///< of this update; 0 s where an event asks
 };
 
 /// The data of a state that has none.

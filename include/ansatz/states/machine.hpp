@@ -24,7 +24,10 @@ namespace ansatz {
 namespace states {
 /// The machine of a representation.
 template <class D, class R, class... O> struct MachineOf {
-    static_assert(!std::is_same_v<R, Interpreted> && requires { R::owns_behaviours; }, "Ansatz: the representations of a Machine are Switch, StatePattern, Table and Interpreted, e.g. Machine<GuardNpc, Switch>");
+    static_assert(
+        !std::is_same_v<R, Interpreted> && requires { R::owns_behaviours; },
+        "Ansatz: the representations of a Machine are Switch, StatePattern, Table and Interpreted, e.g. "
+        "Machine<GuardNpc, Switch>");
     using type = StaticMachine<D, R, O...>; ///< decided while it is compiled
 };
 /// The machine of Interpreted.

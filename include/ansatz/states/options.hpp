@@ -30,7 +30,8 @@ struct Happening {
     /// What it was.
     enum class What : std::uint8_t { exited, took, entered, unhandled };
     What what; ///< tells which of the others have a value
-    StateId state = StateId::none;                ///< that was left or entered; of a transition, its source; of an event, the innermost active state
+    StateId state = StateId::
+        none; ///< that was left or entered; of a transition, its source; of an event, the innermost active state
     TransitionId transition = TransitionId::none; ///< that was taken
     EventId event = EventId::none;                ///< that nobody handled
     Quantity<unit::Time> time{};                  ///< of the machine, since its start
@@ -43,9 +44,11 @@ struct Happening {
 
 namespace states {
 /// Whether T is an option that says what happens to unhandled events.
-template <class T> concept UnhandledPolicy = requires { T::unhandled_policy; };
+template <class T>
+concept UnhandledPolicy = requires { T::unhandled_policy; };
 /// Whether T watches a machine.
-template <class T> concept Watcher = requires(T& watcher, const Happening& happening) { watcher(happening); };
+template <class T>
+concept Watcher = requires(T& watcher, const Happening& happening) { watcher(happening); };
 } // namespace states
 
 /// Events that nobody handles are forgotten.
@@ -56,7 +59,7 @@ struct IgnoreUnhandled {
 /// Events that nobody handles are counted.
 struct CountUnhandled {
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
-    std::uint64_t count = 0; ///< since the machine was made
+    std::uint64_t count = 0;                       ///< since the machine was made
     void operator()(const Happening& h) { count += h.what == Happening::What::unhandled; } ///< counts
 };
 
@@ -64,8 +67,8 @@ struct CountUnhandled {
 template <std::size_t N = 16> struct LogUnhandled {
     static_assert(N > 0, "Ansatz: LogUnhandled<N> keeps at least one event");
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
-    std::uint64_t count = 0; ///< since the machine was made
-    std::array<Happening, N> kept{}; ///< a ring: the next one takes the place of the oldest
+    std::uint64_t count = 0;                       ///< since the machine was made
+    std::array<Happening, N> kept{};               ///< a ring: the next one takes the place of the oldest
     /// Keeps it.
     void operator()(const Happening& h) {
         if (h.what == Happening::What::unhandled) kept[std::size_t(count++ % N)] = h;
@@ -84,7 +87,7 @@ struct RefuseUnhandled {
 /// Keeps the last N things that happened.
 template <std::size_t N = 64> struct Recorded {
     static_assert(N > 0, "Ansatz: Recorded<N> keeps at least one");
-    std::uint64_t count = 0; ///< since the machine was made
+    std::uint64_t count = 0;         ///< since the machine was made
     std::array<Happening, N> kept{}; ///< a ring: the next one takes the place of the oldest
     void operator()(const Happening& h) { kept[std::size_t(count++ % N)] = h; } ///< keeps
     /// How many are kept.
@@ -99,10 +102,12 @@ namespace states {
 
 /// The options of one machine, as its members.
 template <class... O> struct Options : O... {
-    static_assert(((UnhandledPolicy<O> || Watcher<O>) && ...),
-                  "Ansatz: the options of a Machine are IgnoreUnhandled, CountUnhandled, LogUnhandled<>, RefuseUnhandled, and watchers: structs with void operator()(const Happening&)");
-    static_assert((std::size_t(UnhandledPolicy<O>) + ... + 0) <= 1, "Ansatz: a machine has one way to treat unhandled events");
-    static constexpr bool watched = (Watcher<O> || ...); ///< whether anyone wants to be told
+    static_assert(((UnhandledPolicy<O> || Watcher<O>)&&...),
+                  "Ansatz: the options of a Machine are IgnoreUnhandled, CountUnhandled, LogUnhandled<>, "
+                  "RefuseUnhandled, and watchers: structs with void operator()(const Happening&)");
+    static_assert((std::size_t(UnhandledPolicy<O>) + ... + 0) <= 1,
+                  "Ansatz: a machine has one way to treat unhandled events");
+    static constexpr bool watched = (Watcher<O> || ...);                         ///< whether anyone wants to be told
     static constexpr bool refuses = (std::is_same_v<O, RefuseUnhandled> || ...); ///< whether an unhandled event throws
 
     constexpr Options() = default; ///< each as it is by default
@@ -115,7 +120,7 @@ template <class... O> struct Options : O... {
     constexpr void tell([[maybe_unused]] const Happening& h) {
         (
             [&] {
-                if constexpr (Watcher<O>) static_cast<O&> (*this)(h);
+                if constexpr (Watcher<O>) static_cast<O&>(*this)(h);
             }(),
             ...);
     }
@@ -123,8 +128,10 @@ template <class... O> struct Options : O... {
 
 /// Throws std::invalid_argument: nobody handles an event in a state; both by name.
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_event(std::string_view event, std::string_view state) {
-    refuse(Refusal::invalid_argument, "Machine::handle: nobody handles the event \"" + std::string(event) + "\" in the state \"" + std::string(state) +
-                                          "\"; add a transition, or choose IgnoreUnhandled, CountUnhandled or LogUnhandled<>");
+    refuse(Refusal::invalid_argument,
+           "Machine::handle: nobody handles the event \"" + std::string(event) + "\" in the state \"" +
+               std::string(state) +
+               "\"; add a transition, or choose IgnoreUnhandled, CountUnhandled or LogUnhandled<>");
 }
 /// Throws std::invalid_argument: the machine was not started.
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_not_started() {

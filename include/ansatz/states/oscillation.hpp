@@ -17,23 +17,27 @@ namespace ansatz {
 /// Option of Machine: sees oscillations between pairs of states.
 class OscillationReport {
 public:
-    static constexpr std::size_t most_pairs = 16;  ///< pairs of states that are watched at once; the one that rested longest makes room
-    static constexpr std::size_t most_turns = 32;  ///< the largest n
+    static constexpr std::size_t most_pairs =
+        16; ///< pairs of states that are watched at once; the one that rested longest makes room
+    static constexpr std::size_t most_turns = 32; ///< the largest n
 
     /// A pair of states between which the machine oscillated.
     struct Oscillation {
-        StateId a = StateId::none, ///< one state
-            b = StateId::none;     ///< the other
-        Quantity<unit::Time> since{};                 ///< the first transition of those that were too many
-        std::uint64_t turns = 0;                      ///< transitions between the two, since the report began
+        StateId a = StateId::none,    ///< one state
+            b = StateId::none;        ///< the other
+        Quantity<unit::Time> since{}; ///< the first transition of those that were too many
+        std::uint64_t turns = 0;      ///< transitions between the two, since the report began
     };
 
     /// \param turns   more than this many transitions between two states, 1 to 31
     /// \param within  in this time, finite and greater than 0 s
     /// \throws std::invalid_argument for others
-    explicit OscillationReport(std::uint32_t turns = 4, Quantity<unit::Time> within = 1.0 * second) : turns_(turns), within_(within) {
-        if (turns < 1 || turns >= most_turns) refuse_value("OscillationReport", "turns", std::to_string(turns), "it is 1 to 31");
-        if (!(within.value() > 0) || !is_finite(within)) refuse_value("OscillationReport", "within", describe(within), "it is finite and greater than 0 s");
+    explicit OscillationReport(std::uint32_t turns = 4, Quantity<unit::Time> within = 1.0 * second)
+        : turns_(turns), within_(within) {
+        if (turns < 1 || turns >= most_turns)
+            refuse_value("OscillationReport", "turns", std::to_string(turns), "it is 1 to 31");
+        if (!(within.value() > 0) || !is_finite(within))
+            refuse_value("OscillationReport", "within", describe(within), "it is finite and greater than 0 s");
     }
 
     /// A transition goes from the outermost state that it leaves to the outermost that it enters.
@@ -47,7 +51,9 @@ public:
 
     bool oscillates() const { return size() > 0; } ///< whether there was any
     /// How many pairs oscillated.
-    std::size_t size() const { return std::size_t(std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.reported; })); }
+    std::size_t size() const {
+        return std::size_t(std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.reported; }));
+    }
     /// The pairs that oscillated, one after the other.
     template <class F> void for_each(F&& f) const {
         for (const auto& p : pairs_)
@@ -69,7 +75,8 @@ private:
         if (pair == pairs_.end()) {
             // A pair that was reported stays as long as there is another.
             pair = std::min_element(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
-                return std::pair(p.reported, p.a == StateId::none ? -1.0 : p.last.value()) < std::pair(q.reported, q.a == StateId::none ? -1.0 : q.last.value());
+                return std::pair(p.reported, p.a == StateId::none ? -1.0 : p.last.value()) <
+                       std::pair(q.reported, q.a == StateId::none ? -1.0 : q.last.value());
             });
             *pair = Pair{};
             pair->a = a, pair->b = b;

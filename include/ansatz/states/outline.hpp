@@ -20,52 +20,57 @@ struct Outline {
         /// What is done: a bound function, raising an event, or writing a text.
         enum class What : std::uint8_t { action, raise, log };
         What what = What::action; ///< which of them
-        std::string name;  ///< of the action or the event; the text of a log
-        long line = 0;     ///< in its file
+        std::string name;         ///< of the action or the event; the text of a log
+        long line = 0;            ///< in its file
         /// The same, in whatever line.
         friend bool operator==(const Content& a, const Content& b) { return a.what == b.what && a.name == b.name; }
     };
     /// A state. The first of an outline is the machine itself, and the others follow depth first.
     struct State {
-        std::string name; ///< unique in the machine; empty for the machine itself
+        std::string name;                        ///< unique in the machine; empty for the machine itself
         states::Kind kind = states::Kind::state; ///< a place to be, final, parallel, or a history
         std::size_t parent = 0; ///< the place in `states` of the one that it is in; the machine, 0, is its own
-        std::vector<std::string> initial;       ///< states that are entered with it; of a history, where it goes the first time; empty: the first inside
-        std::vector<Content> initial_content;   ///< done between its own entry and that of its initial state
-        std::vector<Content> entry, ///< done when it is entered
-            exit,                   ///< done when it is left
-            each;                   ///< done at every update
-        std::string behaviour;                  ///< the name of its class
-        long line = 0; ///< in its file
+        std::vector<std::string>
+            initial; ///< states that are entered with it; of a history, where it goes the first time; empty: the first inside
+        std::vector<Content> initial_content; ///< done between its own entry and that of its initial state
+        std::vector<Content> entry,           ///< done when it is entered
+            exit,                             ///< done when it is left
+            each;                             ///< done at every update
+        std::string behaviour;                ///< the name of its class
+        long line = 0;                        ///< in its file
         /// The same, in whatever line.
         friend bool operator==(const State& a, const State& b) {
-            return a.name == b.name && a.kind == b.kind && a.parent == b.parent && a.initial == b.initial && a.initial_content == b.initial_content &&
-                   a.entry == b.entry && a.exit == b.exit && a.each == b.each && a.behaviour == b.behaviour;
+            return a.name == b.name && a.kind == b.kind && a.parent == b.parent && a.initial == b.initial &&
+                   a.initial_content == b.initial_content && a.entry == b.entry && a.exit == b.exit &&
+                   a.each == b.each && a.behaviour == b.behaviour;
         }
     };
     /// A transition. They are in the order of their sources.
     struct Transition {
-        std::size_t source = 0; ///< the place in `states` of the one that it stands in
+        std::size_t source = 0;           ///< the place in `states` of the one that it stands in
         std::string events;               ///< empty: a condition, or at once where there is no guard either
         std::vector<std::string> targets; ///< empty: nothing is left or entered
         std::string guard;                ///< its name; empty: none
-        std::vector<Content> content; ///< done when it is taken
-        bool internal = false; ///< to a state inside its source it does not leave that
-        bool equality = false; ///< its guard compares a continuous value for equality
-        long line = 0; ///< in its file
+        std::vector<Content> content;     ///< done when it is taken
+        bool internal = false;            ///< to a state inside its source it does not leave that
+        bool equality = false;            ///< its guard compares a continuous value for equality
+        long line = 0;                    ///< in its file
         /// The same, in whatever line.
         friend bool operator==(const Transition& a, const Transition& b) {
-            return a.source == b.source && a.events == b.events && a.targets == b.targets && a.guard == b.guard && a.content == b.content && a.internal == b.internal;
+            return a.source == b.source && a.events == b.events && a.targets == b.targets && a.guard == b.guard &&
+                   a.content == b.content && a.internal == b.internal;
         }
     };
 
-    std::string name;   ///< of the machine
-    std::string origin; ///< the path of its file, or what it was made from; for sentences
-    std::vector<State> states; ///< depth first; the machine itself is the first
+    std::string name;                    ///< of the machine
+    std::string origin;                  ///< the path of its file, or what it was made from; for sentences
+    std::vector<State> states;           ///< depth first; the machine itself is the first
     std::vector<Transition> transitions; ///< in the order of their sources
 
     /// The same machine, wherever it came from.
-    friend bool operator==(const Outline& a, const Outline& b) { return a.name == b.name && a.states == b.states && a.transitions == b.transitions; }
+    friend bool operator==(const Outline& a, const Outline& b) {
+        return a.name == b.name && a.states == b.states && a.transitions == b.transitions;
+    }
 };
 
 namespace states::detail {
@@ -79,24 +84,30 @@ inline std::string_view place(std::string_view state) { return state.empty() ? s
 
 /// How functions are named: as they are called, or by numbers in the order of the description.
 struct Called {
-    std::string operator()(std::string_view name, std::string_view where, const char* what, std::size_t number) const { return called(name, place(where), what, number); }
+    std::string operator()(std::string_view name, std::string_view where, const char* what, std::size_t number) const {
+        return called(name, place(where), what, number);
+    }
 };
 struct Numbered {
     std::size_t next = 0;
-    std::string operator()(std::string_view, std::string_view, const char*, std::size_t) { return std::to_string(next++); }
+    std::string operator()(std::string_view, std::string_view, const char*, std::size_t) {
+        return std::to_string(next++);
+    }
 };
 /// The name of a When.
 template <class W> std::string guard_name(const W& when, std::string_view source, std::size_t number, auto& namer) {
     return namer(when.called.empty() ? when.guard.name() : std::string(when.called), source, "guard", number);
 }
-template <class P> Outline::Content content_of(const P& part, std::string_view where, const char* what, std::size_t& number, auto& namer) {
+template <class P>
+Outline::Content content_of(const P& part, std::string_view where, const char* what, std::size_t& number, auto& namer) {
     ++number;
     if constexpr (std::is_same_v<decltype(part.action), Raised>)
         return {Outline::Content::What::raise, std::string(part.action.event), 0};
-    else
-        return {Outline::Content::What::action, namer(part.called, where, what, number), 0};
+    else return {Outline::Content::What::action, namer(part.called, where, what, number), 0};
 }
-template <int Part, class Node> std::vector<Outline::Content> contents_of(const Node& node, std::string_view where, const char* what, std::size_t& number, auto& namer) {
+template <int Part, class Node>
+std::vector<Outline::Content> contents_of(const Node& node, std::string_view where, const char* what,
+                                          std::size_t& number, auto& namer) {
     std::vector<Outline::Content> found;
     each_part<Part>(node, [&](const auto& part) { found.push_back(content_of(part, where, what, number, namer)); });
     return found;

@@ -36,8 +36,8 @@ public:
         --size_;
         return event;
     }
-    constexpr bool empty() const { return size_ == 0; }           ///< nothing waits
-    constexpr std::uint32_t dropped() const { return dropped_; }  ///< events for which there was no room
+    constexpr bool empty() const { return size_ == 0; }          ///< nothing waits
+    constexpr std::uint32_t dropped() const { return dropped_; } ///< events for which there was no room
 
     /// The same memory: what waits, what was taken before, how many were dropped.
     friend constexpr bool operator==(const EventQueue&, const EventQueue&) = default;

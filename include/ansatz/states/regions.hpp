@@ -57,7 +57,8 @@ public:
         for (std::size_t s = 0; s < c.state_count(); ++s)
             if ((s == 0 || enters_[s]) && c.states_[s].kind == Kind::state && c.states_[s].initial.count > 0) {
                 std::size_t inside = 0;
-                for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end) inside += std::size_t(enters_[child]);
+                for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end)
+                    inside += std::size_t(enters_[child]);
                 if (inside != 1) return false;
             }
         for (std::size_t s = 1; s < c.state_count(); ++s)
@@ -88,7 +89,9 @@ public:
     }
 
 private:
-    static bool inside(const Chart<Context>& c, std::size_t outer, std::size_t inner) { return inner > outer && inner < c.states_[outer].end; }
+    static bool inside(const Chart<Context>& c, std::size_t outer, std::size_t inner) {
+        return inner > outer && inner < c.states_[outer].end;
+    }
     static bool conflict(const Chart<Context>& c, const ChartTransition& a, const ChartTransition& b) {
         if (a.stays || b.stays) return false;
         return a.domain == b.domain || inside(c, a.domain, b.domain) || inside(c, b.domain, a.domain);
@@ -100,7 +103,8 @@ private:
             const auto& mine = c.transitions_[t];
             bool preempted = false;
             for (const auto other : kept_)
-                if (conflict(c, mine, c.transitions_[other]) && !inside(c, c.transitions_[other].source, mine.source)) preempted = true;
+                if (conflict(c, mine, c.transitions_[other]) && !inside(c, c.transitions_[other].source, mine.source))
+                    preempted = true;
             if (preempted) continue;
             std::erase_if(kept_, [&](std::uint16_t other) { return conflict(c, mine, c.transitions_[other]); });
             kept_.push_back(t);
@@ -112,7 +116,8 @@ private:
         for (const auto t : kept_) {
             const auto& row = c.transitions_[t];
             if (row.stays) continue;
-            for (std::size_t s = row.domain + 1u; s < c.states_[row.domain].end; ++s) exits_[s] = char(exits_[s] | active_[s]);
+            for (std::size_t s = row.domain + 1u; s < c.states_[row.domain].end; ++s)
+                exits_[s] = char(exits_[s] | active_[s]);
         }
         for (std::size_t s = 1; s < c.state_count(); ++s)
             if (exits_[s]) record(c, s);
@@ -134,7 +139,9 @@ private:
             char* flags = recorded_.data() + recorded_at_[h];
             flags[0] = 1; // something is remembered
             for (std::size_t d = s + 1; d < c.states_[s].end; ++d) {
-                const bool wanted = c.states_[h].kind == Kind::deep_history ? c.states_[d].initial.count == 0 && c.states_[d].kind != Kind::parallel : c.states_[d].parent == s;
+                const bool wanted = c.states_[h].kind == Kind::deep_history
+                                        ? c.states_[d].initial.count == 0 && c.states_[d].kind != Kind::parallel
+                                        : c.states_[d].parent == s;
                 flags[d - s] = char(wanted && active_[d] != 0);
             }
         }
@@ -166,8 +173,7 @@ private:
             return;
         }
         enters_[s] = 1;
-        if (state.kind == Kind::parallel)
-            all_parts(c, s);
+        if (state.kind == Kind::parallel) all_parts(c, s);
         else if (state.initial.count > 0) {
             begins_[s] = 1;
             aim(c, state.initial, s);
@@ -183,7 +189,9 @@ private:
     void all_parts(const Chart<Context>& c, std::size_t s) {
         for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end) {
             if (is_history(c.states_[child].kind)) continue;
-            if (std::none_of(enters_.begin() + std::ptrdiff_t(child), enters_.begin() + std::ptrdiff_t(c.states_[child].end), [](char e) { return e != 0; })) descend(c, child);
+            if (std::none_of(enters_.begin() + std::ptrdiff_t(child),
+                             enters_.begin() + std::ptrdiff_t(c.states_[child].end), [](char e) { return e != 0; }))
+                descend(c, child);
         }
     }
     void enter_all(auto& machine, Context& context) {
@@ -198,8 +206,10 @@ private:
         }
         leaves_.clear();
         for (std::size_t s = 1; s < c.state_count(); ++s)
-            if (active_[s] && c.states_[s].initial.count == 0 && c.states_[s].kind != Kind::parallel) leaves_.push_back(std::uint16_t(s));
-            else if (active_[s] && c.states_[s].kind == Kind::parallel && c.states_[s].end == s + 1) leaves_.push_back(std::uint16_t(s));
+            if (active_[s] && c.states_[s].initial.count == 0 && c.states_[s].kind != Kind::parallel)
+                leaves_.push_back(std::uint16_t(s));
+            else if (active_[s] && c.states_[s].kind == Kind::parallel && c.states_[s].end == s + 1)
+                leaves_.push_back(std::uint16_t(s));
     }
     void ended(auto& machine, std::size_t s) {
         const auto& c = *machine.chart_;
@@ -207,7 +217,8 @@ private:
         if (parent == 0) return;
         machine.queue_.raise(EventId(c.states_[parent].done));
         const std::size_t up = c.states_[parent].parent;
-        if (up != 0 && c.states_[up].kind == Kind::parallel && is_final(c, up)) machine.queue_.raise(EventId(c.states_[up].done));
+        if (up != 0 && c.states_[up].kind == Kind::parallel && is_final(c, up))
+            machine.queue_.raise(EventId(c.states_[up].done));
     }
     bool is_final(const Chart<Context>& c, std::size_t s) const {
         const bool all = c.states_[s].kind == Kind::parallel;

@@ -9,7 +9,8 @@
 
 namespace ansatz {
 
-template <class D, class Context_, class... O> Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachine& before, Context& context) {
+template <class D, class Context_, class... O>
+Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachine& before, Context& context) {
     const auto& c = *chart_;
     const auto& old = *before.chart_;
     const Busy busy(busy_);
@@ -25,23 +26,32 @@ template <class D, class Context_, class... O> Reloaded InterpretedMachine<D, Co
         const auto& kept = old.states_[s];
         const auto& mine = c.states_[index(now)];
         if (before.is_in(StateId(s))) stays[index(now)] = 1, entered_[index(now)] = before.entered_[s];
-        if (kept.behaviour != states::nowhere && mine.behaviour != states::nowhere && before.owns_[kept.behaviour]->tag() == owns_[mine.behaviour]->tag())
+        if (kept.behaviour != states::nowhere && mine.behaviour != states::nowhere &&
+            before.owns_[kept.behaviour]->tag() == owns_[mine.behaviour]->tag())
             owns_[mine.behaviour] = before.owns_[kept.behaviour]->copy();
-        if (!old.parallel_ && !c.parallel_ && kept.kind == mine.kind && states::is_history(kept.kind) && before.history_[s] != states::nowhere) {
+        if (!old.parallel_ && !c.parallel_ && kept.kind == mine.kind && states::is_history(kept.kind) &&
+            before.history_[s] != states::nowhere) {
             const StateId there = c.find(old.name(StateId(before.history_[s])));
-            if (there != StateId::none && index(there) > mine.parent && index(there) < c.states_[mine.parent].end && !states::is_history(c.states_[index(there)].kind)) history_[index(now)] = std::uint16_t(there);
+            if (there != StateId::none && index(there) > mine.parent && index(there) < c.states_[mine.parent].end &&
+                !states::is_history(c.states_[index(there)].kind))
+                history_[index(now)] = std::uint16_t(there);
         }
     }
     // Each innermost active state, or the innermost around it that is still there.
     for (const StateId leaf : before.leaves()) {
         std::size_t s = index(leaf);
-        while (s != 0 && (c.find(old.name(StateId(s))) == StateId::none || states::is_history(c.states_[index(c.find(old.name(StateId(s))))].kind))) s = old.states_[s].parent;
+        while (s != 0 && (c.find(old.name(StateId(s))) == StateId::none ||
+                          states::is_history(c.states_[index(c.find(old.name(StateId(s))))].kind)))
+            s = old.states_[s].parent;
         if (s != 0) targets.push_back(std::uint16_t(c.find(old.name(StateId(s)))));
     }
     for_memories(context, true);
     std::size_t entered = 0;
     if (c.parallel_) {
-        auto quiet = [&](std::size_t s) { entered += stays[s] ? 0 : 1; return stays[s] != 0; };
+        auto quiet = [&](std::size_t s) {
+            entered += stays[s] ? 0 : 1;
+            return stays[s] != 0;
+        };
         if (targets.empty() || !regions_.go_to(*this, context, targets, quiet)) {
             regions_.forget();
             regions_.start(*this, context);

@@ -36,12 +36,16 @@ struct ReadOptions {
 /// The outline of a machine in a text.
 /// \param origin  what sentences call it: the path of its file
 /// \throws std::invalid_argument with origin, line and name for whatever is wrong
-inline Outline parse_outline(std::string_view text, std::string origin) { return states::detail::ScxmlReader(text, std::move(origin)).read(); }
+inline Outline parse_outline(std::string_view text, std::string origin) {
+    return states::detail::ScxmlReader(text, std::move(origin)).read();
+}
 
 /// A machine in a text.
 /// \param names  what its guards, actions and classes stand for
 /// \throws std::invalid_argument with origin, line and name for whatever is wrong
-template <class Context> SharedChart<Context> parse_scxml(std::string_view text, std::string origin, const Bindings<Context>& names, ReadOptions options = {}) {
+template <class Context>
+SharedChart<Context> parse_scxml(std::string_view text, std::string origin, const Bindings<Context>& names,
+                                 ReadOptions options = {}) {
     auto chart = make_chart(parse_outline(text, std::move(origin)), names);
     if (options.refuse_unreachable) refuse_unreachable(chart->outline());
     return chart;
@@ -49,7 +53,8 @@ template <class Context> SharedChart<Context> parse_scxml(std::string_view text,
 
 /// A machine in a file.
 /// \throws std::invalid_argument with path, line and name for whatever is wrong, also for a file that cannot be read
-template <class Context> SharedChart<Context> read_scxml(const std::string& path, const Bindings<Context>& names, ReadOptions options = {}) {
+template <class Context>
+SharedChart<Context> read_scxml(const std::string& path, const Bindings<Context>& names, ReadOptions options = {}) {
     return parse_scxml(states::detail::text_of_file(path), path, names, options);
 }
 

@@ -16,7 +16,8 @@
 namespace ansatz::states::detail {
 
 inline constexpr std::size_t most_text = std::size_t(16) << 20;
-inline constexpr std::string_view scxml_namespace = "http://www.w3.org/2005/07/scxml", own_namespace = "urn:ansatz:states";
+inline constexpr std::string_view scxml_namespace = "http://www.w3.org/2005/07/scxml",
+                                  own_namespace = "urn:ansatz:states";
 
 /// The text of a file, or a sentence.
 inline std::string text_of_file(const std::string& path) {
@@ -36,13 +37,16 @@ public:
 
     Outline read() {
         if (text_.size() > most_text) wrong(0, "it is longer than 16 MB, the most that is read");
-        if (const auto nul = text_.find('\0'); nul != std::string_view::npos) wrong(line_of(std::ptrdiff_t(nul)), "a byte with the value 0 is no XML of UTF-8");
+        if (const auto nul = text_.find('\0'); nul != std::string_view::npos)
+            wrong(line_of(std::ptrdiff_t(nul)), "a byte with the value 0 is no XML of UTF-8");
         pugi::xml_document document;
-        const auto result = document.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+        const auto result = document.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype,
+                                                 pugi::encoding_utf8);
         if (!result) wrong(line_of(result.offset), std::string("it is no well-formed XML: ") + result.description());
         pugi::xml_node root;
         for (const auto node : document.children()) {
-            if (node.type() == pugi::node_doctype) wrong(node, "a document type (<!DOCTYPE ...>) is not accepted, and no entity of its own");
+            if (node.type() == pugi::node_doctype)
+                wrong(node, "a document type (<!DOCTYPE ...>) is not accepted, and no entity of its own");
             if (node.type() != pugi::node_element) continue;
             if (root) wrong(node, "a second root element, <" + std::string(node.name()) + ">");
             root = node;
@@ -59,7 +63,9 @@ private:
     using Content = Outline::Content;
 
     // ------------------------------------------------------------ sentences
-    [[noreturn]] void wrong(long line, const std::string& what) const { refuse(Refusal::invalid_argument, outline_.origin + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what); }
+    [[noreturn]] void wrong(long line, const std::string& what) const {
+        refuse(Refusal::invalid_argument, outline_.origin + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what);
+    }
     [[noreturn]] void wrong(Node node, const std::string& what) { wrong(line_of(node), what); }
     long line_of(std::ptrdiff_t offset) {
         if (lines_.empty())
@@ -69,16 +75,19 @@ private:
         return 1 + (std::lower_bound(lines_.begin(), lines_.end(), std::size_t(offset)) - lines_.begin());
     }
     long line_of(Node node) { return line_of(node.offset_debug()); }
-    static std::string tag(Node node) { return "<" + shown(node.name()).substr(1, std::min<std::size_t>(60, shown(node.name()).size() - 2)) + ">"; }
+    static std::string tag(Node node) {
+        return "<" + shown(node.name()).substr(1, std::min<std::size_t>(60, shown(node.name()).size() - 2)) + ">";
+    }
 
     // ------------------------------------------------------------ namespaces
     void namespaces(Node root) {
         for (const auto attribute : root.attributes()) {
             const std::string_view name = attribute.name();
             if (name == "xmlns") {
-                if (attribute.value() != scxml_namespace) wrong(root, "the namespace is " + shown(attribute.value()) + "; that of SCXML is " + shown(scxml_namespace));
-            } else if (name.starts_with("xmlns:"))
-                prefixes_.emplace(name.substr(6), attribute.value());
+                if (attribute.value() != scxml_namespace)
+                    wrong(root, "the namespace is " + shown(attribute.value()) + "; that of SCXML is " +
+                                    shown(scxml_namespace));
+            } else if (name.starts_with("xmlns:")) prefixes_.emplace(name.substr(6), attribute.value());
         }
     }
     // The name within SCXML; "ansatz:..." for ours; empty for another's.
@@ -100,13 +109,16 @@ private:
         for (const auto attribute : node.attributes()) {
             const std::string_view full = attribute.name();
             if (full == "xmlns" || full.starts_with("xmlns:")) {
-                if (node.parent().type() != pugi::node_document) wrong(node, "namespaces are declared in the root, not in " + tag(node));
+                if (node.parent().type() != pugi::node_document)
+                    wrong(node, "namespaces are declared in the root, not in " + tag(node));
                 continue;
             }
             const auto name = full.find(':') == std::string_view::npos ? std::string(full) : local_name(node, full);
             if (name.empty()) continue;
-            if (std::find(possible.begin(), possible.end(), name) == possible.end()) wrong(node, tag(node) + " has the attribute " + shown(name) + ", which means nothing here");
-            if (!found.emplace(name, attribute.value()).second) wrong(node, tag(node) + " has the attribute " + shown(name) + " twice");
+            if (std::find(possible.begin(), possible.end(), name) == possible.end())
+                wrong(node, tag(node) + " has the attribute " + shown(name) + ", which means nothing here");
+            if (!found.emplace(name, attribute.value()).second)
+                wrong(node, tag(node) + " has the attribute " + shown(name) + " twice");
         }
         return found;
     }
@@ -114,7 +126,8 @@ private:
     std::vector<std::pair<std::string, Node>> elements(Node node) {
         std::vector<std::pair<std::string, Node>> found;
         for (const auto child : node.children()) {
-            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) wrong(child, "text stands in " + tag(node) + ": " + shown(child.value()));
+            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+                wrong(child, "text stands in " + tag(node) + ": " + shown(child.value()));
             if (child.type() != pugi::node_element) continue;
             auto name = local(child);
             if (!name.empty()) found.emplace_back(std::move(name), child);
@@ -122,9 +135,14 @@ private:
         return found;
     }
     [[noreturn]] void out_of_place(Node node, const std::string& name, Node parent) {
-        static constexpr std::string_view left_out[] = {"datamodel", "data", "assign", "param", "if", "elseif", "else", "foreach", "send", "cancel", "invoke", "finalize", "donedata", "content"};
+        static constexpr std::string_view left_out[] = {"datamodel", "data",     "assign",   "param",  "if",
+                                                        "elseif",    "else",     "foreach",  "send",   "cancel",
+                                                        "invoke",    "finalize", "donedata", "content"};
         const bool out = std::find(std::begin(left_out), std::end(left_out), name) != std::end(left_out);
-        wrong(node, tag(node) + (out ? " is not in the subset of SCXML that is read; do it in a guard or an action of the program" : " cannot stand in " + tag(parent)));
+        wrong(node,
+              tag(node) +
+                  (out ? " is not in the subset of SCXML that is read; do it in a guard or an action of the program"
+                       : " cannot stand in " + tag(parent)));
     }
 
     // ------------------------------------------------------------ elements
@@ -136,17 +154,16 @@ private:
         outline_.name = a["name"];
         outline_.states.push_back(std::move(state));
         for (const auto& [name, child] : elements(root)) {
-            if (name == "state" || name == "parallel" || name == "final")
-                place(child, name, 0, 1);
-            else
-                out_of_place(child, name, root);
+            if (name == "state" || name == "parallel" || name == "final") place(child, name, 0, 1);
+            else out_of_place(child, name, root);
         }
     }
     void place(Node node, const std::string& what, std::size_t parent, std::size_t depth) {
         if (depth > most_depth) wrong(node, "it is nested more than 256 deep");
         if (outline_.states.size() >= 0xfff0) wrong(node, "it has more than 65519 states");
         if (what == "history") return history(node, parent);
-        auto a = what == "state" ? attributes(node, {"id", "initial", "ansatz:class"}) : attributes(node, {"id", "ansatz:class"});
+        auto a = what == "state" ? attributes(node, {"id", "initial", "ansatz:class"})
+                                 : attributes(node, {"id", "ansatz:class"});
         const std::size_t me = outline_.states.size();
         Outline::State state;
         state.name = a["id"];
@@ -160,7 +177,8 @@ private:
         const auto inside = elements(node);
         for (const auto& [name, child] : inside) part(node, me, name, child);
         for (const auto& [name, child] : inside)
-            if (name == "state" || name == "parallel" || name == "final" || name == "history") place(child, name, me, depth + 1);
+            if (name == "state" || name == "parallel" || name == "final" || name == "history")
+                place(child, name, me, depth + 1);
     }
     void part(Node node, std::size_t me, const std::string& name, Node child) {
         auto add = [&](std::vector<Content>& to) {
@@ -170,14 +188,10 @@ private:
         };
         auto& state = outline_.states[me];
         const bool final = state.kind == Kind::final;
-        if (name == "onentry")
-            add(state.entry);
-        else if (name == "onexit")
-            add(state.exit);
-        else if (name == "ansatz:onupdate")
-            add(state.each);
-        else if (name == "transition" && !final)
-            outline_.transitions.push_back(transition(child, me));
+        if (name == "onentry") add(state.entry);
+        else if (name == "onexit") add(state.exit);
+        else if (name == "ansatz:onupdate") add(state.each);
+        else if (name == "transition" && !final) outline_.transitions.push_back(transition(child, me));
         else if (name == "initial" && state.kind == Kind::state) {
             if (!state.initial.empty()) wrong(child, "the state " + shown(state.name) + " says twice where it begins");
             attributes(child, {});
@@ -188,15 +202,18 @@ private:
     // The one transition of an <initial> or a <history>.
     void begin(Node node, Outline::State& state) {
         const auto inside = elements(node);
-        if (inside.size() != 1 || inside.front().first != "transition") wrong(node, tag(node) + " holds one <transition target=\"...\">");
+        if (inside.size() != 1 || inside.front().first != "transition")
+            wrong(node, tag(node) + " holds one <transition target=\"...\">");
         const auto t = transition(inside.front().second, 0);
-        if (!t.events.empty() || !t.guard.empty() || t.targets.empty()) wrong(node, "the transition of " + tag(node) + " has a target, no event and no condition");
+        if (!t.events.empty() || !t.guard.empty() || t.targets.empty())
+            wrong(node, "the transition of " + tag(node) + " has a target, no event and no condition");
         state.initial = t.targets;
         state.initial_content = t.content;
     }
     void history(Node node, std::size_t parent) {
         auto a = attributes(node, {"id", "type"});
-        if (!a["type"].empty() && a["type"] != "shallow" && a["type"] != "deep") wrong(node, "a history is shallow or deep, not " + shown(a["type"]));
+        if (!a["type"].empty() && a["type"] != "shallow" && a["type"] != "deep")
+            wrong(node, "a history is shallow or deep, not " + shown(a["type"]));
         Outline::State state;
         state.name = a["id"];
         state.kind = a["type"] == "deep" ? Kind::deep_history : Kind::shallow_history;
@@ -209,7 +226,8 @@ private:
     Outline::Transition transition(Node node, std::size_t source) {
         auto a = attributes(node, {"event", "cond", "target", "type"});
         if (outline_.transitions.size() >= 0xfff0) wrong(node, "it has more than 65519 transitions");
-        if (!a["type"].empty() && a["type"] != "external" && a["type"] != "internal") wrong(node, "a transition is external or internal, not " + shown(a["type"]));
+        if (!a["type"].empty() && a["type"] != "external" && a["type"] != "internal")
+            wrong(node, "a transition is external or internal, not " + shown(a["type"]));
         Outline::Transition t;
         t.source = source;
         for (const auto& word : words(a["event"])) t.events += (t.events.empty() ? "" : " ") + word;
@@ -226,7 +244,8 @@ private:
     std::vector<Content> contents(Node node) {
         std::vector<Content> found;
         for (const auto child : node.children()) {
-            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) wrong(child, "text stands in " + tag(node) + ": " + shown(child.value()));
+            if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
+                wrong(child, "text stands in " + tag(node) + ": " + shown(child.value()));
             if (child.type() != pugi::node_element) continue;
             const auto name = local(child);
             if (name.empty()) continue;
@@ -235,7 +254,8 @@ private:
             if (name == "raise") {
                 content.what = Content::What::raise;
                 content.name = attributes(child, {"event"})["event"];
-                if (words(content.name).size() != 1) wrong(child, "<raise> names one event, not " + shown(content.name));
+                if (words(content.name).size() != 1)
+                    wrong(child, "<raise> names one event, not " + shown(content.name));
             } else if (name == "log") {
                 content.what = Content::What::log;
                 auto a = attributes(child, {"label", "expr"});
@@ -244,8 +264,7 @@ private:
                 attributes(child, {});
                 content.name = trimmed(child.child_value());
                 if (content.name.empty()) wrong(child, "<script> holds the name of an action");
-            } else
-                out_of_place(child, name, node);
+            } else out_of_place(child, name, node);
             if (name != "script" && child.first_child()) wrong(child, tag(child) + " is empty");
             found.push_back(std::move(content));
         }

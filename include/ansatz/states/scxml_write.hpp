@@ -15,14 +15,14 @@ inline std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            case '\n': out += "&#10;"; break;
-            case '\r': out += "&#13;"; break;
-            case '\t': out += "&#9;"; break;
-            default: out += c;
+        case '&': out += "&amp;"; break;
+        case '<': out += "&lt;"; break;
+        case '>': out += "&gt;"; break;
+        case '"': out += "&quot;"; break;
+        case '\n': out += "&#10;"; break;
+        case '\r': out += "&#13;"; break;
+        case '\t': out += "&#9;"; break;
+        default: out += c;
         }
     }
     return out;
@@ -31,9 +31,11 @@ inline std::string escaped(std::string_view text) {
 /// Writes one outline.
 class ScxmlWriter {
 public:
-    explicit ScxmlWriter(const Outline& outline) : outline_(outline), children_(outline.states.size()), transitions_(outline.states.size()) {
+    explicit ScxmlWriter(const Outline& outline)
+        : outline_(outline), children_(outline.states.size()), transitions_(outline.states.size()) {
         for (std::size_t s = 1; s < outline.states.size(); ++s) children_[outline.states[s].parent].push_back(s);
-        for (std::size_t t = 0; t < outline.transitions.size(); ++t) transitions_[outline.transitions[t].source].push_back(t);
+        for (std::size_t t = 0; t < outline.transitions.size(); ++t)
+            transitions_[outline.transitions[t].source].push_back(t);
     }
     std::string write() {
         bool own = false;
@@ -63,7 +65,9 @@ private:
         for (const auto& content : contents) {
             indent(depth);
             const auto name = escaped(content.name);
-            text_ += content.what == What::raise ? "<raise event=\"" + name + "\"/>\n" : content.what == What::log ? "<log expr=\"" + name + "\"/>\n" : "<script>" + name + "</script>\n";
+            text_ += content.what == What::raise ? "<raise event=\"" + name + "\"/>\n"
+                     : content.what == What::log ? "<log expr=\"" + name + "\"/>\n"
+                                                 : "<script>" + name + "</script>\n";
         }
     }
     void block(const char* tag, const std::vector<Outline::Content>& what, std::size_t depth) {
@@ -98,7 +102,10 @@ private:
     }
     void state(std::size_t id, std::size_t depth) {
         const auto& s = outline_.states[id];
-        const char* tag = is_history(s.kind) ? "history" : s.kind == Kind::parallel ? "parallel" : s.kind == Kind::final ? "final" : "state";
+        const char* tag = is_history(s.kind)         ? "history"
+                          : s.kind == Kind::parallel ? "parallel"
+                          : s.kind == Kind::final    ? "final"
+                                                     : "state";
         indent(depth);
         text_ += std::string("<") + tag;
         attribute("id", s.name);
@@ -107,8 +114,7 @@ private:
         if (!is_history(s.kind) && !element) attribute("initial", joined(s.initial));
         attribute("ansatz:class", s.behaviour);
         text_ += ">\n";
-        if (is_history(s.kind))
-            begin(s, depth + 1);
+        if (is_history(s.kind)) begin(s, depth + 1);
         else if (element) {
             indent(depth + 1);
             text_ += "<initial>\n";

@@ -25,9 +25,9 @@ struct StatePattern {
         class State {
         public:
             virtual bool on_event(Machine&, Context&, std::size_t) const { return false; } ///< an event
-            virtual bool on_condition(Machine&, Context&) const { return false; }          ///< the conditions of an update
-            virtual bool at_once(Machine&, Context&) const { return false; }               ///< what happens as soon as it is entered
-            virtual std::uint16_t number() const { return 0; }                             ///< its own
+            virtual bool on_condition(Machine&, Context&) const { return false; } ///< the conditions of an update
+            virtual bool at_once(Machine&, Context&) const { return false; } ///< what happens as soon as it is entered
+            virtual std::uint16_t number() const { return 0; }               ///< its own
         protected:
             ~State() = default; // nobody owns a state by its base
         };
@@ -40,20 +40,27 @@ struct StatePattern {
             return *this;
         }
 
-        std::uint16_t leaf() const { return current_->number(); }   ///< 0 before start
-        bool started() const { return current_ != &before_; }      ///< it is in a state
-        template <std::size_t S> void set() { current_ = &object<S>(); } ///< the state is S from now on
+        std::uint16_t leaf() const { return current_->number(); }           ///< 0 before start
+        bool started() const { return current_ != &before_; }               ///< it is in a state
+        template <std::size_t S> void set() { current_ = &object<S>(); }    ///< the state is S from now on
         template <std::size_t S> auto& own_of() { return object<S>().own; } ///< the data of a state
 
-        [[gnu::always_inline]] bool on_event(Machine& machine, Context& context, EventId event) { return current_->on_event(machine, context, index(event)); } ///< a transition for the event
-        bool on_condition(Machine& machine, Context& context) { return current_->on_condition(machine, context); } ///< a condition that holds
-        bool at_once(Machine& machine, Context& context) { return current_->at_once(machine, context); }           ///< a transition without one
+        /// A transition for the event.
+        [[gnu::always_inline]] bool on_event(Machine& machine, Context& context, EventId event) {
+            return current_->on_event(machine, context, index(event));
+        }
+        /// A condition that holds.
+        bool on_condition(Machine& machine, Context& context) {
+            return current_->on_condition(machine, context);
+        }
+        /// A transition without one.
+        bool at_once(Machine& machine, Context& context) {
+            return current_->at_once(machine, context);
+        }
         bool for_leaf(Machine&, auto&& f) { // f with the innermost active state as a constant
             return states::detail::with_number<M::state_count>(leaf(), [&]<std::size_t S>() {
-                if constexpr (M::is_leaf(S))
-                    return f.template operator()<S>();
-                else
-                    return false;
+                if constexpr (M::is_leaf(S)) return f.template operator()<S>();
+                else return false;
             });
         }
 
@@ -64,30 +71,36 @@ struct StatePattern {
         public:
             Own<S> own{};
             bool on_event(Machine& machine, Context& context, std::size_t event) const override {
-                if constexpr (M::is_leaf(S))
-                    return events(machine, context, event);
-                else
-                    return false;
+                if constexpr (M::is_leaf(S)) return events(machine, context, event);
+                else return false;
             }
-            bool on_condition(Machine& machine, Context& context) const override { return try_all<M::on_condition>(machine, context); }
-            bool at_once(Machine& machine, Context& context) const override { return try_all<M::at_once>(machine, context); }
+            bool on_condition(Machine& machine, Context& context) const override {
+                return try_all<M::on_condition>(machine, context);
+            }
+            bool at_once(Machine& machine, Context& context) const override {
+                return try_all<M::at_once>(machine, context);
+            }
             std::uint16_t number() const override { return S; }
 
         private:
             template <std::size_t What> [[gnu::always_inline]] static bool try_all(Machine& machine, Context& context) {
                 if constexpr (M::is_leaf(S)) {
                     constexpr const auto& list = M::template candidates_of<S, What>;
-                    return [&]<std::size_t... I>(std::index_sequence<I...>) { return (machine.template attempt<S, list.at[I]>(context) || ...); }(std::make_index_sequence<list.size>{});
-                } else
-                    return false;
+                    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+                        return (machine.template attempt<S, list.at[I]>(context) || ...);
+                    }(std::make_index_sequence<list.size>{});
+                } else return false;
             }
             static bool events(Machine& machine, Context& context, std::size_t event) {
-                return states::detail::switch_over<M, S>(event, [&]<std::size_t E>() { return try_all<E>(machine, context); });
+                return states::detail::switch_over<M, S>(event,
+                                                         [&]<std::size_t E>() { return try_all<E>(machine, context); });
             }
         };
 
         template <class S> struct All;
-        template <std::size_t... S> struct All<std::index_sequence<S...>> { using type = std::tuple<Concrete<S>...>; };
+        template <std::size_t... S> struct All<std::index_sequence<S...>> {
+            using type = std::tuple<Concrete<S>...>;
+        };
         template <std::size_t S> Concrete<S>& object() { return std::get<S>(objects_); }
         void point_to(std::size_t leaf) {
             current_ = &before_;

@@ -21,22 +21,27 @@ struct Table {
     template <class Machine, class M> class In {
     public:
         using Context = typename M::Context;
-        std::uint16_t leaf() const { return leaf_; } ///< 0 before start
-        bool started() const { return leaf_ != 0; }  ///< it is in a state
+        std::uint16_t leaf() const { return leaf_; }       ///< 0 before start
+        bool started() const { return leaf_ != 0; }        ///< it is in a state
         template <std::size_t S> void set() { leaf_ = S; } ///< the state is S from now on
 
-        [[gnu::always_inline]] bool on_event(Machine& machine, Context& context, EventId event) { // a transition for the event
+        [[gnu::always_inline]] bool on_event(Machine& machine, Context& context,
+                                             EventId event) { // a transition for the event
             if (index(event) >= M::event_count) return false;
             return look(machine, context, table[leaf_ * columns + index(event)]);
         }
-        bool on_condition(Machine& machine, Context& context) { return look(machine, context, table[leaf_ * columns + M::event_count]); } ///< a condition that holds
-        bool at_once(Machine& machine, Context& context) { return look(machine, context, table[leaf_ * columns + M::event_count + 1]); }  ///< a transition without one
+        /// A condition that holds.
+        bool on_condition(Machine& machine, Context& context) {
+            return look(machine, context, table[leaf_ * columns + M::event_count]);
+        }
+        /// A transition without one.
+        bool at_once(Machine& machine, Context& context) {
+            return look(machine, context, table[leaf_ * columns + M::event_count + 1]);
+        }
         bool for_leaf(Machine&, auto&& f) { // f with the innermost active state as a constant
             return states::detail::with_number<M::state_count>(leaf_, [&]<std::size_t S>() {
-                if constexpr (M::is_leaf(S))
-                    return f.template operator()<S>();
-                else
-                    return false;
+                if constexpr (M::is_leaf(S)) return f.template operator()<S>();
+                else return false;
             });
         }
 
@@ -50,7 +55,8 @@ struct Table {
         // A transition that changes the number of the state and does nothing else.
         static constexpr bool is_plain(std::size_t leaf, std::size_t t) {
             const auto& row = M::rows.transitions[t];
-            if (row.guarded || Machine::keeps_time || Machine::performs(t) || row.target == states::nowhere) return false;
+            if (row.guarded || Machine::keeps_time || Machine::performs(t) || row.target == states::nowhere)
+                return false;
             const auto out = M::exits(leaf, row.domain);
             for (std::size_t i = 0; i < out.size; ++i)
                 if (M::rows.states[out.at[i]].acts || has_history(out.at[i])) return false;
@@ -78,14 +84,15 @@ struct Table {
         static constexpr bool calls = [] {
             for (std::size_t s = 1; s < M::state_count; ++s)
                 for (std::size_t c = 0; M::is_leaf(s) && c < columns; ++c)
-                    if (const auto list = M::candidates(s, what(c)); list.size > 1 || (list.size == 1 && !is_plain(s, list.at[0]))) return true;
+                    if (const auto list = M::candidates(s, what(c));
+                        list.size > 1 || (list.size == 1 && !is_plain(s, list.at[0])))
+                        return true;
             return false;
         }();
         using Cell = std::conditional_t<calls, Function, Target>;
         [[gnu::always_inline]] bool look(Machine& machine, Context& context, const Cell& cell) {
             // Where anything acts every cell has a function: whether one has is what a processor cannot guess.
-            if constexpr (calls)
-                return cell.attempt(machine, context);
+            if constexpr (calls) return cell.attempt(machine, context);
             else {
                 if (cell.target == none) return false;
                 leaf_ = cell.target;
@@ -96,18 +103,19 @@ struct Table {
         static bool nothing(Machine&, Context&) { return false; }
         template <std::size_t Leaf, std::size_t What> static bool attempt(Machine& machine, Context& context) {
             constexpr const auto& list = M::template candidates_of<Leaf, What>;
-            return [&]<std::size_t... I>(std::index_sequence<I...>) { return (machine.template attempt<Leaf, list.at[I]>(context) || ...); }(std::make_index_sequence<list.size>{});
+            return [&]<std::size_t... I>(std::index_sequence<I...>) {
+                return (machine.template attempt<Leaf, list.at[I]>(context) || ...);
+            }(std::make_index_sequence<list.size>{});
         }
         using Cells = std::array<Cell, M::state_count * columns>;
         template <std::size_t Leaf, std::size_t Column> static constexpr void fill(Cells& cells) {
             constexpr const auto& list = M::template candidates_of<Leaf, what(Column)>;
             auto& cell = cells[Leaf * columns + Column];
-            if constexpr (!calls && list.size == 1)
-                cell.target = lands_in(list.at[0]);
-            else if constexpr (list.size > 0)
-                cell.attempt = &attempt<Leaf, what(Column)>;
+            if constexpr (!calls && list.size == 1) cell.target = lands_in(list.at[0]);
+            else if constexpr (list.size > 0) cell.attempt = &attempt<Leaf, what(Column)>;
         }
-        template <std::size_t Leaf, std::size_t... E> static constexpr void fill_row(Cells& cells, std::index_sequence<E...>) {
+        template <std::size_t Leaf, std::size_t... E>
+        static constexpr void fill_row(Cells& cells, std::index_sequence<E...>) {
             (fill<Leaf, M::template events_of<Leaf>.at[E]>(cells), ...);
             fill<Leaf, M::event_count>(cells);
             fill<Leaf, M::event_count + 1>(cells);

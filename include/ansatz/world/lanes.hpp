@@ -181,6 +181,12 @@ public:
         for (std::size_t k = 0; k < lanes_of<Which>(S::dimension); ++k) raw[k] = lane_at(first + k)[i];
         return detail::load<Which, S>(raw);
     }
+    /// A body's values in a list of columns.
+    template <class... Which> Row<S, Columns<Which...>> get(Columns<Which...>, std::size_t i) const {
+        Row<S, Columns<Which...>> row;
+        ((row.template get<Which>() = get<Which>(i)), ...);
+        return row;
+    }
     /// Sets a body's value in a column.
     template <class Which> void set(std::size_t i, const value_of<Which, S>& q) {
         Scalar raw[3] = {};

@@ -33,6 +33,7 @@ struct AllPairs {
     };
 };
 
-static_assert(BroadphaseIn<AllPairs, Space<>> && BroadphaseIn<AllPairs, Space<float, 2>> && !detail::needs_boxes<AllPairs>);
+static_assert(BroadphaseIn<AllPairs, Space<>> && BroadphaseIn<AllPairs, Space<float, 2>> &&
+              !detail::needs_boxes<AllPairs>);
 
 } // namespace ansatz

@@ -37,18 +37,22 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
     static constexpr std::string_view name = "BinarySplit";
     static void parameters(auto&, auto&&) {}
     void check() const {
-        if (threshold < 1) refuse_value("BinarySplit", "threshold", std::to_string(threshold), "a cell holds at least 1 body");
-        if (depth < 0 || depth > 64) refuse_value("BinarySplit", "depth", std::to_string(depth), "it is 0 to 64 divisions");
+        if (threshold < 1)
+            refuse_value("BinarySplit", "threshold", std::to_string(threshold), "a cell holds at least 1 body");
+        if (depth < 0 || depth > 64)
+            refuse_value("BinarySplit", "depth", std::to_string(depth), "it is 0 to 64 divisions");
     }
 
     template <class S> class In {
         using Scalar = typename S::Scalar;
 
     public:
-        explicit In(const BinarySplit& split) : threshold_(std::size_t(split.threshold)), depth_(split.depth), recursion_(split.inside) {}
+        explicit In(const BinarySplit& split)
+            : threshold_(std::size_t(split.threshold)), depth_(split.depth), recursion_(split.inside) {}
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             constexpr double copies = 1.4; // two parts of 0.7 of the bodies are as much work as all of them in one
-            auto divide = [&](const detail::TreeCell<S>& cell, const std::uint32_t* members, std::size_t count, int attempt, detail::Division<S>& division) {
+            auto divide = [&](const detail::TreeCell<S>& cell, const std::uint32_t* members, std::size_t count,
+                              int attempt, detail::Division<S>& division) {
                 return middle_body(boxes, cell, members, count, attempt, division);
             };
             recursion_.find(boxes, threshold_, depth_, copies, divide, found);
@@ -58,8 +62,8 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
         static constexpr std::size_t dimension = std::size_t(S::dimension);
 
         /// The longest axis first; where that is of no use, the next.
-        static bool middle_body(const Boxes<S>& boxes, const detail::TreeCell<S>& cell, const std::uint32_t* members, std::size_t count, int attempt,
-                                detail::Division<S>& division) {
+        static bool middle_body(const Boxes<S>& boxes, const detail::TreeCell<S>& cell, const std::uint32_t* members,
+                                std::size_t count, int attempt, detail::Division<S>& division) {
             if (attempt >= S::dimension) return false;
             std::array<std::size_t, dimension> axes;
             std::array<Scalar, dimension> widths;
@@ -67,7 +71,9 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
                 const Scalar half = cell.upper[k] / 2 - cell.lower[k] / 2;
                 axes[k] = k, widths[k] = half > Scalar(0) ? half : Scalar(0); // no order has a NaN in it
             }
-            std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return widths[b] < widths[a] || (widths[a] == widths[b] && a < b); });
+            std::sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+                return widths[b] < widths[a] || (widths[a] == widths[b] && a < b);
+            });
             const std::size_t axis = axes[std::size_t(attempt)];
             const Scalar at = middle_of(boxes, int(axis), members, count);
             division.axes = cell.lower[axis] < at && at < cell.upper[axis] ? 1u << axis : 0u;

@@ -28,24 +28,28 @@ struct BoundingBoxes {
     public:
         explicit In(const BoundingBoxes&) {}
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
-            for (std::size_t i = 0; i < boxes.active(); ++i) scan(boxes, i, i + 1, boxes.size(), [&](std::size_t j) { found(i, j); });
+            for (std::size_t i = 0; i < boxes.active(); ++i)
+                scan(boxes, i, i + 1, boxes.size(), [&](std::size_t j) { found(i, j); });
         }
         /// \name Inside a cell
         /// @{
         const std::uint32_t* order(const Boxes<S>&) { return nullptr; }
         void arrange(Lot<S>&, std::size_t, std::size_t) {}
-        template <class F> [[gnu::always_inline]] void among(const Lot<S>& lot, std::size_t first, std::size_t last, F&& touch) const {
+        template <class F>
+        [[gnu::always_inline]] void among(const Lot<S>& lot, std::size_t first, std::size_t last, F&& touch) const {
             for (std::size_t p = first; p < last; ++p) scan(lot, p, p + 1, last, [&](std::size_t q) { touch(p, q); });
         }
         template <class F>
-        [[gnu::always_inline]] void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first, std::size_t other_last,
-                                            F&& touch) const {
-            for (std::size_t p = first; p < last; ++p) scan(lot, p, other_first, other_last, [&](std::size_t q) { touch(p, q); });
+        [[gnu::always_inline]] void between(const Lot<S>& lot, std::size_t first, std::size_t last,
+                                            std::size_t other_first, std::size_t other_last, F&& touch) const {
+            for (std::size_t p = first; p < last; ++p)
+                scan(lot, p, other_first, other_last, [&](std::size_t q) { touch(p, q); });
         }
         /// @}
     };
 };
 
-static_assert(BroadphaseIn<BoundingBoxes, Space<>> && InsideIn<BoundingBoxes, Space<>> && InsideIn<BoundingBoxes, Space<float, 2>>);
+static_assert(BroadphaseIn<BoundingBoxes, Space<>> && InsideIn<BoundingBoxes, Space<>> &&
+              InsideIn<BoundingBoxes, Space<float, 2>>);
 
 } // namespace ansatz

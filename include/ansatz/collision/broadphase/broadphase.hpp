@@ -30,9 +30,12 @@ struct PairProbe {
     void operator()(std::size_t, std::size_t) const {}
 };
 template <class P, class S>
-concept BindsBroadphase = requires { typename P::template In<S>; } && std::constructible_from<typename P::template In<S>, const P&>;
+concept BindsBroadphase =
+    requires { typename P::template In<S>; } && std::constructible_from<typename P::template In<S>, const P&>;
 template <class P, class S>
-concept FindsPairs = BindsBroadphase<P, S> && requires(typename P::template In<S>& bound, const Boxes<S>& boxes) { bound.find(boxes, PairProbe()); };
+concept FindsPairs = BindsBroadphase<P, S> && requires(typename P::template In<S>& bound, const Boxes<S>& boxes) {
+    bound.find(boxes, PairProbe());
+};
 /// Whether it looks at boxes at all; one that does not says `static constexpr bool needs_boxes = false;`.
 template <class P> inline constexpr bool needs_boxes = true;
 template <class P>
@@ -63,11 +66,14 @@ template <class P, class S> struct BroadphaseFacts {
 template <class P, class S> struct CheckBroadphase {
     using Facts = BroadphaseFacts<P, S>;
     static_assert(Facts::plays, "Ansatz: this is no broadphase; one says `using role = roles::Broadphase;`");
-    static_assert(Facts::inside, "Ansatz: what tests the bodies inside a cell is BoundingBoxes or SortAndSweep, or has the verbs of "
-                                 "InsideIn; write e.g. Octree<SortAndSweep>");
-    static_assert(Facts::binds, "Ansatz: a broadphase that cannot be bound to a space; it needs `template <class S> class In` with a constructor "
+    static_assert(Facts::inside,
+                  "Ansatz: what tests the bodies inside a cell is BoundingBoxes or SortAndSweep, or has the verbs of "
+                  "InsideIn; write e.g. Octree<SortAndSweep>");
+    static_assert(Facts::binds, "Ansatz: a broadphase that cannot be bound to a space; it needs `template <class S> "
+                                "class In` with a constructor "
                                 "from the policy, `explicit In(const MyBroadphase&)`");
-    static_assert(Facts::finds, "Ansatz: a broadphase with a wrong signature; its In<S> needs `template <class F> void find(const Boxes<S>& boxes, "
+    static_assert(Facts::finds, "Ansatz: a broadphase with a wrong signature; its In<S> needs `template <class F> void "
+                                "find(const Boxes<S>& boxes, "
                                 "F&& found)`, which calls found(i, j) for each pair");
 };
 } // namespace detail

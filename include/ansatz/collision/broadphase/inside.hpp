@@ -25,12 +25,13 @@ namespace ansatz {
 
 /// A broadphase that can test what is inside a cell: `BoundingBoxes` and `SortAndSweep` can (notes 2.1.1).
 template <class P, class S>
-concept InsideIn = BroadphaseIn<P, S> && requires(typename P::template In<S>& bound, const Boxes<S>& boxes, Lot<S>& lot, std::size_t n) {
-    { bound.order(boxes) } -> std::convertible_to<const std::uint32_t*>;
-    bound.arrange(lot, n, n);
-    bound.among(lot, n, n, detail::PairProbe());
-    bound.between(lot, n, n, n, n, detail::PairProbe());
-};
+concept InsideIn = BroadphaseIn<P, S> &&
+                   requires(typename P::template In<S>& bound, const Boxes<S>& boxes, Lot<S>& lot, std::size_t n) {
+                       { bound.order(boxes) } -> std::convertible_to<const std::uint32_t*>;
+                       bound.arrange(lot, n, n);
+                       bound.among(lot, n, n, detail::PairProbe());
+                       bound.between(lot, n, n, n, n, detail::PairProbe());
+                   };
 
 namespace detail {
 /// Whether lists may be joined before they are tested, because their order does not matter.

@@ -27,10 +27,11 @@ public:
 
     /// A box, and whose it is.
     struct Item {
-        std::array<Scalar, 2 * std::size_t(S::dimension)> bounds; ///< m, the lower corner, then the upper one with its sign changed
-        std::uint32_t id;                                         ///< its index among all
+        std::array<Scalar, 2 * std::size_t(S::dimension)>
+            bounds;       ///< m, the lower corner, then the upper one with its sign changed
+        std::uint32_t id; ///< its index among all
 
-        Scalar lower(std::size_t k) const { return bounds[k]; }                             ///< m
+        Scalar lower(std::size_t k) const { return bounds[k]; }                              ///< m
         Scalar upper(std::size_t k) const { return -bounds[std::size_t(S::dimension) + k]; } ///< m
     };
 
@@ -41,7 +42,8 @@ public:
     /// Copies box `i` into a place.
     [[gnu::always_inline]] void put(std::size_t place, const Boxes<S>& boxes, std::uint32_t i) {
         Item& item = items_[place];
-        for (std::size_t k = 0; k < std::size_t(dimension); ++k) item.bounds[k] = boxes.lower(int(k))[i], item.bounds[std::size_t(dimension) + k] = -boxes.upper(int(k))[i];
+        for (std::size_t k = 0; k < std::size_t(dimension); ++k)
+            item.bounds[k] = boxes.lower(int(k))[i], item.bounds[std::size_t(dimension) + k] = -boxes.upper(int(k))[i];
         item.id = i;
     }
     Item& operator[](std::size_t place) { return items_[place]; }             ///< what is there
@@ -55,7 +57,8 @@ private:
 
 /// Calls `found(q)` for each place of [first, last) whose box touches that in place `p`.
 template <class S, class F>
-[[gnu::always_inline]] inline void scan(const Lot<S>& lot, std::size_t p, std::size_t first, std::size_t last, F&& found) {
+[[gnu::always_inline]] inline void scan(const Lot<S>& lot, std::size_t p, std::size_t first, std::size_t last,
+                                        F&& found) {
     constexpr std::size_t dimension = S::dimension;
     std::array<typename S::Scalar, 2 * dimension> reach; // by value: it stays in registers, whatever `found` writes
     for (std::size_t k = 0; k < dimension; ++k) reach[k] = lot[p].upper(k), reach[dimension + k] = -lot[p].lower(k);
@@ -68,21 +71,24 @@ template <class S, class F>
 }
 /// The same of boxes in lanes.
 template <class S, class F>
-[[gnu::always_inline]] inline void scan(const Boxes<S>& boxes, std::size_t p, std::size_t first, std::size_t last, F&& found) {
+[[gnu::always_inline]] inline void scan(const Boxes<S>& boxes, std::size_t p, std::size_t first, std::size_t last,
+                                        F&& found) {
     std::array<const typename S::Scalar*, std::size_t(S::dimension)> lower, upper;
     std::array<typename S::Scalar, std::size_t(S::dimension)> own_lower, own_upper;
     for (std::size_t k = 0; k < std::size_t(S::dimension); ++k) {
         lower[k] = boxes.lower(int(k)), upper[k] = boxes.upper(int(k));
         own_lower[k] = lower[k][p], own_upper[k] = upper[k][p];
     }
-    constexpr std::size_t block = 32; // tested at once, without a branch, then looked through: so the compiler makes vectors of it
+    constexpr std::size_t block =
+        32; // tested at once, without a branch, then looked through: so the compiler makes vectors of it
     for (std::size_t q = first; q < last; q += block) {
         std::array<std::uint8_t, block> touch;
         const std::size_t count = last - q < block ? last - q : block;
         for (std::size_t n = 0; n < count; ++n) {
             touch[n] = 1;
             for (std::size_t k = 0; k < std::size_t(S::dimension); ++k)
-                touch[n] = std::uint8_t(touch[n] & unsigned(lower[k][q + n] <= own_upper[k]) & unsigned(own_lower[k] <= upper[k][q + n]));
+                touch[n] = std::uint8_t(touch[n] & unsigned(lower[k][q + n] <= own_upper[k]) &
+                                        unsigned(own_lower[k] <= upper[k][q + n]));
         }
         for (std::size_t n = 0; n < count; ++n)
             if (touch[n]) found(q + n);
@@ -90,7 +96,8 @@ template <class S, class F>
 }
 
 /// Tells two indices in order, if one of them at least is of a body that moves.
-template <class F> [[gnu::always_inline]] inline void tell(std::uint32_t a, std::uint32_t b, std::size_t active, F&& found) {
+template <class F>
+[[gnu::always_inline]] inline void tell(std::uint32_t a, std::uint32_t b, std::size_t active, F&& found) {
     const std::size_t i = a < b ? a : b, j = a < b ? b : a;
     if (i < active) found(i, j);
 }

@@ -36,7 +36,8 @@ template <class Inside = BoundingBoxes> struct Octree {
     static constexpr std::string_view name = "Octree";
     static void parameters(auto&, auto&&) {}
     void check() const {
-        if (threshold < 1) refuse_value("Octree", "threshold", std::to_string(threshold), "a cell holds at least 1 body");
+        if (threshold < 1)
+            refuse_value("Octree", "threshold", std::to_string(threshold), "a cell holds at least 1 body");
         if (depth < 0 || depth > 64) refuse_value("Octree", "depth", std::to_string(depth), "it is 0 to 64 divisions");
     }
 
@@ -44,7 +45,8 @@ template <class Inside = BoundingBoxes> struct Octree {
         using Scalar = typename S::Scalar;
 
     public:
-        explicit In(const Octree& octree) : threshold_(std::size_t(octree.threshold)), depth_(octree.depth), recursion_(octree.inside) {}
+        explicit In(const Octree& octree)
+            : threshold_(std::size_t(octree.threshold)), depth_(octree.depth), recursion_(octree.inside) {}
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             // A part holds a quarter of its bodies when the eight hold twice as many: still half of the work.
             constexpr double copies = 2;
@@ -53,11 +55,13 @@ template <class Inside = BoundingBoxes> struct Octree {
 
     private:
         /// A cube has one width: an axis along which the world is shorter is divided as soon as the cubes are as small.
-        static bool halves(const detail::TreeCell<S>& cell, const std::uint32_t*, std::size_t, int attempt, detail::Division<S>& division) {
+        static bool halves(const detail::TreeCell<S>& cell, const std::uint32_t*, std::size_t, int attempt,
+                           detail::Division<S>& division) {
             if (attempt > 0) return false;
             Scalar widest(0);
             for (std::size_t k = 0; k < std::size_t(S::dimension); ++k) {
-                const Scalar width = cell.upper[k] / 2 - cell.lower[k] / 2; // by halves: the whole may be too large for the scalar
+                const Scalar width =
+                    cell.upper[k] / 2 - cell.lower[k] / 2; // by halves: the whole may be too large for the scalar
                 if (widest < width) widest = width;
             }
             division.axes = 0;

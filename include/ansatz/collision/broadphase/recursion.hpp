@@ -59,7 +59,8 @@ public:
         part(boxes, world_, 0, boxes.size(), depth, divide, found);
     }
     /// The sides of a division that a box reaches into, a bit each.
-    [[gnu::always_inline]] static unsigned sides_of(const Boxes<S>& boxes, std::uint32_t i, const Division<S>& division) {
+    [[gnu::always_inline]] static unsigned sides_of(const Boxes<S>& boxes, std::uint32_t i,
+                                                    const Division<S>& division) {
         static constexpr std::array<unsigned, 3> low_sides{0x55u, 0x33u, 0x0Fu};
         unsigned mask = (1u << sides) - 1;
         for (int k = 0; k < dimension; ++k) {
@@ -68,7 +69,8 @@ public:
                 continue;
             }
             const Scalar at = division.at[std::size_t(k)];
-            mask &= (boxes.lower(k)[i] < at ? low_sides[std::size_t(k)] : 0u) | (boxes.upper(k)[i] >= at ? ~low_sides[std::size_t(k)] : 0u);
+            mask &= (boxes.lower(k)[i] < at ? low_sides[std::size_t(k)] : 0u) |
+                    (boxes.upper(k)[i] >= at ? ~low_sides[std::size_t(k)] : 0u);
         }
         return mask;
     }
@@ -90,7 +92,8 @@ private:
     }
 
     template <class Divide, class F>
-    void part(const Boxes<S>& boxes, const TreeCell<S>& cell, std::size_t first, std::size_t last, int depth, const Divide& divide, F& found) {
+    void part(const Boxes<S>& boxes, const TreeCell<S>& cell, std::size_t first, std::size_t last, int depth,
+              const Divide& divide, F& found) {
         const std::size_t count = last - first;
         if (count < 2) return;
         Division<S> division;
@@ -104,14 +107,16 @@ private:
         for (std::size_t side = 0; side < sides; ++side) {
             TreeCell<S> child = cell;
             for (int k = 0; k < dimension; ++k)
-                if (division.axes >> k & 1u) ((side >> k & 1u) ? child.lower : child.upper)[std::size_t(k)] = division.at[std::size_t(k)];
+                if (division.axes >> k & 1u)
+                    ((side >> k & 1u) ? child.lower : child.upper)[std::size_t(k)] = division.at[std::size_t(k)];
             part(boxes, child, ends[side], ends[side + 1], depth - 1, divide, found);
         }
         members_.resize(ends[0]);
     }
 
     /// Appends the lists of the parts; leaves all as it was where that is not worth it.
-    bool hand_on(const Boxes<S>& boxes, const Division<S>& division, std::size_t first, std::size_t last, std::array<std::size_t, sides + 1>& ends) {
+    bool hand_on(const Boxes<S>& boxes, const Division<S>& division, std::size_t first, std::size_t last,
+                 std::array<std::size_t, sides + 1>& ends) {
         std::array<std::size_t, sides> counts{};
         masks_.resize(last > masks_.size() ? last : masks_.size());
         std::size_t all = 0;
@@ -124,14 +129,17 @@ private:
         if (double(all) >= copies_ * double(last - first)) return false;
         ends[0] = members_.size();
         std::array<std::size_t, sides> next{};
-        for (std::size_t side = 0; side < sides; ++side) next[side] = ends[side], ends[side + 1] = ends[side] + counts[side];
+        for (std::size_t side = 0; side < sides; ++side)
+            next[side] = ends[side], ends[side + 1] = ends[side] + counts[side];
         members_.resize(ends[sides]);
         for (std::size_t p = first; p < last; ++p)
-            for (unsigned mask = masks_[p]; mask != 0; mask &= mask - 1) members_[next[std::size_t(__builtin_ctz(mask))]++] = members_[p];
+            for (unsigned mask = masks_[p]; mask != 0; mask &= mask - 1)
+                members_[next[std::size_t(__builtin_ctz(mask))]++] = members_[p];
         return true;
     }
 
-    template <class F> void test(const Boxes<S>& boxes, const TreeCell<S>& cell, std::size_t first, std::size_t last, F& found) {
+    template <class F>
+    void test(const Boxes<S>& boxes, const TreeCell<S>& cell, std::size_t first, std::size_t last, F& found) {
         const std::size_t count = last - first;
         ++cells_;
         for (std::size_t p = 0; p < count; ++p) lot_.put(p, boxes, members_[first + p]);

@@ -26,7 +26,7 @@ namespace ansatz {
 /// When bodies in the cells of a partition are sorted.
 enum class Sorting : bool {
     while_parted, ///< all of them once; the cells are filled in that order (notes: "during the test for partition occupancy")
-    in_cells      ///< each cell's by themselves
+    in_cells ///< each cell's by themselves
 };
 
 /// The pairs whose boxes touch, by a sweep along the axis of largest variance.
@@ -48,7 +48,8 @@ struct SortAndSweep {
             sort(boxes);
             lot_.make_room(keys_.size());
             for (std::size_t p = 0; p < keys_.size(); ++p) lot_.put(p, boxes, keys_[p].id);
-            among(lot_, 0, keys_.size(), [&](std::size_t p, std::size_t q) { tell(lot_[p].id, lot_[q].id, boxes.active(), found); });
+            among(lot_, 0, keys_.size(),
+                  [&](std::size_t p, std::size_t q) { tell(lot_[p].id, lot_[q].id, boxes.active(), found); });
         }
         /// The axis of the last sweep.
         int axis() const { return axis_; }
@@ -75,21 +76,21 @@ struct SortAndSweep {
         }
         template <class F> void among(const Lot<S>& lot, std::size_t first, std::size_t last, F&& touch) const {
             for (std::size_t p = first; p < last; ++p)
-                scan(lot, p, p + 1, end_of(lot, p + 1, last, lot[p].upper(std::size_t(axis_))), [&](std::size_t q) { touch(p, q); });
+                scan(lot, p, p + 1, end_of(lot, p + 1, last, lot[p].upper(std::size_t(axis_))),
+                     [&](std::size_t q) { touch(p, q); });
         }
         /// Sweeps two lists at once: whichever begins first looks ahead in the other.
         template <class F>
-        void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first, std::size_t other_last, F&& touch) const {
+        void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first,
+                     std::size_t other_last, F&& touch) const {
             const auto k = std::size_t(axis_);
             auto look_ahead = [&](std::size_t p, std::size_t from, std::size_t to) {
                 scan(lot, p, from, end_of(lot, from, to, lot[p].upper(k)), [&](std::size_t q) { touch(p, q); });
             };
             std::size_t p = first, q = other_first;
             while (p < last && q < other_last) {
-                if (lot[p].lower(k) <= lot[q].lower(k))
-                    look_ahead(p++, q, other_last);
-                else
-                    look_ahead(q++, p, last);
+                if (lot[p].lower(k) <= lot[q].lower(k)) look_ahead(p++, q, other_last);
+                else look_ahead(q++, p, last);
             }
         }
         /// @}
@@ -144,7 +145,8 @@ struct SortAndSweep {
             for (int k = 0; k < S::dimension; ++k) {
                 const Scalar *low = boxes.lower(k), *high = boxes.upper(k);
                 double sum = 0, squares = 0;
-                const double origin = boxes.size() ? double(low[0]) : 0; // near the values, or the squares swallow the difference
+                const double origin =
+                    boxes.size() ? double(low[0]) : 0; // near the values, or the squares swallow the difference
                 for (std::size_t i = 0; i < boxes.size(); ++i) {
                     const double centre = 0.5 * (double(low[i]) - origin) + 0.5 * (double(high[i]) - origin);
                     sum += centre;
@@ -164,6 +166,7 @@ struct SortAndSweep {
     };
 };
 
-static_assert(BroadphaseIn<SortAndSweep, Space<>> && InsideIn<SortAndSweep, Space<>> && InsideIn<SortAndSweep, Space<float, 2>>);
+static_assert(BroadphaseIn<SortAndSweep, Space<>> && InsideIn<SortAndSweep, Space<>> &&
+              InsideIn<SortAndSweep, Space<float, 2>>);
 
 } // namespace ansatz

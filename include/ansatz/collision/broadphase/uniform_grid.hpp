@@ -77,15 +77,17 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
     private:
         static constexpr bool takes_any_order = detail::takes_any_order<Inside>;
         static constexpr std::size_t most_levels = 12;
-        static constexpr std::size_t fewest = 8;           // a grid of fewer is not worth its cells
-        static constexpr double wider = 1.25;              // than need be: fewer cells with nobody in them
-        static constexpr double ratio = 4;                 // from one level to the next
-        static constexpr double margin = 1 + 1.0 / 1024;   // of a cell: more than floor can be wrong by
-        static constexpr double exact = 1.0 / (1ull << 38); // where a coordinate is so many cells, its own is known to 1/4096 of a cell
+        static constexpr std::size_t fewest = 8;         // a grid of fewer is not worth its cells
+        static constexpr double wider = 1.25;            // than need be: fewer cells with nobody in them
+        static constexpr double ratio = 4;               // from one level to the next
+        static constexpr double margin = 1 + 1.0 / 1024; // of a cell: more than floor can be wrong by
+        static constexpr double exact =
+            1.0 / (1ull << 38); // where a coordinate is so many cells, its own is known to 1/4096 of a cell
 
         /// How wide a cell must be for this body, at least.
         static double need_of(const Boxes<S>& boxes, std::size_t i) {
-            double widest = 0, farthest = 0, wrong = 0; // 0 / 0 where a number is not finite: then no cell is wide enough
+            double widest = 0, farthest = 0,
+                   wrong = 0; // 0 / 0 where a number is not finite: then no cell is wide enough
             for (int k = 0; k < dimension; ++k) {
                 const double low = double(boxes.lower(k)[i]), high = double(boxes.upper(k)[i]);
                 const double width = high - low, far = std::max(std::abs(low), std::abs(high));
@@ -105,7 +107,8 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
             }
             const double mean = sum / double(boxes.size());
             double width = cell_ > 0 ? cell_ : largest <= 2 * mean ? wider * largest : mean;
-            constexpr double smallest = 1e-290, coarsest = 1e290; // so that 1 / width is a number, and the coarsest width too
+            constexpr double smallest = 1e-290,
+                             coarsest = 1e290; // so that 1 / width is a number, and the coarsest width too
             width = std::clamp(width == width ? width : coarsest, smallest, coarsest);
             levels_.resize(most_levels);
             for (Level& level : levels_) {
@@ -113,10 +116,8 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
                 width *= ratio;
             }
             one_size_ = sum == sum && largest <= levels_[0].width && boxes.size() > fewest;
-            if (one_size_)
-                levels_[0].take_all(boxes);
-            else
-                sort_by_size(boxes);
+            if (one_size_) levels_[0].take_all(boxes);
+            else sort_by_size(boxes);
             std::size_t first = 0;
             for (Level& level : levels_) {
                 level.few = level.count <= fewest;
@@ -153,7 +154,8 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
             places_.resize(n);
             if (one_size_) return fill_one(boxes, order);
             for (std::size_t i = 0; i < n; ++i)
-                if (level_of_[i] < most_levels && !levels_[level_of_[i]].few) places_[i] = levels_[level_of_[i]].count_in(boxes, i);
+                if (level_of_[i] < most_levels && !levels_[level_of_[i]].few)
+                    places_[i] = levels_[level_of_[i]].count_in(boxes, i);
             for (Level& level : levels_)
                 if (!level.few) level.sum_up();
             std::size_t last = few_;

@@ -24,10 +24,10 @@ public:
         double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
     };
 
-    double width = 0;            ///< m, of a cell
-    std::size_t count = 0;       ///< of its bodies
+    double width = 0;                ///< m, of a cell
+    std::size_t count = 0;           ///< of its bodies
     std::size_t first = 0, last = 0; ///< of their places
-    bool few = true;             ///< so few that they are in no grid
+    bool few = true;                 ///< so few that they are in no grid
 
     /// The whole number below: of numbers that are below 2^41 in size. `std::floor` is a call where the processor is not known to have it.
     [[gnu::always_inline]] static std::int64_t floor_of(double x) {
@@ -45,7 +45,8 @@ public:
         for (int k = 0; k < dimension; ++k) {
             const auto* low = boxes.lower(k);
             auto least = low[0], most = low[0];
-            for (std::size_t i = 1; i < count; ++i) least = low[i] < least ? low[i] : least, most = most < low[i] ? low[i] : most;
+            for (std::size_t i = 1; i < count; ++i)
+                least = low[i] < least ? low[i] : least, most = most < low[i] ? low[i] : most;
             bounds_[std::size_t(k)] = {double(least), double(most)};
         }
     }
@@ -89,7 +90,9 @@ public:
     /// The cell of a body, which is counted in it.
     [[gnu::always_inline]] std::uint32_t count_in(const Boxes<S>& boxes, std::size_t i) {
         std::int64_t cell = 0;
-        for (int k = dimension - 1; k >= 0; --k) cell = cell * size_[std::size_t(k)] + on_axis(std::size_t(k), index_of(std::size_t(k), double(boxes.lower(k)[i])));
+        for (int k = dimension - 1; k >= 0; --k)
+            cell = cell * size_[std::size_t(k)] +
+                   on_axis(std::size_t(k), index_of(std::size_t(k), double(boxes.lower(k)[i])));
         ++starts_[std::size_t(cell) + 2];
         return std::uint32_t(cell);
     }
@@ -107,7 +110,8 @@ public:
     }
 
     /// Each two of its bodies in one cell or in cells that share a corner.
-    template <bool join_cells, class Inside, class F> void neighbours(Inside& inside, const Lot<S>& lot, F&& touch) const {
+    template <bool join_cells, class Inside, class F>
+    void neighbours(Inside& inside, const Lot<S>& lot, F&& touch) const {
         const std::int64_t height = size_[1], depth = dimension == 3 ? size_[std::size_t(dimension) - 1] : 1;
         for (std::int64_t z = 0; z < depth; ++z)
             for (std::int64_t y = 0; y < height; ++y) row<join_cells>(inside, lot, y, z, touch);
@@ -125,7 +129,8 @@ public:
                 for (std::int64_t y = from[1]; y <= to[1]; ++y) {
                     const std::int64_t base = base_of(y, z);
                     runs(from[0], to[0], [&](std::int64_t a, std::int64_t b) {
-                        scan(lot, p, starts_[std::size_t(base + a)], starts_[std::size_t(base + b)], [&](std::size_t q) { touch(p, q); });
+                        scan(lot, p, starts_[std::size_t(base + a)], starts_[std::size_t(base + b)],
+                             [&](std::size_t q) { touch(p, q); });
                     });
                 }
         }
@@ -136,11 +141,15 @@ private:
 
     /// The cell on an axis, counted from the lowest.
     /// Behind the lowest cutting off is rounding down; before it there is nobody, and 0 is as good as any.
-    [[gnu::always_inline]] std::int64_t index_of(std::size_t k, double coordinate) const { return std::int64_t(coordinate * per_metre_ - lowest_[k]); }
+    [[gnu::always_inline]] std::int64_t index_of(std::size_t k, double coordinate) const {
+        return std::int64_t(coordinate * per_metre_ - lowest_[k]);
+    }
     /// The same, where cells wrap around.
     [[gnu::always_inline]] std::int64_t on_axis(std::size_t k, std::int64_t index) const {
         if (!wraps_[k]) return index;
-        const std::int64_t rest = index - size_[k] * floor_of(double(index) * per_cells_[k]); // the quotient may be off by one at a whole number
+        const std::int64_t rest =
+            index -
+            size_[k] * floor_of(double(index) * per_cells_[k]); // the quotient may be off by one at a whole number
         return rest < 0 ? rest + size_[k] : rest >= size_[k] ? rest - size_[k] : rest;
     }
     std::int64_t base_of(std::int64_t y, std::int64_t z) const {
@@ -168,13 +177,15 @@ private:
         std::size_t count_after = 0;
         auto add = [&](std::int64_t other_y, std::int64_t other_z) {
             if (!wraps_[1] && (other_y < 0 || other_y >= size_[1])) return;
-            if (dimension == 3 && !wraps_[std::size_t(dimension) - 1] && other_z >= size_[std::size_t(dimension) - 1]) return;
+            if (dimension == 3 && !wraps_[std::size_t(dimension) - 1] && other_z >= size_[std::size_t(dimension) - 1])
+                return;
             after[count_after++] = base_of(other_y, other_z);
         };
         add(y + 1, z);
         if constexpr (dimension == 3)
             for (int dy = -1; dy <= 1; ++dy) add(y + dy, z + 1);
-        std::array<Run, 26> found; // those of the cells around it that hold anybody: no branch for each that holds nobody
+        std::array<Run, 26>
+            found; // those of the cells around it that hold anybody: no branch for each that holds nobody
         for (std::int64_t x = 0; x < size_[0]; ++x) {
             const std::size_t from = starts_[std::size_t(base + x)], to = starts_[std::size_t(base + x + 1)];
             if (from == to) continue;
@@ -186,8 +197,7 @@ private:
             auto look = [&](std::int64_t other_base, std::int64_t a, std::int64_t b) {
                 if (!wraps_[0]) a = std::max<std::int64_t>(a, 0), b = std::min(b, size_[0] - 1);
                 runs(a, b, [&](std::int64_t c, std::int64_t d) {
-                    if constexpr (join_cells)
-                        add_run(std::size_t(other_base + c), std::size_t(other_base + d));
+                    if constexpr (join_cells) add_run(std::size_t(other_base + c), std::size_t(other_base + d));
                     else
                         for (; c < d; ++c) add_run(std::size_t(other_base + c), std::size_t(other_base + c + 1));
                 });
@@ -195,7 +205,8 @@ private:
             look(base, x + 1, x + 1);
             for (std::size_t n = 0; n < count_after; ++n) look(after[n], x - 1, x + 1);
             inside.among(lot, from, to, touch);
-            for (std::size_t n = 0; n < runs_found; ++n) inside.between(lot, from, to, found[n].from, found[n].to, touch);
+            for (std::size_t n = 0; n < runs_found; ++n)
+                inside.between(lot, from, to, found[n].from, found[n].to, touch);
         }
     }
 

@@ -25,12 +25,13 @@ struct Member {
     using Unit = unit::Dimensionless;
     static constexpr Shape shape = Shape::scalar;
     static constexpr std::string_view name = "member of layers";
-    static constexpr double least = 0;           ///< no layer
+    static constexpr double least = 0;            ///< no layer
     static constexpr double most = (1 << 24) - 1; ///< all 24
-    static constexpr bool whole = true;          ///< bits
+    static constexpr bool whole = true;           ///< bits
     /// Which policy reads it.
     template <bool Stored> struct Needs {
-        static_assert(Stored, "Ansatz: this world has no filter that looks at layers; add Layers{} to its policies, or leave member_of(...) and "
+        static_assert(Stored, "Ansatz: this world has no filter that looks at layers; add Layers{} to its policies, or "
+                              "leave member_of(...) and "
                               "ignores(...) out");
     };
 };
@@ -49,10 +50,13 @@ struct Ignored {
 namespace detail {
 template <class Column, class Bits> auto layers_given(const char* what, const Bits& layers) {
     constexpr bool bits = std::integral<Bits> && !std::same_as<Bits, bool>;
-    static_assert(bits, "Ansatz: layers are the bits of a whole number: write e.g. member_of(1 << 3), ignores(1 << 3 | 1 << 4)");
+    static_assert(
+        bits, "Ansatz: layers are the bits of a whole number: write e.g. member_of(1 << 3), ignores(1 << 3 | 1 << 4)");
     double number = 0;
     if constexpr (bits) {
-        if (layers < Bits(0) || std::uintmax_t(layers) >= 1u << 24) refuse_value(what, "layers", std::to_string(layers), "it is from 0 to 16777215: a bit for each of 24 layers");
+        if (layers < Bits(0) || std::uintmax_t(layers) >= 1u << 24)
+            refuse_value(what, "layers", std::to_string(layers),
+                         "it is from 0 to 16777215: a bit for each of 24 layers");
         number = double(layers);
     }
     return with<Column>(Quantity<unit::Dimensionless>(number));
@@ -81,7 +85,9 @@ struct Layers {
         }
 
     private:
-        template <class Column> static std::uint32_t bits(const auto& row) { return std::uint32_t(row.template get<Column>().value()); }
+        template <class Column> static std::uint32_t bits(const auto& row) {
+            return std::uint32_t(row.template get<Column>().value());
+        }
     };
 };
 

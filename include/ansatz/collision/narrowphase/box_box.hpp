@@ -15,7 +15,8 @@ namespace ansatz {
 /// Whether two boxes intersect, and how.
 /// \param xa, xb where their centres are, m
 template <class S>
-bool collide(const Box::In<S>& a, const typename S::Position& xa, const Box::In<S>& b, const typename S::Position& xb, Touch<S>& touch) {
+bool collide(const Box::In<S>& a, const typename S::Position& xa, const Box::In<S>& b, const typename S::Position& xb,
+             Touch<S>& touch) {
     using Scalar = typename S::Scalar;
     const typename S::Position between = xa - xb;
     int axis = 0;

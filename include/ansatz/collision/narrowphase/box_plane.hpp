@@ -14,7 +14,8 @@ namespace ansatz {
 /// \param xb where the box's centre is, m
 /// \param xp where the plane's body is, m
 template <class S>
-bool collide(const Box::In<S>& box, const typename S::Position& xb, const Plane::In<S>& plane, const typename S::Position& xp, Touch<S>& touch) {
+bool collide(const Box::In<S>& box, const typename S::Position& xb, const Plane::In<S>& plane,
+             const typename S::Position& xp, Touch<S>& touch) {
     using Scalar = typename S::Scalar;
     auto deepest = xb.value();
     Scalar reach(0);

@@ -28,7 +28,8 @@ namespace ansatz {
 
 namespace detail {
 template <class X> struct SpaceOfPosition;
-template <class Scalar, int Dim, int Options> struct SpaceOfPosition<boost::units::quantity<unit::Length, Eigen::Matrix<Scalar, Dim, 1, Options, Dim, 1>>> {
+template <class Scalar, int Dim, int Options>
+struct SpaceOfPosition<boost::units::quantity<unit::Length, Eigen::Matrix<Scalar, Dim, 1, Options, Dim, 1>>> {
     using type = Space<Scalar, Dim>;
 };
 } // namespace detail
@@ -36,13 +37,15 @@ template <class Scalar, int Dim, int Options> struct SpaceOfPosition<boost::unit
 /// How two shapes intersect, if they do.
 /// \param xa, xb where they are, m
 /// \throws std::invalid_argument for a shape whose numbers are not acceptable
-template <ShapeDescription A, ShapeDescription B, class X> auto contact(const A& a, const X& xa, const B& b, const X& xb) {
+template <ShapeDescription A, ShapeDescription B, class X>
+auto contact(const A& a, const X& xa, const B& b, const X& xb) {
     using S = typename detail::SpaceOfPosition<X>::type;
     static_assert(sizeof(detail::CheckPair<A, B, S>) > 0);
     if constexpr (requires { a.check(); }) a.check();
     if constexpr (requires { b.check(); }) b.check();
     Touch<S> touch;
-    const bool there = detail::intersect<S>(typename A::template In<S>(a), xa, typename B::template In<S>(b), xb, touch);
+    const bool there =
+        detail::intersect<S>(typename A::template In<S>(a), xa, typename B::template In<S>(b), xb, touch);
     return there ? std::optional<Touch<S>>(touch) : std::nullopt;
 }
 
@@ -73,8 +76,9 @@ template <class... T> struct Narrowphase {
     /// The same for bodies that may be apart by up to `margin`, m; the depth is negative then. Shapes that cannot be `grown` are
     /// found when they intersect.
     template <class S>
-    [[gnu::always_inline]] static bool nearly_collide(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b, const typename S::Position& xb,
-                                                      const typename S::Length& margin, Touch<S>& touch) {
+    [[gnu::always_inline]] static bool
+    nearly_collide(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b,
+                   const typename S::Position& xb, const typename S::Length& margin, Touch<S>& touch) {
         bool there = false;
         with_both(shapes, a, b, [&](const auto& one, const auto& other) {
             if constexpr (requires { one.grown(margin); }) {
@@ -83,8 +87,7 @@ template <class... T> struct Narrowphase {
             } else if constexpr (requires { other.grown(margin); }) {
                 there = detail::intersect<S>(one, xa, other.grown(margin), xb, touch);
                 if (there) touch.depth -= margin;
-            } else
-                there = detail::intersect<S>(one, xa, other, xb, touch);
+            } else there = detail::intersect<S>(one, xa, other, xb, touch);
         });
         return there;
     }
@@ -92,14 +95,19 @@ template <class... T> struct Narrowphase {
     /// \param a, b   their ids
     /// \param xa, xb where they are, m
     template <class S>
-    [[gnu::always_inline]] static bool collide_bodies(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b, const typename S::Position& xb, Touch<S>& touch) {
+    [[gnu::always_inline]] static bool collide_bodies(const Shapes<S>& shapes, std::uint32_t a,
+                                                      const typename S::Position& xa, std::uint32_t b,
+                                                      const typename S::Position& xb, Touch<S>& touch) {
         bool there = false;
-        with_both(shapes, a, b, [&](const auto& one, const auto& other) { there = detail::intersect<S>(one, xa, other, xb, touch); });
+        with_both(shapes, a, b,
+                  [&](const auto& one, const auto& other) { there = detail::intersect<S>(one, xa, other, xb, touch); });
         return there;
     }
 
     /// Calls `f(shape, shape)` with the shapes of two bodies, if both have one.
-    template <class S, class F> [[gnu::always_inline]] static void with_both(const ShapesOf<S, T...>& shapes, std::uint32_t a, std::uint32_t b, F&& f) {
+    template <class S, class F>
+    [[gnu::always_inline]] static void with_both(const ShapesOf<S, T...>& shapes, std::uint32_t a, std::uint32_t b,
+                                                 F&& f) {
         const auto ka = shapes.kind(a), kb = shapes.kind(b);
         auto against = [&]<class A, class B>() {
             static_assert(sizeof(detail::CheckPair<A, B, S>) > 0);

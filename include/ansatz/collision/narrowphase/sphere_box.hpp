@@ -17,7 +17,8 @@ namespace detail {
 template <class S> struct NearestFace {
     int axis = 0;
     typename S::Scalar out = 1, away;
-    NearestFace(const typename S::Position& inside, const typename S::Position& half) : away(half.value()[0] - abs(inside.value()[0])) {
+    NearestFace(const typename S::Position& inside, const typename S::Position& half)
+        : away(half.value()[0] - abs(inside.value()[0])) {
         for (int k = 1; k < S::dimension; ++k) {
             const auto to_face = half.value()[k] - abs(inside.value()[k]);
             if (to_face < away) axis = k, away = to_face;
@@ -30,7 +31,8 @@ template <class S> struct NearestFace {
 /// Whether a sphere reaches into a box, and how.
 /// \param xs, xb where their centres are, m
 template <class S>
-bool collide(const Sphere::In<S>& sphere, const typename S::Position& xs, const Box::In<S>& box, const typename S::Position& xb, Touch<S>& touch) {
+bool collide(const Sphere::In<S>& sphere, const typename S::Position& xs, const Box::In<S>& box,
+             const typename S::Position& xb, Touch<S>& touch) {
     using Scalar = typename S::Scalar;
     const typename S::Position seen = xs - xb; // the centre, seen from the box
     auto nearest = seen.value();

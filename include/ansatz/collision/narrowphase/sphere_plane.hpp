@@ -17,12 +17,14 @@ namespace ansatz {
 /// \param xs where the sphere's centre is, m
 /// \param xp where the plane's body is, m
 template <class S>
-[[gnu::always_inline]] inline bool collide(const Sphere::In<S>& sphere, const typename S::Position& xs, const Plane::In<S>& plane, const typename S::Position& xp, Touch<S>& touch) {
+[[gnu::always_inline]] inline bool collide(const Sphere::In<S>& sphere, const typename S::Position& xs,
+                                           const Plane::In<S>& plane, const typename S::Position& xp, Touch<S>& touch) {
     const typename S::Length height = plane.height(xs, xp);
     if (!(height < sphere.radius)) return false;
     touch.normal = plane.normal;
     touch.depth = sphere.radius - height;
-    touch.point = xs - (typename S::Scalar(0.5) * (sphere.radius + height)) * plane.normal; // between S - N r and S - N s
+    touch.point =
+        xs - (typename S::Scalar(0.5) * (sphere.radius + height)) * plane.normal; // between S - N r and S - N s
     return true;
 }
 

@@ -39,7 +39,8 @@ namespace ansatz {
 /// where they part.
 /// \param va, vb m/s, vectors
 /// \param wa, wb 1/m, 1/kg, not both zero
-template <class V, class W, class N, class E> auto collision_impulse(const V& va, const V& vb, const W& wa, const W& wb, const N& normal, const E& e) {
+template <class V, class W, class N, class E>
+auto collision_impulse(const V& va, const V& vb, const W& wa, const W& wb, const N& normal, const E& e) {
     const auto along = dot(va - vb, normal);
     using J = std::decay_t<decltype(along / (wa + wb))>;
     return along.value() < 0 ? J(-(1 + e) * along / (wa + wb)) : J();
@@ -47,7 +48,8 @@ template <class V, class W, class N, class E> auto collision_impulse(const V& va
 
 namespace detail {
 /// Coulomb's law: what slides is slowed by at most mu times the impulse along the normal.
-template <class S, class Body, class J> void slow_sliding(const Vector<typename S::Scalar, S::dimension>& normal, Body& a, Body& b, const J& pressed) {
+template <class S, class Body, class J>
+void slow_sliding(const Vector<typename S::Scalar, S::dimension>& normal, Body& a, Body& b, const J& pressed) {
     const auto wa = a.template get<InverseMass>(), wb = b.template get<InverseMass>();
     auto& va = a.template get<Velocity>();
     auto& vb = b.template get<Velocity>();
@@ -56,7 +58,8 @@ template <class S, class Body, class J> void slow_sliding(const Vector<typename 
     const auto speed = norm(sliding);
     if (!(speed.value() > 0)) return;
     const auto mu = sqrt(a.template get<Friction>().value() * b.template get<Friction>().value());
-    const auto holding = min(std::decay_t<J>(speed / (wa + wb)), std::decay_t<J>(mu * pressed)); // no more than would stop it
+    const auto holding =
+        min(std::decay_t<J>(speed / (wa + wb)), std::decay_t<J>(mu * pressed)); // no more than would stop it
     const typename S::Momentum j = (-holding / speed) * sliding;
     va += wa * j;
     vb -= wb * j;
@@ -65,7 +68,8 @@ template <class S, class Body, class J> void slow_sliding(const Vector<typename 
 
 /// \tparam Options Friction, or none
 template <class... Options> struct Impulse {
-    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2, "Ansatz: the option of Impulse is Friction, e.g. Impulse<Friction>{}");
+    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2,
+                  "Ansatz: the option of Impulse is Friction, e.g. Impulse<Friction>{}");
     static constexpr bool rubs = sizeof...(Options) > 0; ///< whether there is friction
 
     using role = roles::Response;
@@ -113,16 +117,20 @@ template <class... Options> struct Impulse {
 
     private:
         /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they do not bounce.
-        typename S::Speed bounce(const auto& touch, const typename S::Speed& along, const typename S::Scalar& e, const auto& meeting) const {
+        typename S::Speed bounce(const auto& touch, const typename S::Speed& along, const typename S::Scalar& e,
+                                 const auto& meeting) const {
             using Scalar = typename S::Scalar;
-            if (meeting.leads == Scalar(0) && !meeting.parted) return -along > threshold ? typename S::Speed(-e * along) : typename S::Speed();
+            if (meeting.leads == Scalar(0) && !meeting.parted)
+                return -along > threshold ? typename S::Speed(-e * along) : typename S::Speed();
             const auto pull = meeting.pull();
             const typename S::Speed ahead = (meeting.leads * pull) * meeting.dt;
             const typename S::Speed now = along + ahead;
             if (!(-now > threshold)) return {};
             // Moved apart, they are where they touched first, and were slower there by what the pull did on the way in.
             const auto squared = now * now + Scalar(2) * pull * touch.depth;
-            const typename S::Speed touching = !meeting.parted ? typename S::Speed(-now) : squared.value() > Scalar(0) ? sqrt(squared) : typename S::Speed();
+            const typename S::Speed touching = !meeting.parted               ? typename S::Speed(-now)
+                                               : squared.value() > Scalar(0) ? sqrt(squared)
+                                                                             : typename S::Speed();
             return e * touching - ahead;
         }
     };

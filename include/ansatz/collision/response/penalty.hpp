@@ -54,16 +54,17 @@ public:
     using Scalar = typename S::Scalar;
     /// One of them, by ids; by slots among `pairs()`.
     struct Pair {
-        std::uint32_t a;                     ///< a body
-        std::uint32_t b;                     ///< the other
-        bool flat;                           ///< they touch along `normal`, whatever happens
-        Scalar reach;                        ///< m: r_a + r_b; where flat, how far apart along the normal they only touch
-        Vector<Scalar, S::dimension> half;   ///< m: of both boxes together
+        std::uint32_t a;                   ///< a body
+        std::uint32_t b;                   ///< the other
+        bool flat;                         ///< they touch along `normal`, whatever happens
+        Scalar reach;                      ///< m: r_a + r_b; where flat, how far apart along the normal they only touch
+        Vector<Scalar, S::dimension> half; ///< m: of both boxes together
         Vector<Scalar, S::dimension> normal; ///< from b to a: where flat, and where their centres coincide
     };
 
     /// Where and how two of them intersect now: their depth, negative where they do not, with N in `normal`.
-    [[gnu::always_inline]] static typename S::Length depth(const Pair& pair, const typename S::Position& between, Vector<Scalar, S::dimension>& normal) {
+    [[gnu::always_inline]] static typename S::Length depth(const Pair& pair, const typename S::Position& between,
+                                                           Vector<Scalar, S::dimension>& normal) {
         normal = pair.normal;
         if (pair.flat) return S::Length::from_value(pair.reach) - dot(between, normal);
         auto out = between.value(); // what of it is outside the box that has no rounded edges
@@ -82,7 +83,8 @@ public:
             return S::Length::from_value(pair.reach) - distance;
         }
         if (pair.half[axis] > Scalar(0))
-            for (int k = 0; k < S::dimension; ++k) normal[k] = k != axis ? Scalar(0) : between.value()[k] < Scalar(0) ? Scalar(-1) : Scalar(1);
+            for (int k = 0; k < S::dimension; ++k)
+                normal[k] = k != axis ? Scalar(0) : between.value()[k] < Scalar(0) ? Scalar(-1) : Scalar(1);
         return S::Length::from_value(pair.reach - nearest);
     }
 
@@ -95,7 +97,8 @@ public:
             const bool known = measure(data, pair);
             if (!known && !(c.depth.value() > Scalar(0))) continue;
             if (pair.flat) {
-                const auto xa = data.lanes.template get<Position>(data.bodies.slot_of_id(c.first.id)), xb = data.lanes.template get<Position>(data.bodies.slot_of_id(c.second.id));
+                const auto xa = data.lanes.template get<Position>(data.bodies.slot_of_id(c.first.id)),
+                           xb = data.lanes.template get<Position>(data.bodies.slot_of_id(c.second.id));
                 pair.reach = (dot(typename S::Position(xa - xb), c.normal) + c.depth).value();
             }
             contacts_.push_back(pair);
@@ -138,13 +141,15 @@ public:
     template <class F> void saved(F&& f) const {
         for (const auto& c : contacts_) {
             std::array<Scalar, numbers_each> numbers{Scalar(c.flat), c.reach};
-            for (int k = 0; k < S::dimension; ++k) numbers[std::size_t(2 + k)] = c.half[k], numbers[std::size_t(2 + S::dimension + k)] = c.normal[k];
+            for (int k = 0; k < S::dimension; ++k)
+                numbers[std::size_t(2 + k)] = c.half[k], numbers[std::size_t(2 + S::dimension + k)] = c.normal[k];
             f(c.a, c.b, numbers);
         }
     }
     static constexpr int numbers_each = 2 + 2 * S::dimension; ///< of a contact in a file
     /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken.
-    std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b, const std::vector<Scalar>& numbers) {
+    std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b,
+                                                    const std::vector<Scalar>& numbers) {
         Pair pair{a, b, numbers[0] == Scalar(1), numbers[1], {}, {}};
         if (!pair.flat && !(numbers[0] == Scalar(0))) return std::pair(0, "0 or 1");
         if (!pair.flat && !(pair.reach >= Scalar(0))) return std::pair(1, "a length that is not negative");
@@ -153,7 +158,8 @@ public:
             pair.normal[k] = numbers[std::size_t(2 + S::dimension + k)];
             if (!(pair.half[k] >= Scalar(0))) return std::pair(2 + k, "a length that is not negative");
         }
-        if (!(abs(pair.normal.squaredNorm() - Scalar(1)) < Scalar(0.001))) return std::pair(2 + S::dimension, "the first number of a unit vector");
+        if (!(abs(pair.normal.squaredNorm() - Scalar(1)) < Scalar(0.001)))
+            return std::pair(2 + S::dimension, "the first number of a unit vector");
         contacts_.push_back(pair);
         arranged_ = false;
         return std::nullopt;
@@ -221,7 +227,8 @@ struct Penalty {
             for (const auto& pair : view.state().pairs()) {
                 Vector<Scalar, S::dimension> normal;
                 const auto pressed = press(view, pair, pair.a, pair.b, normal);
-                if (pressed.value() > Scalar(0)) view.add_force_pair(pair.a, pair.b, typename S::Force(pressed * normal));
+                if (pressed.value() > Scalar(0))
+                    view.add_force_pair(pair.a, pair.b, typename S::Force(pressed * normal));
             }
         }
         /// How the forces change, along the normals: the part across them, which would push, is left out as for springs.
@@ -237,14 +244,19 @@ struct Penalty {
         }
         /// How stiff and how damped the present contacts are.
         void stiffnesses(const auto& view, auto&& f) const {
-            view.state().each([&](const Pair& pair) { f(std::size_t(view.slot_of_id(pair.a)), std::size_t(view.slot_of_id(pair.b)), k.value(), c.value()); });
+            view.state().each([&](const Pair& pair) {
+                f(std::size_t(view.slot_of_id(pair.a)), std::size_t(view.slot_of_id(pair.b)), k.value(), c.value());
+            });
         }
         /// \f$ \sum \tfrac12 k p^2 \f$, J.
         typename S::Energy potential_energy(const auto& view) const {
             typename S::Energy sum{};
             view.state().each([&](const Pair& pair) {
                 Vector<Scalar, S::dimension> normal;
-                const auto p = PenaltyContacts<S>::depth(pair, view.template get<Position>(view.slot_of_id(pair.a)) - view.template get<Position>(view.slot_of_id(pair.b)), normal);
+                const auto p = PenaltyContacts<S>::depth(pair,
+                                                         view.template get<Position>(view.slot_of_id(pair.a)) -
+                                                             view.template get<Position>(view.slot_of_id(pair.b)),
+                                                         normal);
                 if (p.value() > Scalar(0)) sum += springs::energy(k, p);
             });
             return sum;
@@ -252,10 +264,12 @@ struct Penalty {
 
     private:
         /// What two bodies press each other with, along the normal; nothing where they do not touch or would pull.
-        [[gnu::always_inline]] typename S::template ScalarOf<unit::Force> press(const auto& view, const Pair& pair, std::size_t a, std::size_t b,
-                                                                                Vector<Scalar, S::dimension>& normal) const {
+        [[gnu::always_inline]] typename S::template ScalarOf<unit::Force>
+        press(const auto& view, const Pair& pair, std::size_t a, std::size_t b,
+              Vector<Scalar, S::dimension>& normal) const {
             using Force = typename S::template ScalarOf<unit::Force>;
-            const auto p = PenaltyContacts<S>::depth(pair, view.template get<Position>(a) - view.template get<Position>(b), normal);
+            const auto p = PenaltyContacts<S>::depth(
+                pair, view.template get<Position>(a) - view.template get<Position>(b), normal);
             if (!(p.value() > Scalar(0))) return Force();
             const typename S::Velocity between = view.template get<Velocity>(a) - view.template get<Velocity>(b);
             const Force pressed = springs::force(k, -p, c, dot(between, normal));

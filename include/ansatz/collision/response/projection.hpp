@@ -38,13 +38,15 @@ struct Projection {
     /// \throws std::invalid_argument for parameters that are not acceptable
     void check() const {
         require_not_negative("Projection", "slop", slop);
-        if (!(share > 0) || !(share <= 1)) refuse_value("Projection", "share", describe(share), "it is greater than 0 and at most 1");
+        if (!(share > 0) || !(share <= 1))
+            refuse_value("Projection", "share", describe(share), "it is greater than 0 and at most 1");
     }
 
     template <class S> struct In {
         typename S::Length slop;
         typename S::Scalar share;
-        explicit In(const Projection& projection) : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)) {}
+        explicit In(const Projection& projection)
+            : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)) {}
 
         /// Moves the two apart.
         [[gnu::always_inline]] void respond(const auto& touch, auto& a, auto& b, const auto&) const {

@@ -28,14 +28,15 @@ namespace ansatz {
 
 /// How a soft contact answers in a substep of length h: \f$ \omega = 2\pi f \f$, \f$ a_1 = 2\zeta + \omega h \f$, \f$ a_2 = \omega h a_1 \f$.
 template <class Scalar> struct Softness {
-    Scalar rate = 0;     ///< 1/s: how much of the depth is taken away in a second, omega / a1
-    Scalar mass = 1;     ///< the share of the wrong velocity that is taken away, a2 / (1 + a2)
-    Scalar impulse = 0;  ///< the share of the impulse so far that is given back, 1 / (1 + a2)
+    Scalar rate = 0;    ///< 1/s: how much of the depth is taken away in a second, omega / a1
+    Scalar mass = 1;    ///< the share of the wrong velocity that is taken away, a2 / (1 + a2)
+    Scalar impulse = 0; ///< the share of the impulse so far that is given back, 1 / (1 + a2)
     /// \param f    1/s
     /// \param zeta damping ratio
     /// \param h    s
     static Softness of(Scalar f, Scalar zeta, Scalar h) {
-        const Scalar omega = Scalar(6.283185307179586476925286766559) * f, a1 = 2 * zeta + omega * h, a2 = omega * h * a1;
+        const Scalar omega = Scalar(6.283185307179586476925286766559) * f, a1 = 2 * zeta + omega * h,
+                     a2 = omega * h * a1;
         return {omega / a1, a2 / (1 + a2), 1 / (1 + a2)};
     }
 };
@@ -43,9 +44,9 @@ template <class Scalar> struct Softness {
 /// A body while its contacts are solved.
 template <class S> struct SolverBody {
     using Raw = Vector<typename S::Scalar, S::dimension>; ///< raw SI
-    Raw u;                        ///< the mean velocity over the substep, m/s
-    Raw position;                 ///< where it is, m
-    typename S::Scalar weight{};  ///< 1/m, 1/kg; zero for what is not moved
+    Raw u;                                                ///< the mean velocity over the substep, m/s
+    Raw position;                                         ///< where it is, m
+    typename S::Scalar weight{};                          ///< 1/m, 1/kg; zero for what is not moved
 };
 
 /// \tparam Rubs whether there is friction
@@ -53,29 +54,29 @@ template <class S, bool Rubs> class SoftContacts {
 public:
     using Scalar = typename S::Scalar;
     using Raw = Vector<Scalar, S::dimension>; ///< raw SI
-    using Body = SolverBody<S>; ///< what is solved for
+    using Body = SolverBody<S>;               ///< what is solved for
     /// In place of what is not there.
     struct Nothing {};
 
     /// A contact of this step.
     struct Constraint {
-        std::uint32_t a;        ///< the id of a body
-        std::uint32_t b;        ///< and of the other
-        Raw normal;             ///< from b to a
-        Scalar touching;        ///< N . (x_a - x_b) where they only touch, m
-        Scalar impulse = 0;     ///< along the normal, of a substep, N s
-        Scalar mass = 0;        ///< 1 / (w_a + w_b), kg
-        Scalar approach = 0;    ///< N . (v_a - v_b) when the step began, m/s
-        Scalar bounce = 0;      ///< at which they part again, m/s; 0 if they do not
-        Scalar most = 0;        ///< the largest impulse of the step, N s; none, if they never touched
-        [[no_unique_address]] std::conditional_t<Rubs, Raw, Nothing> rubbing{}; ///< across the normal, N s
+        std::uint32_t a;     ///< the id of a body
+        std::uint32_t b;     ///< and of the other
+        Raw normal;          ///< from b to a
+        Scalar touching;     ///< N . (x_a - x_b) where they only touch, m
+        Scalar impulse = 0;  ///< along the normal, of a substep, N s
+        Scalar mass = 0;     ///< 1 / (w_a + w_b), kg
+        Scalar approach = 0; ///< N . (v_a - v_b) when the step began, m/s
+        Scalar bounce = 0;   ///< at which they part again, m/s; 0 if they do not
+        Scalar most = 0;     ///< the largest impulse of the step, N s; none, if they never touched
+        [[no_unique_address]] std::conditional_t<Rubs, Raw, Nothing> rubbing{};     ///< across the normal, N s
         [[no_unique_address]] std::conditional_t<Rubs, Scalar, Nothing> friction{}; ///< the coefficient of the two
-        bool held = false;      ///< one of them is not moved at all
-        std::uint32_t slot_a = 0; ///< where the first is
-        std::uint32_t slot_b = 0; ///< and the other
+        bool held = false;                                                          ///< one of them is not moved at all
+        std::uint32_t slot_a = 0;                                                   ///< where the first is
+        std::uint32_t slot_b = 0;                                                   ///< and the other
     };
-    std::vector<Constraint> all;   ///< by the ids of their bodies
-    std::vector<Body> bodies;      ///< by slot
+    std::vector<Constraint> all; ///< by the ids of their bodies
+    std::vector<Body> bodies;    ///< by slot
 
     /// Calls `f(constraint)` for each of which a body is awake: those of a sleeping pile cost no pass, and keep their impulses.
     template <class F> [[gnu::always_inline]] void each_acting(F&& f) {
@@ -93,7 +94,8 @@ public:
             now.a = c.first.id;
             now.b = c.second.id;
             now.normal = c.normal;
-            const auto between = data.lanes.template get<Position>(data.bodies.slot_of_id(now.a)) - data.lanes.template get<Position>(data.bodies.slot_of_id(now.b));
+            const auto between = data.lanes.template get<Position>(data.bodies.slot_of_id(now.a)) -
+                                 data.lanes.template get<Position>(data.bodies.slot_of_id(now.b));
             now.touching = dot(typename S::Position(between), c.normal).value() + c.depth.value();
             while (before != old_.cend() && std::pair(before->a, before->b) < std::pair(now.a, now.b)) ++before;
             if (before != old_.cend() && before->a == now.a && before->b == now.b) {
@@ -113,9 +115,11 @@ public:
             c.slot_b = data.bodies.slot_of_id(c.b);
         }
         weigh();
-        if constexpr (Rubs) each_acting([&](Constraint& c) {
+        if constexpr (Rubs)
+            each_acting([&](Constraint& c) {
                 c.friction = friction(c.slot_a, c.slot_b);
-                c.rubbing -= dot(c.rubbing, c.normal) * c.normal; // the normal has turned since; here, where it is done once a step
+                c.rubbing -= dot(c.rubbing, c.normal) *
+                             c.normal; // the normal has turned since; here, where it is done once a step
             });
     }
     /// The same where the slots are known: which contacts act, and against what mass.
@@ -132,54 +136,54 @@ public:
         }
     }
     /// How far two are apart; negative where they intersect, m.
-    [[gnu::always_inline]] Scalar apart(const Constraint& c) const { return dot(Raw(bodies[c.slot_a].position - bodies[c.slot_b].position), c.normal) - c.touching; }
+    [[gnu::always_inline]] Scalar apart(const Constraint& c) const {
+        return dot(Raw(bodies[c.slot_a].position - bodies[c.slot_b].position), c.normal) - c.touching;
+    }
     /// N . (u_a - u_b), m/s.
-    [[gnu::always_inline]] Scalar along(const Constraint& c) const { return dot(Raw(bodies[c.slot_a].u - bodies[c.slot_b].u), c.normal); }
+    [[gnu::always_inline]] Scalar along(const Constraint& c) const {
+        return dot(Raw(bodies[c.slot_a].u - bodies[c.slot_b].u), c.normal);
+    }
 
     /// The impulses of the substep before act again.
     void warm_start() {
-        for (const auto n : acting_) {
-            const auto& c = all[n];
+        each_acting([&](const Constraint& c) {
             push(c, c.impulse * c.normal);
             if constexpr (Rubs) push(c, c.rubbing);
-        }
+        });
     }
     /// One pass in which contacts may not come deeper than they are, and those that are too deep part.
     /// \param h        s, the substep
     /// \param push_out m/s, how fast they part at most
-    void solve(Scalar h, const Softness<Scalar>& soft, const Softness<Scalar>& soft_held, Scalar slop, Scalar push_out) {
+    void solve(Scalar h, const Softness<Scalar>& soft, const Softness<Scalar>& soft_held, Scalar slop,
+               Scalar push_out) {
         const Scalar per_h = 1 / h;
-        for (const auto n : acting_) {
-            auto& c = all[n];
+        each_acting([&](Constraint& c) {
             const Scalar s = apart(c);
-            if (s > Scalar(0))
-                press(c, s * per_h, Scalar(1), Scalar(0));
+            if (s > Scalar(0)) press(c, s * per_h, Scalar(1), Scalar(0));
             else {
                 const auto& how = c.held ? soft_held : soft;
                 press(c, std::max(how.rate * std::min(s + slop, Scalar(0)), -push_out), how.mass, how.impulse);
             }
             rub(c);
-        }
+        });
     }
     /// One pass that takes back the velocity which only parted them.
     void relax(Scalar h) {
         const Scalar per_h = 1 / h;
-        for (const auto n : acting_) {
-            auto& c = all[n];
+        each_acting([&](Constraint& c) {
             const Scalar s = apart(c);
             press(c, s > Scalar(0) ? s * per_h : Scalar(0), Scalar(1), Scalar(0));
             rub(c);
-        }
+        });
     }
     /// One pass in which those that met part again.
     void restore() {
-        for (const auto n : acting_) {
-            auto& c = all[n];
-            if (!(c.bounce > Scalar(0)) || !(c.most > Scalar(0))) continue;
+        each_acting([&](Constraint& c) {
+            if (!(c.bounce > Scalar(0)) || !(c.most > Scalar(0))) return;
             const Scalar j = std::max(c.mass * (c.bounce - along(c)), -c.impulse);
             c.impulse += j;
             push(c, j * c.normal);
-        }
+        });
     }
 
     /// \name What a world asks of everything that a policy keeps
@@ -212,7 +216,8 @@ public:
     }
     static constexpr int numbers_each = Rubs ? 1 + S::dimension : 1; ///< that a contact keeps
     /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken. Who they belong to is found at the next step.
-    std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b, const std::vector<Scalar>& numbers) {
+    std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b,
+                                                    const std::vector<Scalar>& numbers) {
         if (numbers[0] < Scalar(0)) return std::pair(0, "an impulse that is not negative, because contacts never pull");
         Constraint c{};
         for (int k = 0; k < S::dimension; ++k) c.normal[k] = Scalar(0);

@@ -25,7 +25,8 @@ namespace ansatz {
 
 /// \tparam Options Friction, or none
 template <class... Options> struct SoftSubsteps {
-    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2, "Ansatz: the option of SoftSubsteps is Friction, e.g. SoftSubsteps<Friction>{}");
+    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2,
+                  "Ansatz: the option of SoftSubsteps is Friction, e.g. SoftSubsteps<Friction>{}");
     static constexpr bool rubs = sizeof...(Options) > 0; ///< whether there is friction
 
     using role = roles::Response;
@@ -60,7 +61,9 @@ template <class... Options> struct SoftSubsteps {
     void check() const {
         if (parts < 1) refuse_value("SoftSubsteps", "parts", describe(parts), "it is at least 1");
         require_positive("SoftSubsteps", "frequency", frequency);
-        if (!(damping_ratio > 0) || !is_finite(damping_ratio)) refuse_value("SoftSubsteps", "damping_ratio", describe(damping_ratio), "it is finite and greater than zero");
+        if (!(damping_ratio > 0) || !is_finite(damping_ratio))
+            refuse_value("SoftSubsteps", "damping_ratio", describe(damping_ratio),
+                         "it is finite and greater than zero");
         require_not_negative("SoftSubsteps", "slop", slop);
         require_positive("SoftSubsteps", "push_out", push_out);
         require_not_negative("SoftSubsteps", "threshold", threshold);
@@ -75,17 +78,22 @@ template <class... Options> struct SoftSubsteps {
         int parts() const { return policy.parts; }
         /// One pass that holds contacts, and parts those that are too deep.
         void solve(SoftContacts<S, rubs>& contacts, Scalar h) const {
-            const Scalar f = std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h), zeta = Scalar(policy.damping_ratio);
+            const Scalar f = std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h),
+                         zeta = Scalar(policy.damping_ratio);
             contacts.warm_start();
-            contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h), Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
+            contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h),
+                           Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
         }
         /// What the contacts will give back at the end of the step.
         /// \param pull N . (a_a - a_b) of a contact, m/s^2
-        template <class Data, class Pull> void remember_approaches(SoftContacts<S, rubs>& contacts, const Data& data, const Pull& pull) const {
+        template <class Data, class Pull>
+        void remember_approaches(SoftContacts<S, rubs>& contacts, const Data& data, const Pull& pull) const {
             contacts.each_acting([&](auto& c) {
                 c.approach = contacts.along(c);
                 c.bounce = 0;
-                const Scalar e = max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b)).value();
+                const Scalar e =
+                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b))
+                        .value();
                 if (!(e > Scalar(0)) || !(-c.approach > Scalar(policy.threshold.value()))) return;
                 // They were this far apart when the step began: what pulled them together did so on the rest of the way, too.
                 const Scalar squared = c.approach * c.approach - 2 * pull(c) * contacts.apart(c);
@@ -95,9 +103,9 @@ template <class... Options> struct SoftSubsteps {
         /// The friction of two bodies.
         template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {
             if constexpr (rubs)
-                return std::sqrt(data.lanes.template get<Friction>(a).value() * data.lanes.template get<Friction>(b).value());
-            else
-                return Scalar(0);
+                return std::sqrt(data.lanes.template get<Friction>(a).value() *
+                                 data.lanes.template get<Friction>(b).value());
+            else return Scalar(0);
         }
     };
 };

@@ -29,7 +29,7 @@ namespace ansatz::goap {
 /// A fact, or with `!` that it does not hold.
 struct Fact {
     std::size_t number = 0; ///< in its domain, from 0
-    bool holds = true; ///< or, turned round by `!`, that it does not
+    bool holds = true;      ///< or, turned round by `!`, that it does not
     /// The opposite.
     friend constexpr Fact operator!(Fact f) { return {f.number, !f.holds}; }
     friend constexpr bool operator==(Fact a, Fact b) { return a.number == b.number && a.holds == b.holds; }
@@ -43,8 +43,8 @@ using Action = std::size_t;
 template <std::size_t Words = 1> class Domain {
 public:
     static constexpr std::size_t most_facts = 64 * Words; ///< how many facts there may be
-    using State = goap::State<Words>; ///< which facts hold
-    using Condition = goap::Condition<Words>; ///< which facts should
+    using State = goap::State<Words>;                     ///< which facts hold
+    using Condition = goap::Condition<Words>;             ///< which facts should
 
     /// What an action does to the states.
     struct Rule {
@@ -86,7 +86,8 @@ public:
             if (facts_[i] == name) return {i, true};
         if (facts_.size() == most_facts)
             refuse_value("goap::Domain::fact", "\"" + std::string(name) + "\"", "one fact too many",
-                         "there is room for " + std::to_string(most_facts) + "; take Domain<" + std::to_string(Words + 1) + ">");
+                         "there is room for " + std::to_string(most_facts) + "; take Domain<" +
+                             std::to_string(Words + 1) + ">");
         facts_.emplace_back(name);
         return {facts_.size() - 1, true};
     }
@@ -95,9 +96,12 @@ public:
     /// \throws std::invalid_argument for another cost, and for a name that there is already
     Building action(std::string_view name, double cost = 1) {
         if (!std::isfinite(cost) || cost < 0)
-            refuse_value("goap::Domain::action", "the cost of \"" + std::string(name) + "\"", describe(cost), "it must be finite and not negative");
+            refuse_value("goap::Domain::action", "the cost of \"" + std::string(name) + "\"", describe(cost),
+                         "it must be finite and not negative");
         for (const auto& other : names_)
-            if (other == name) refuse_value("goap::Domain::action", "\"" + std::string(name) + "\"", "there already", "an action has a name of its own");
+            if (other == name)
+                refuse_value("goap::Domain::action", "\"" + std::string(name) + "\"", "there already",
+                             "an action has a name of its own");
         names_.emplace_back(name);
         rules_.push_back({{}, {}, cost});
         return {*this, rules_.size() - 1};
@@ -106,7 +110,8 @@ public:
     void set_cost(Action a, double cost) {
         require(a);
         if (!std::isfinite(cost) || cost < 0)
-            refuse_value("goap::Domain::set_cost", "the cost of \"" + names_[a] + "\"", describe(cost), "it must be finite and not negative");
+            refuse_value("goap::Domain::set_cost", "the cost of \"" + names_[a] + "\"", describe(cost),
+                         "it must be finite and not negative");
         rules_[a].cost = cost;
     }
 
@@ -125,7 +130,9 @@ public:
         Condition c;
         for (const Fact f : facts) {
             require(f);
-            if (!add(c, f)) refuse_value("goap::Domain::condition", "\"" + facts_[f.number] + "\"", "wanted both ways", "leave one out");
+            if (!add(c, f))
+                refuse_value("goap::Domain::condition", "\"" + facts_[f.number] + "\"", "wanted both ways",
+                             "leave one out");
         }
         return c;
     }
@@ -159,11 +166,13 @@ private:
     }
     void require(Fact f) const {
         if (f.number >= facts_.size())
-            refuse_value("goap::Domain", "the fact", std::to_string(f.number), "this domain has " + std::to_string(facts_.size()) + ", made by fact(name)");
+            refuse_value("goap::Domain", "the fact", std::to_string(f.number),
+                         "this domain has " + std::to_string(facts_.size()) + ", made by fact(name)");
     }
     void require(Action a) const {
         if (a >= rules_.size())
-            refuse_value("goap::Domain", "the action", std::to_string(a), "this domain has " + std::to_string(rules_.size()) + ", made by action(name, cost)");
+            refuse_value("goap::Domain", "the action", std::to_string(a),
+                         "this domain has " + std::to_string(rules_.size()) + ", made by action(name, cost)");
     }
     std::vector<std::string> facts_, names_;
     std::vector<Rule> rules_;

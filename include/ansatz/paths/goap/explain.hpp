@@ -48,7 +48,8 @@ template <std::size_t W> struct Possible {
 } // namespace detail
 
 /// Why no plan leads from this state to that goal; empty if every fact of the goal can be had by itself.
-template <std::size_t W> [[gnu::cold]] std::string explain(const Domain<W>& domain, const State<W>& start, const Condition<W>& goal) {
+template <std::size_t W>
+[[gnu::cold]] std::string explain(const Domain<W>& domain, const State<W>& start, const Condition<W>& goal) {
     const detail::Possible<W> possible(domain, start);
     auto quoted = [&](Fact f) { return std::string(f.holds ? "" : "not ") + "\"" + domain.name_of(f) + "\""; };
     Fact missing;
@@ -63,7 +64,8 @@ template <std::size_t W> [[gnu::cold]] std::string explain(const Domain<W>& doma
             if (!rule.makes.care.has(missing.number) || rule.makes.value.has(missing.number) != missing.holds) continue;
             someone = true;
             Fact next;
-            if (!possible.first_missing(rule.needs, domain.facts(), next) || asked[next.holds].has(next.number)) continue;
+            if (!possible.first_missing(rule.needs, domain.facts(), next) || asked[next.holds].has(next.number))
+                continue;
             text += ", for which \"" + domain.name_of(a) + "\" needs " + quoted(next);
             missing = next;
             follows = true;

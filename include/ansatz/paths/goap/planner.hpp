@@ -33,14 +33,15 @@ template <std::size_t Words, class... Policies> class Planner<Domain<Words>, Pol
     static constexpr bool chosen = (paths::HasRole<Policies, paths::roles::Heuristic> || ...);
 
 public:
-    using State = goap::State<Words>; ///< which facts hold
+    using State = goap::State<Words>;         ///< which facts hold
     using Condition = goap::Condition<Words>; ///< which facts should
     /// The search that it plans with, by `Careful` where no heuristic is named.
     using Search = typename std::conditional_t<chosen, std::type_identity<paths::AStar<Graph, Policies...>>,
                                                std::type_identity<paths::AStar<Graph, Careful, Policies...>>>::type;
 
     /// \param domain looked at, never copied: it must live as long as this
-    explicit Planner(const Domain<Words>& domain, Policies... policies) : graph_(domain), search_(made(graph_, policies...)) {}
+    explicit Planner(const Domain<Words>& domain, Policies... policies)
+        : graph_(domain), search_(made(graph_, policies...)) {}
     explicit Planner(const Domain<Words>&&, Policies...) = delete;
     Planner(const Planner&) = delete; // its search looks at its own graph
     Planner& operator=(const Planner&) = delete;
@@ -68,10 +69,10 @@ public:
 
     /// How the last planning stands or ended.
     Outcome outcome() const { return search_.outcome(); }
-    std::span<const Action> actions() const { return actions_; }       ///< what to do, in order
-    std::span<const State> states() const { return search_.path(); }   ///< before the first and after each
-    double cost() const { return double(search_.cost()); }             ///< of all actions together
-    std::size_t expanded() const { return search_.expanded(); }        ///< states whose actions were looked at
+    std::span<const Action> actions() const { return actions_; }     ///< what to do, in order
+    std::span<const State> states() const { return search_.path(); } ///< before the first and after each
+    double cost() const { return double(search_.cost()); }           ///< of all actions together
+    std::size_t expanded() const { return search_.expanded(); }      ///< states whose actions were looked at
     /// What it plans with.
     const Domain<Words>& domain() const { return graph_.domain(); }
     /// Its search, to look at.
@@ -93,10 +94,8 @@ public:
 
 private:
     static Search made(const Graph& g, const Policies&... policies) {
-        if constexpr (chosen)
-            return Search(g, policies...);
-        else
-            return Search(g, Careful{}, policies...);
+        if constexpr (chosen) return Search(g, policies...);
+        else return Search(g, Careful{}, policies...);
     }
     /// The actions between the states of the path: of several that lead to the same state the cheapest.
     Outcome read(const State& now) {
@@ -120,6 +119,7 @@ private:
     std::vector<Action> actions_;
 };
 /// The planner of a domain, `Planner{domain}`.
-template <std::size_t Words, class... Policies> Planner(const Domain<Words>&, Policies...) -> Planner<Domain<Words>, Policies...>;
+template <std::size_t Words, class... Policies>
+Planner(const Domain<Words>&, Policies...) -> Planner<Domain<Words>, Policies...>;
 
 } // namespace ansatz::goap

@@ -20,7 +20,7 @@ namespace ansatz::goap {
 /// A plan on its way.
 template <class Planner> class Runner {
 public:
-    using State = typename Planner::State; ///< which facts hold
+    using State = typename Planner::State;         ///< which facts hold
     using Condition = typename Planner::Condition; ///< which facts should
 
     /// \param planner used, not copied; several runners may share one

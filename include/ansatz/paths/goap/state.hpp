@@ -64,7 +64,10 @@ template <std::size_t Words = 1> struct Condition {
     State<Words> value, care; ///< a bit for each fact that matters
     /// Whether a state is as it should be.
     constexpr bool holds_in(const State<Words>& s) const { return unmet_in(s) == State<Words>{}; }
-    constexpr State<Words> unmet_in(const State<Words>& s) const { return (s ^ value) & care; } ///< a bit for each that is not
+    /// A bit for each that is not.
+    constexpr State<Words> unmet_in(const State<Words>& s) const {
+        return (s ^ value) & care;
+    }
     /// Whether both ask for the same.
     friend constexpr bool operator==(const Condition&, const Condition&) = default;
 };

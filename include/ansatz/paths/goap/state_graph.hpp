@@ -22,7 +22,7 @@ namespace ansatz::goap {
 template <std::size_t Words> struct Change {
     /// Before it.
     State<Words> from, to; ///< after it
-    Action action = 0; ///< what is done
+    Action action = 0;     ///< what is done
     friend bool operator==(const Change& a, const Change& b) { return a.from == b.from && a.action == b.action; }
 };
 
@@ -38,7 +38,8 @@ public:
     Changes() = default;
     /// At the first change from `at` on.
     /// \param first, end all rules of the domain
-    Changes(const State<Words>& from, const Rule* first, const Rule* at, const Rule* end) : from_(from), first_(first), at_(at), end_(end) {
+    Changes(const State<Words>& from, const Rule* first, const Rule* at, const Rule* end)
+        : from_(from), first_(first), at_(at), end_(end) {
         skip();
     }
     /// What it points to.
@@ -97,7 +98,9 @@ template <std::size_t W> std::size_t out_degree(const State<W>& s, const StateGr
 }
 template <std::size_t W> State<W> source(const Change<W>& c, const StateGraph<W>&) { return c.from; }
 template <std::size_t W> State<W> target(const Change<W>& c, const StateGraph<W>&) { return c.to; }
-template <std::size_t W> ChangeCosts<W> get(boost::edge_weight_t, const StateGraph<W>& g) { return {g.domain().rules().data()}; }
+template <std::size_t W> ChangeCosts<W> get(boost::edge_weight_t, const StateGraph<W>& g) {
+    return {g.domain().rules().data()};
+}
 template <std::size_t W> std::string name_of(const State<W>& s, const StateGraph<W>& g) { return g.domain().words(s); }
 
 } // namespace ansatz::goap

@@ -24,7 +24,9 @@ struct alignas(4) Cell { // aligned, so that it is moved in one piece
     }
 };
 /// "(3, 4)".
-[[gnu::cold]] inline std::string name_of(Cell c) { return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ")"; }
+[[gnu::cold]] inline std::string name_of(Cell c) {
+    return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ")";
+}
 
 namespace detail {
 

@@ -20,7 +20,8 @@ namespace ansatz::paths {
 /// A map from rows of text: '.' is free, '#' is blocked, and on `Terrain` '1' to '9' are free tiles of that weight.
 /// `grid_from<Grid<>>({"..#.", "...."})`.
 /// \throws std::invalid_argument for no rows, rows of different lengths, and other letters, with row and column
-template <class Map = Grid<>> Map grid_from(const std::vector<std::string_view>& rows, Quantity<unit::Length> tile = 1.0 * metre) {
+template <class Map = Grid<>>
+Map grid_from(const std::vector<std::string_view>& rows, Quantity<unit::Length> tile = 1.0 * metre) {
     const std::size_t width = rows.empty() ? 0 : rows.front().size();
     Map map(width, rows.size(), tile);
     std::vector<std::uint8_t> free;
@@ -32,7 +33,8 @@ template <class Map = Grid<>> Map grid_from(const std::vector<std::string_view>&
             const char c = rows[y][x];
             const bool weight = !std::is_same_v<typename Map::ground, Even> && c >= '1' && c <= '9';
             if (c != '.' && c != '#' && !weight)
-                refuse_value("grid_from", "row " + std::to_string(y) + ", column " + std::to_string(x), std::string("'") + c + "'",
+                refuse_value("grid_from", "row " + std::to_string(y) + ", column " + std::to_string(x),
+                             std::string("'") + c + "'",
                              "it must be '.', '#' or, on Terrain, a weight from '1' to '9'");
             free.push_back(c != '#');
         }

@@ -24,8 +24,8 @@ namespace ansatz::paths {
 /// A step from one tile to a neighbour.
 struct GridEdge {
     /// The tile it leaves.
-    Cell from, to; ///< the tile it enters
-    bool diagonal = false; ///< over a corner
+    Cell from, to;              ///< the tile it enters
+    bool diagonal = false;      ///< over a corner
     std::uint32_t to_index = 0; ///< the number of `to`, which the grid has at hand
     friend bool operator==(const GridEdge& a, const GridEdge& b) { return a.from == b.from && a.to == b.to; }
 };
@@ -135,17 +135,24 @@ template <class N, class G> std::pair<GridCells, GridCells> vertices(const Grid<
 /// The number of a step's target, at hand: a search then does not calculate it.
 inline std::size_t target_index(const GridEdge& e, const GridIndex&) { return e.to_index; }
 template <class N, class G> std::size_t num_vertices(const Grid<N, G>& g) { return g.size(); }
-template <class N, class G> GridIndex get(boost::vertex_index_t, const Grid<N, G>& g) { return {std::uint32_t(g.width())}; }
+template <class N, class G> GridIndex get(boost::vertex_index_t, const Grid<N, G>& g) {
+    return {std::uint32_t(g.width())};
+}
 /// What a step costs, in tiles.
 template <class N, class G> GridWeights<double, G> get(boost::edge_weight_t, const Grid<N, G>& g) {
     return edge_weights(g, std::type_identity<double>{});
 }
 /// What a step costs, in the number of a search.
-template <class N, class G, class Cost> GridWeights<Cost, G> edge_weights(const Grid<N, G>& g, std::type_identity<Cost>) {
+template <class N, class G, class Cost>
+GridWeights<Cost, G> edge_weights(const Grid<N, G>& g, std::type_identity<Cost>) {
     return {g.template weights<Cost>()};
 }
-template <class N, class G> std::size_t get(boost::vertex_index_t tag, const Grid<N, G>& g, Cell c) { return get(get(tag, g), c); }
-template <class N, class G> double get(boost::edge_weight_t tag, const Grid<N, G>& g, const GridEdge& e) { return get(get(tag, g), e); }
+template <class N, class G> std::size_t get(boost::vertex_index_t tag, const Grid<N, G>& g, Cell c) {
+    return get(get(tag, g), c);
+}
+template <class N, class G> double get(boost::edge_weight_t tag, const Grid<N, G>& g, const GridEdge& e) {
+    return get(get(tag, g), e);
+}
 /// For Buckets: an eighth of the lightest step.
 template <class N, class G, class Cost> double bucket_width(const Grid<N, G>& g, std::type_identity<Cost>) {
     return double(g.template least_step<Cost>().straight) / 8;
@@ -155,13 +162,17 @@ template <class N, class G> bool is_blocked(Cell c, const Grid<N, G>& g) {
     return g.open_directions(c) == 0 && !g.passable(c); // whoever has a way out is free: the flags need not be fetched
 }
 template <class N, class G> std::string name_of(Cell c, const Grid<N, G>&) { return name_of(c); }
-template <class N, class G> std::string size_in_words(const Grid<N, G>& g) { return "the map has " + g.size_in_words(); }
+template <class N, class G> std::string size_in_words(const Grid<N, G>& g) {
+    return "the map has " + g.size_in_words();
+}
 
 } // namespace ansatz::paths
 
 namespace boost {
 template <class N, class G> struct graph_traits<ansatz::paths::Grid<N, G>> {
-    struct traversal_category : virtual incidence_graph_tag, virtual vertex_list_graph_tag {};
+    struct traversal_category
+        : virtual incidence_graph_tag
+        , virtual vertex_list_graph_tag {};
     using vertex_descriptor = ansatz::paths::Cell;
     using edge_descriptor = ansatz::paths::GridEdge;
     using out_edge_iterator = ansatz::paths::GridEdges;

@@ -36,8 +36,8 @@ struct Manhattan;
 /// \tparam Ground     `Even` or `Terrain`
 template <class Neighbours = Eight<BothFree>, class Ground = Even> class Grid {
 public:
-    using neighbours = Neighbours; ///< which steps there are
-    using ground = Ground; ///< what they cost
+    using neighbours = Neighbours;      ///< which steps there are
+    using ground = Ground;              ///< what they cost
     using default_cost = std::uint32_t; ///< what a search counts in here unless it is told otherwise
     using default_heuristic = std::conditional_t<Neighbours::directions == 4, Manhattan, Octile>;
     static constexpr std::size_t largest = 65535; ///< columns, and rows
@@ -56,12 +56,14 @@ public:
         refresh_all();
     }
 
-    std::size_t width() const { return width_; } ///< columns
-    std::size_t height() const { return height_; } ///< rows
-    std::size_t size() const { return free_.size(); } ///< how many tiles
+    std::size_t width() const { return width_; }                          ///< columns
+    std::size_t height() const { return height_; }                        ///< rows
+    std::size_t size() const { return free_.size(); }                     ///< how many tiles
     bool contains(Cell c) const { return c.x < width_ && c.y < height_; } ///< whether a tile is on the map
     /// The number of a tile, row by row from 0.
-    [[gnu::always_inline]] std::size_t index(Cell c) const { return std::size_t(detail::row(c) * width_ + detail::column(c)); }
+    [[gnu::always_inline]] std::size_t index(Cell c) const {
+        return std::size_t(detail::row(c) * width_ + detail::column(c));
+    }
 
     /// \name Flags (notes 6.3: a flag, as opposed to an infinite weight)
     /// All setters take effect at once, and throw std::invalid_argument, changing nothing, for a tile outside the map.
@@ -166,19 +168,20 @@ public:
 
     /// \name What has changed
     /// @{
-    std::size_t version() const { return version_; }             ///< grows with every change
-    std::size_t cheaper_version() const { return cheaper_; }     ///< grows when something is freed or gets cheaper
+    std::size_t version() const { return version_; }         ///< grows with every change
+    std::size_t cheaper_version() const { return cheaper_; } ///< grows when something is freed or gets cheaper
     /// @}
 
     std::uint8_t open_directions(Cell c) const { return open_[index(c)]; } ///< a bit for each direction of detail::step
     /// "4 x 2 tiles".
     std::string size_in_words() const { return std::to_string(width_) + " x " + std::to_string(height_) + " tiles"; }
     const std::uint8_t* open_directions() const { return open_.data(); } ///< the same of all tiles, by number
-    const std::int32_t* index_offsets() const { return offsets_; } ///< from a tile's number to its neighbours'
+    const std::int32_t* index_offsets() const { return offsets_; }       ///< from a tile's number to its neighbours'
 
 private:
     static void require_side(const char* what, std::size_t side) {
-        if (side < 1 || side > largest) refuse_value("Grid", what, std::to_string(side), "it must be from 1 to 65535 tiles");
+        if (side < 1 || side > largest)
+            refuse_value("Grid", what, std::to_string(side), "it must be from 1 to 65535 tiles");
     }
     void require_inside(const char* where, Cell c) const {
         if (!contains(c)) refuse_value(where, "the tile", name_of(c), "the map has " + size_in_words());
@@ -194,7 +197,8 @@ private:
         if (cheaper) ++cheaper_;
     }
     bool free_at(int x, int y) const {
-        return x >= 0 && y >= 0 && x < int(width_) && y < int(height_) && free_[std::size_t(y) * width_ + std::size_t(x)] != 0;
+        return x >= 0 && y >= 0 && x < int(width_) && y < int(height_) &&
+               free_[std::size_t(y) * width_ + std::size_t(x)] != 0;
     }
     /// Which steps lead out of this tile.
     void refresh(int x, int y) {

@@ -45,7 +45,7 @@ struct Even {
     /// What the cheapest steps cost: what all do.
     template <class Cost> Steps<Cost> least_step() const { return {Tile<Cost>::straight, Tile<Cost>::diagonal}; }
     double weight(std::size_t) const { return 1; } ///< of a tile
-    double least() const { return 1; } ///< of all tiles
+    double least() const { return 1; }             ///< of all tiles
 };
 
 /// Every tile has a weight of its own, 1 to begin with.
@@ -69,10 +69,8 @@ public:
         const Kept* kept; ///< of all tiles, by number
         /// Onto this tile.
         [[gnu::always_inline]] Cost of(std::size_t i, bool diagonal) const {
-            if constexpr (std::is_integral_v<Cost>)
-                return Cost(diagonal ? kept[i].diagonal : kept[i].straight);
-            else
-                return Cost(kept[i].weight * double(diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight));
+            if constexpr (std::is_integral_v<Cost>) return Cost(diagonal ? kept[i].diagonal : kept[i].straight);
+            else return Cost(kept[i].weight * double(diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight));
         }
     };
     /// What steps cost in this number; holds while the grid does.
@@ -82,10 +80,9 @@ public:
         const Kept at = of(least());
         if constexpr (std::is_integral_v<Cost>)
             return {Cost(at.straight), Cost(std::min(at.diagonal, 2 * at.straight))};
-        else
-            return {Cost(at.weight), Cost(at.weight * double(Tile<Cost>::diagonal))};
+        else return {Cost(at.weight), Cost(at.weight * double(Tile<Cost>::diagonal))};
     }
-    double weight(std::size_t i) const { return kept_[i].weight; } ///< of a tile
+    double weight(std::size_t i) const { return kept_[i].weight; }                ///< of a tile
     double least() const { return counts_.empty() ? 1 : counts_.begin()->first; } ///< of all tiles
     /// \throws std::invalid_argument, and changes nothing, for a weight that is negative, infinite, not a number or too
     ///         large for a whole-number cost

@@ -20,7 +20,7 @@ namespace ansatz::paths {
 
 /// A node at which a heuristic is too much.
 template <class Vertex> struct Overestimate {
-    Vertex node{}; ///< where it is
+    Vertex node{};        ///< where it is
     double estimate = 0;  ///< h, in the unit of the weights
     double true_cost = 0; ///< of the cheapest way from there to the goal
     std::string sentence; ///< the same, to be read
@@ -29,10 +29,10 @@ template <class Vertex> struct Overestimate {
 namespace detail {
 /// By how much an estimate may pass the truth: what rounding of sums does.
 template <class Cost> bool too_much(Cost estimate, Cost truth) {
-    if constexpr (std::is_integral_v<Cost>)
-        return estimate > truth;
+    if constexpr (std::is_integral_v<Cost>) return estimate > truth;
     else
-        return truth < infinite<Cost> && double(estimate) > double(truth) * (1 + 256 * double(std::numeric_limits<Cost>::epsilon())) ;
+        return truth<infinite<Cost>&& double(estimate)> double(truth) *
+               (1 + 256 * double(std::numeric_limits<Cost>::epsilon()));
 }
 template <class Cost, class Graph>
 [[gnu::cold]] std::string overestimates(const Graph& g, const VertexOf<Graph>& v, Cost estimate, Cost truth) {
@@ -44,7 +44,8 @@ template <class Cost, class Graph>
 /// The node at which a heuristic is most above the true cost; none if it never is.
 /// \tparam Cost in which number to estimate
 template <class Cost = double, class Graph, class Heuristic>
-std::optional<Overestimate<VertexOf<Graph>>> check_heuristic(const Graph& g, const Heuristic& heuristic, const GoalOf<Graph>& goal) {
+std::optional<Overestimate<VertexOf<Graph>>> check_heuristic(const Graph& g, const Heuristic& heuristic,
+                                                             const GoalOf<Graph>& goal) {
     const auto costs = true_costs<Cost>(g, goal);
     const auto estimate = heuristic.template bind<Cost>(g, goal);
     const auto index = get(boost::vertex_index, g);
@@ -72,7 +73,7 @@ struct HeuristicReport {
 /// It answers the same. Binding it to a goal costs a search of the whole graph.
 template <class Heuristic> struct Checked {
     using role = roles::Heuristic;
-    Heuristic of; ///< the one that is watched
+    Heuristic of;            ///< the one that is watched
     HeuristicReport* report; ///< what it has seen is written there
     /// Watches h; the report must live as long.
     Checked(Heuristic h, HeuristicReport& r) : of(h), report(&r) {}

@@ -21,10 +21,14 @@ struct Euclid {
     using role = roles::Heuristic;
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
         constexpr bool tiles = requires { g.template least_step<Cost>(); };
-        constexpr bool coordinates = requires { position_of(goal, g); least_cost_per_metre(g); };
-        static_assert(tiles || coordinates,
-                      "Ansatz paths: Euclid needs coordinates: a Grid, Waypoints, or a graph of yours with position_of(v, g) "
-                      "and least_cost_per_metre(g)");
+        constexpr bool coordinates = requires {
+            position_of(goal, g);
+            least_cost_per_metre(g);
+        };
+        static_assert(
+            tiles || coordinates,
+            "Ansatz paths: Euclid needs coordinates: a Grid, Waypoints, or a graph of yours with position_of(v, g) "
+            "and least_cost_per_metre(g)");
         if constexpr (tiles) {
             const auto least = g.template least_step<Cost>();
             return bind_tiles<Cost>(g, goal, least.straight, least.diagonal);

@@ -35,9 +35,12 @@ namespace detail {
 template <class Metric> struct OnTiles {
     using role = roles::Heuristic;
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
-        static_assert(requires { g.template least_step<Cost>(); VertexOf<Graph>{}.x; },
-                      "Ansatz paths: Manhattan, Octile and Chebyshev count the tiles of a grid; on a graph with coordinates "
-                      "take Euclid, on any other ZeroHeuristic or By{...}");
+        static_assert(
+            requires {
+                g.template least_step<Cost>();
+                VertexOf<Graph>{}.x;
+            }, "Ansatz paths: Manhattan, Octile and Chebyshev count the tiles of a grid; on a graph with coordinates "
+               "take Euclid, on any other ZeroHeuristic or By{...}");
         const auto least = g.template least_step<Cost>();
         return bind_tiles<Cost>(g, goal, least.straight, least.diagonal);
     }

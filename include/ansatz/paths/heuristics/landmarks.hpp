@@ -41,7 +41,8 @@ public:
     /// \throws std::invalid_argument for no landmarks, or more than there are vertices
     template <class Graph> Landmarks(const Graph& g, std::size_t count) : table_(std::make_shared<Table>()) {
         if (count < 1 || count > num_vertices(g))
-            refuse_value("Landmarks", "their number", std::to_string(count), "it must be from 1 to the " + std::to_string(num_vertices(g)) + " vertices");
+            refuse_value("Landmarks", "their number", std::to_string(count),
+                         "it must be from 1 to the " + std::to_string(num_vertices(g)) + " vertices");
         if constexpr (requires { g.cheaper_version(); }) table_->cheaper = g.cheaper_version();
         std::vector<VertexOf<Graph>> all;
         const auto range = vertices(g);
@@ -52,7 +53,9 @@ public:
         for (std::size_t k = 0; k < count && k < all.size(); ++k) {
             VertexOf<Graph> next = all.front();
             for (const auto& v : all) // the farthest that can be reached; what cannot be tells nothing
-                if (k > 0 && nearest[get(index, v)] < detail::infinite<Number> && nearest[get(index, v)] > nearest[get(index, next)]) next = v;
+                if (k > 0 && nearest[get(index, v)] < detail::infinite<Number> &&
+                    nearest[get(index, v)] > nearest[get(index, next)])
+                    next = v;
             table_->to.push_back(true_costs<Number>(g, next, Toward::to_it));
             table_->from.push_back(true_costs<Number>(g, next, Toward::from_it));
             const auto& row = table_->from.back();
@@ -63,12 +66,14 @@ public:
     std::size_t count() const { return table_->to.size(); } ///< how many there are
 
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
-        static_assert(std::is_same_v<Cost, Number>, "Ansatz paths: Landmarks<Number> must count in the number of the search; write "
-                                                    "Landmarks<Cost>(graph, count), with CostIn<Cost>{} if the search has one");
+        static_assert(std::is_same_v<Cost, Number>,
+                      "Ansatz paths: Landmarks<Number> must count in the number of the search; write "
+                      "Landmarks<Cost>(graph, count), with CostIn<Cost>{} if the search has one");
         bool valid = true;
         if constexpr (requires { g.cheaper_version(); }) valid = g.cheaper_version() == table_->cheaper;
         const auto index = get(boost::vertex_index, g);
-        return [table = valid ? table_ : std::make_shared<Table>(), index, t = std::size_t(get(index, goal))](const VertexOf<Graph>& v) {
+        return [table = valid ? table_ : std::make_shared<Table>(), index,
+                t = std::size_t(get(index, goal))](const VertexOf<Graph>& v) {
             const std::size_t i = std::size_t(get(index, v));
             Cost h = 0;
             for (std::size_t k = 0; k < table->to.size(); ++k) {
@@ -83,10 +88,8 @@ private:
     /// a - b where both are known and it is more than rounding; else nothing.
     static Number more(Number a, Number b) {
         if (!(a < detail::infinite<Number>) || !(b < a)) return 0;
-        if constexpr (std::is_integral_v<Number>)
-            return a - b;
-        else
-            return std::max(Number(0), a - b - a * 64 * std::numeric_limits<Number>::epsilon());
+        if constexpr (std::is_integral_v<Number>) return a - b;
+        else return std::max(Number(0), a - b - a * 64 * std::numeric_limits<Number>::epsilon());
     }
     std::shared_ptr<Table> table_; ///< copies of the policy share it
 };

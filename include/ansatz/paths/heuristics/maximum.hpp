@@ -14,7 +14,8 @@ namespace ansatz::paths {
 
 /// The largest of these: `Maximum{Octile{}, landmarks}`.
 template <class... Heuristics> struct Maximum {
-    static_assert(sizeof...(Heuristics) > 0, "Ansatz paths: Maximum of no heuristics; write e.g. Maximum{Octile{}, Euclid{}}");
+    static_assert(sizeof...(Heuristics) > 0,
+                  "Ansatz paths: Maximum of no heuristics; write e.g. Maximum{Octile{}, Euclid{}}");
     static_assert((HasRole<Heuristics, roles::Heuristic> && ...),
                   "Ansatz paths: Maximum takes heuristics alone; write e.g. Maximum{Octile{}, Euclid{}}");
     using role = roles::Heuristic;

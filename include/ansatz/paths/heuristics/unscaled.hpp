@@ -19,8 +19,9 @@ template <class Heuristic> struct Unscaled {
     /// Asks this one.
     explicit Unscaled(Heuristic h) : of(h) {}
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
-        static_assert(requires { of.template bind_tiles<Cost>(g, goal, Cost(1), Cost(1)); },
-                      "Ansatz paths: Unscaled takes Manhattan, Octile, Chebyshev or Euclid on a grid");
+        static_assert(
+            requires { of.template bind_tiles<Cost>(g, goal, Cost(1), Cost(1)); },
+            "Ansatz paths: Unscaled takes Manhattan, Octile, Chebyshev or Euclid on a grid");
         return of.template bind_tiles<Cost>(g, goal, Tile<Cost>::straight, Tile<Cost>::diagonal);
     }
 };
