@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, and what a planner
-// estimates with
+// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, jump points, and what a
+// planner estimates with
 
 // Read the rows like this. In "heuristic" an error of zero is the best path, and the rows that have it differ only in
 // what they look at; Weighted gives a little of the path's length away for most of the work, up to a weight of 1.5 or
@@ -18,6 +18,7 @@
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/grid/graph.hpp>
+#include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/heuristics.hpp>
 
 #include <cmath>
@@ -68,6 +69,17 @@ std::shared_ptr<const Scene> stones() {
         for (std::uint16_t x = 0; x < 128; ++x) map.set_passable(Cell{x, y}, random() % 5 != 0);
     return scene("128 x 128 tiles, 20 % blocked", std::move(map), 2);
 }
+/// Open ground with blocks of 8 x 8 tiles here and there.
+std::shared_ptr<const Scene> blocks() {
+    Grid<> map(256, 256);
+    std::mt19937 random(5);
+    for (int block = 0; block < 100; ++block) {
+        const auto left = std::uint16_t(random() % 248), top = std::uint16_t(random() % 248);
+        for (std::uint16_t y = top; y < top + 8; ++y)
+            for (std::uint16_t x = left; x < left + 8; ++x) map.set_passable(Cell{x, y}, false);
+    }
+    return scene("256 x 256 tiles, blocks of 8 x 8", std::move(map), 6);
+}
 /// Rooms of 15 x 15 tiles with a door in each wall.
 std::shared_ptr<const Scene> rooms() {
     Grid<> map(128, 128);
@@ -117,17 +129,19 @@ void add_row(Costs& costs, const Axis& axis, const std::shared_ptr<const Scene>&
                      .per = double(scene->queries.size())});
 }
 
+/// By how much a path is longer than the best. Both lengths are sums of straight and of diagonal steps; below 1e-12 they
+/// are the same.
+constexpr auto longer = [](const auto& search, const Query& q) {
+    const double too_long = search.graph().tiles(search.path()) / q.best - 1;
+    return too_long < 1e-12 ? 0 : too_long;
+};
+
 void add_heuristics(Costs& costs, const std::shared_ptr<const Scene>& scene) {
     const Axis axis{.name = "heuristic",
                     .error_norm = "mean of path / best path - 1",
                     .work_unit = "nodes expanded",
                     .time_unit = "ns per query",
                     .has_order = false};
-    // Both lengths are sums of straight and of diagonal steps; below 1e-12 they are the same.
-    auto longer = [](const auto& search, const Query& q) {
-        const double too_long = search.graph().tiles(search.path()) / q.best - 1;
-        return too_long < 1e-12 ? 0 : too_long;
-    };
     add_row(costs, axis, scene, "ZeroHeuristic", {}, longer, ZeroHeuristic{});
     add_row(costs, axis, scene, "Chebyshev", {}, longer, Chebyshev{});
     add_row(costs, axis, scene, "Euclid", {}, longer, Euclid{});
@@ -161,6 +175,18 @@ void add_numbers(Costs& costs, const std::shared_ptr<const Scene>& scene) {
     add_row(costs, axis, scene, "boost::astar_search, uint32", {}, off, Octile{}, BoostAStar{},
             CostIn<std::uint32_t>{});
     add_row(costs, axis, scene, "boost::astar_search, double", {}, off, Octile{}, BoostAStar{}, CostIn<double>{});
+}
+
+void add_successors(Costs& costs, const std::shared_ptr<const Scene>& scene) {
+    const Axis axis{.name = "successors",
+                    .error_norm = "mean of path / best path - 1",
+                    .work_unit = "nodes expanded",
+                    .time_unit = "ns per query",
+                    .has_order = false};
+    add_row(costs, axis, scene, "EveryEdge, Heap", {}, longer, Octile{}, EveryEdge{}, Heap{});
+    add_row(costs, axis, scene, "EveryEdge, Buckets", {}, longer, Octile{}, EveryEdge{}, Buckets{});
+    add_row(costs, axis, scene, "JumpPoints, Heap", {}, longer, Octile{}, JumpPoints{}, Heap{});
+    add_row(costs, axis, scene, "JumpPoints, Buckets", {}, longer, Octile{}, JumpPoints{}, Buckets{});
 }
 
 /// A workshop of several chairs: most actions settle one fact, one settles three at once.
@@ -219,6 +245,7 @@ int main(int argc, char** argv) {
     Costs costs("paths", argc, argv);
     for (const auto& scene : {stones(), rooms()}) add_heuristics(costs, scene);
     for (const auto& scene : {stones(), rooms()}) add_numbers(costs, scene);
+    for (const auto& scene : {stones(), rooms(), blocks()}) add_successors(costs, scene);
     const Axis planner{.name = "planner",
                        .error_norm = "plan / cheapest plan - 1",
                        .work_unit = "states expanded",

@@ -18,6 +18,7 @@
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/grid/ground.hpp>
+#include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
@@ -30,6 +31,7 @@
 #include <ansatz/paths/route.hpp>
 #include <ansatz/paths/search.hpp>
 #include <ansatz/paths/smoothing.hpp>
+#include <ansatz/paths/successors.hpp>
 #include <ansatz/paths/true_costs.hpp>
 #include <ansatz/paths/visitor.hpp>
 #include <ansatz/paths/waypoints.hpp>

@@ -11,6 +11,7 @@
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/grid/ground.hpp>
+#include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heuristics/checked.hpp>
 #include <ansatz/paths/heuristics/euclid.hpp>
@@ -326,6 +327,7 @@ void check_scenarios(const std::string& name, std::size_t part = 0, std::size_t 
     const auto grid = map.grid();
     AStar buckets{grid, Buckets{}};
     AStar heap{grid};
+    AStar jumping{grid, JumpPoints{}};
     const auto scenarios = read_moving_ai_scenarios(file + ".scen");
     REQUIRE(scenarios.size() > 100);
     for (std::size_t k = part; k < scenarios.size(); k += parts) {
@@ -334,6 +336,8 @@ void check_scenarios(const std::string& name, std::size_t part = 0, std::size_t 
         buckets.find(s.start, s.goal);
         INFO(map.name << ", line " << s.line << ": " << buckets.why());
         REQUIRE(std::abs(grid.tiles(buckets.path()) - s.length) <= s.tolerance);
+        jumping.find(s.start, s.goal);
+        REQUIRE(std::abs(grid.tiles(jumping.path()) - s.length) <= s.tolerance);
         if (k % 40 > 1 && scenarios.size() > 200) continue;
         heap.find(s.start, s.goal);
         REQUIRE(std::abs(grid.tiles(heap.path()) - s.length) <= s.tolerance);

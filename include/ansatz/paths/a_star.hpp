@@ -11,15 +11,16 @@
 ///     for (Cell c : search.path()) walk_to(map.position(c));
 /// ```
 ///
-/// | role      | policies                                   | default                                            |
-/// |-----------|--------------------------------------------|----------------------------------------------------|
-/// | Heuristic | heuristics.hpp                             | the graph's `default_heuristic`, else ZeroHeuristic |
-/// | Queue     | `Heap`, `Buckets`                          | `Heap`                                             |
-/// | Cost      | `CostIn<Number>`                           | the graph's `default_cost`, else its weights' type |
-/// | Reopening | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                        |
-/// | Engine    | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                          |
-/// | Weights   | `WeightsOf{map}`                           | the graph's own, else 1 for every edge             |
-/// | Index     | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed          |
+/// | role       | policies                                   | default                                             |
+/// |------------|--------------------------------------------|-----------------------------------------------------|
+/// | Heuristic  | heuristics.hpp                             | the graph's `default_heuristic`, else ZeroHeuristic |
+/// | Queue      | `Heap`, `Buckets`                          | `Heap`                                              |
+/// | Cost       | `CostIn<Number>`                           | the graph's `default_cost`, else its weights' type  |
+/// | Reopening  | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                         |
+/// | Successors | `EveryEdge`, on grids `JumpPoints`         | `EveryEdge`                                         |
+/// | Engine     | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                           |
+/// | Weights    | `WeightsOf{map}`                           | the graph's own, else 1 for every edge              |
+/// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
 ///
 /// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
 /// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts from the
@@ -33,6 +34,7 @@
 #include <ansatz/paths/reopening.hpp>
 #include <ansatz/paths/roles.hpp>
 #include <ansatz/paths/search.hpp>
+#include <ansatz/paths/successors.hpp>
 #include <ansatz/paths/visitor.hpp>
 #include <ansatz/world/error.hpp>
 
@@ -73,6 +75,8 @@ template <class Graph, class... Policies> struct CheckedPolicies {
     static_assert(count_of<roles::Reopening, Policies...> <= 1,
                   "Ansatz paths: AStar is told twice what to do with closed nodes; leave one out");
     static_assert(count_of<roles::Engine, Policies...> <= 1, "Ansatz paths: AStar has two engines; leave one out");
+    static_assert(count_of<roles::Successors, Policies...> <= 1,
+                  "Ansatz paths: AStar has two policies of successors; leave one out");
     static_assert(count_of<roles::Weights, Policies...> <= 1,
                   "Ansatz paths: AStar has two maps of weights; leave one out");
     static_assert(count_of<roles::Index, Policies...> <= 1, "Ansatz paths: AStar has two index maps; leave one out");
@@ -90,6 +94,15 @@ template <class Graph, class... Policies> class AStar {
     using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
     using Reopens = detail::pick<roles::Reopening, Reopening, Policies...>;
     using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
+    using Leaps = detail::pick<roles::Successors, EveryEdge, Policies...>;
+    static constexpr bool leaps =
+        !std::is_same_v<Leaps, EveryEdge> && LeapsOn<Leaps, Graph, VertexOf<Graph>, EdgeOf<Graph>>;
+    static_assert(leaps || std::is_same_v<Leaps, EveryEdge>,
+                  "Ansatz paths: AStar was given successors that it cannot find on this graph; JumpPoints need a grid of "
+                  "eight directions on even ground, Grid<Eight<...>, Even>; elsewhere leave them out");
+    static_assert(!leaps || std::is_same_v<Given, detail::NotGiven>,
+                  "Ansatz paths: AStar with JumpPoints cannot have WeightsOf: they count on every step costing the same");
+    using Successors = std::conditional_t<leaps, Leaps, EveryEdge>; // so that one sentence is said and no more
     static_assert(detail::IsNumbered<Graph> || !std::is_same_v<Index, detail::NotGiven> ||
                       detail::IsHashed<VertexOf<Graph>>,
                   "Ansatz paths: the vertices of this graph have no numbers; give them a vertex_index, or write "
@@ -106,7 +119,8 @@ public:
     /// The open list.
     using Queue = typename QueuePolicy::template In<Cost, Vertex>;
     using NodeOf = Node<Vertex, Cost>;                                        ///< f, g, h and parent of a vertex
-    using Work = Search<Graph, Cost, Queue, Reopens, Given, Index, Estimate>; ///< what it keeps while it runs
+    /// What it keeps while it runs.
+    using Work = Search<Graph, Cost, Queue, Reopens, Successors, Given, Index, Estimate>;
     static_assert(
         Queue::exact || Reopens::reopens,
         "Ansatz paths: Buckets are in order only to a bucket's width, and need Reopening; with NoReopening or "
@@ -129,7 +143,8 @@ public:
     /// Finds the path in one go.
     /// \param most    how many nodes may be expanded before it gives up
     /// \param visitor watches (visitor.hpp)
-    /// \throws std::invalid_argument for a start or goal that the graph does not have; never later
+    /// \throws std::invalid_argument for a start or goal that the graph does not have, and for a graph on which the policy
+    ///         of successors would be wrong; never later
     template <class Watcher> Outcome find(const Vertex& start, const Goal& goal, std::size_t most, Watcher& visitor) {
         begin(start, goal, visitor);
         advance(most, visitor);
@@ -148,6 +163,7 @@ public:
         const Graph& g = search_.graph();
         require(g, "start", start);
         if constexpr (std::is_same_v<Goal, Vertex>) require(g, "goal", goal);
+        if constexpr (leaps) Successors::require(g);
         path_.clear();
         search_.begin(start, goal);
         bool goal_blocked = false;
@@ -235,7 +251,10 @@ private:
         for (;;) {
             path_.push_back(v);
             if (v == search_.start) break;
-            v = search_.nodes[search_.slot(v)].parent;
+            const Vertex parent = search_.nodes[search_.slot(v)].parent;
+            if constexpr (leaps)
+                Successors::between(parent, v, [&](const Vertex& on_the_way) { path_.push_back(on_the_way); });
+            v = parent;
         }
         std::reverse(path_.begin(), path_.end());
     }

@@ -12,12 +12,14 @@
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/outcome.hpp>
 #include <ansatz/paths/roles.hpp>
+#include <ansatz/paths/successors.hpp>
 
 #include <boost/graph/astar_search.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace ansatz::paths {
@@ -89,6 +91,8 @@ struct BoostAStar {
     template <class Work, class Watcher> static Outcome run(Work& work, std::size_t most, Watcher& watcher) {
         using Vertex = typename Work::Vertex;
         using Cost = typename Work::Cost;
+        static_assert(std::is_same_v<typename Work::Successors, EveryEdge>,
+                      "Ansatz paths: BoostAStar looks at every edge; with JumpPoints take OwnLoop, the default engine");
         static_assert(Work::numbered, "Ansatz paths: BoostAStar needs a graph whose vertices are numbered and listed");
         const detail::BoostIndex<Work> index{&work};
         const std::size_t n = work.count();

@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -52,6 +53,13 @@ template <class Cost> [[gnu::always_inline]] constexpr Cost add(Cost a, Cost b) 
         Cost sum{};
         return __builtin_add_overflow(a, b, &sum) ? infinite<Cost> : sum;
     } else return a + b;
+}
+/// n costs, which stop at the dearest there is.
+template <class Cost> constexpr Cost times(std::size_t n, Cost cost) {
+    if constexpr (std::integral<Cost>) {
+        Cost product{};
+        return __builtin_mul_overflow(n, cost, &product) ? infinite<Cost> : product;
+    } else return Cost(n) * cost;
 }
 /// factor times cost, rounded down where the cost is a whole number, so that an estimate never grows by rounding.
 template <class Cost> [[gnu::always_inline]] inline Cost scaled(Cost cost, double factor) {

@@ -12,6 +12,7 @@
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>
 #include <ansatz/paths/roles.hpp>
+#include <ansatz/paths/successors.hpp>
 
 #include <concepts>
 #include <cstddef>
@@ -69,6 +70,10 @@ struct OwnLoop {
                 continue; // what is in the queue may still be cheaper, by less than a bucket
             }
             ++counts.expanded;
+            if constexpr (!std::is_same_v<typename Work::Successors, EveryEdge>) {
+                leap(work, place, p, Vertex(node.parent), p_g, estimate, open, counts, watcher);
+                continue;
+            }
             const auto& graph = work.graph();
             const auto edges = out_edges(p, graph);
             for (auto at = edges.first; at != edges.second; ++at) { // 2.3: for each node Q connected to P
@@ -92,6 +97,18 @@ private:
     struct Counts {
         std::size_t expanded = 0, generated = 0, reopened = 0;
     };
+    /// 2.3 where successors may be more than one edge away.
+    template <class Work, class Place, class Vertex, class Cost, class Estimate, class Watcher>
+    static void leap(Work& work, const Place& place, const Vertex& p, const Vertex& parent, const Cost p_g,
+                     const Estimate& estimate, const std::uint32_t open, Counts& counts, Watcher& watcher) {
+        const auto goal = work.goal;
+        auto reaches = [&](const Vertex& v) { return Work::reaches(v, goal); };
+        Work::Successors::each(
+            work.graph(), p, parent, reaches, [&](const Vertex& q, const auto& edge, std::size_t edges) {
+                const Cost g = detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights, edge))));
+                relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
+            });
+    }
     /// 2.3.3 and 2.3.4: a way to Q was found that costs g.
     template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>
     [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost g,

@@ -23,12 +23,14 @@ namespace ansatz::paths {
 /// What a search knows.
 /// \tparam Graph_    the graph, which is looked at and never copied
 /// \tparam Estimate  what the heuristic became when it was bound to a goal: estimate(v) is h
-template <class Graph_, class Cost_, class Queue_, class Reopens_, class Given, class Index, class Estimate_>
+template <class Graph_, class Cost_, class Queue_, class Reopens_, class Successors_, class Given, class Index,
+          class Estimate_>
 struct Search {
     using Graph = Graph_;           ///< what is searched
     using Cost = Cost_;             ///< the number it counts in
     using Queue = Queue_;           ///< the open list
     using Reopens = Reopens_;       ///< what becomes of closed nodes: Reopening or another
+    using Successors = Successors_; ///< which nodes are looked at from a node: EveryEdge or another
     using Estimate = Estimate_;     ///< the heuristic, bound to a goal
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
     using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition

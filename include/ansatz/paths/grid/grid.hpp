@@ -105,6 +105,7 @@ public:
         const auto bit = std::uint8_t(1u << d);
         if (((shut & bit) == 0) == free) return;
         shut = std::uint8_t(free ? shut & ~bit : shut | bit);
+        free ? --blocked_edges_ : ++blocked_edges_;
         refresh(from.x, from.y);
         changed(free);
     }
@@ -113,6 +114,7 @@ public:
         set_passable(a, b, !wall);
         set_passable(b, a, !wall);
     }
+    std::size_t blocked_edges() const { return blocked_edges_; } ///< how many, in one direction each
     /// @}
 
     /// \name Ground
@@ -233,7 +235,7 @@ private:
     std::vector<std::uint8_t> shut_; ///< of the edges, a bit each; empty until one is set
     std::vector<std::uint8_t> open_; ///< made of both by the corner rule
     [[no_unique_address]] Ground ground_;
-    std::size_t version_ = 0, cheaper_ = 0;
+    std::size_t blocked_edges_ = 0, version_ = 0, cheaper_ = 0;
 };
 
 } // namespace ansatz::paths
