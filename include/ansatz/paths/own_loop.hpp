@@ -35,7 +35,6 @@ struct OwnLoop {
         using Vertex = typename Work::Vertex;
         using Cost = typename Work::Cost;
         constexpr bool exact = Work::Queue::exact;
-        auto& queue = work.queue;
         // Values, not references: behind a reference the compiler would read them again after each node that is written.
         const auto estimate = work.bound();
         const auto weights = work.weights;
@@ -49,12 +48,12 @@ struct OwnLoop {
             work.expanded += counts.expanded, work.generated += counts.generated, work.reopened += counts.reopened;
             return outcome;
         };
-        while (!queue.empty()) { // 2: for each node P on the open list
+        while (!work.queue.empty()) { // 2: for each node P on the open list
             if constexpr (!exact)
-                if (work.goal_known && !(queue.least_f() < work.goal_cost)) return end(Outcome::found);
+                if (work.goal_known && !(work.queue.least_f() < work.goal_cost)) return end(Outcome::found);
             if (counts.expanded == most) return end(Outcome::running);
-            const Vertex p = queue.pop();
-            if (const Vertex* next = queue.peek()) place.fetch_around(*next, work.graph());
+            const Vertex p = work.queue.pop();
+            if (const Vertex* next = work.queue.peek()) place.fetch_around(*next, work.graph());
             auto& node = place.of(p);
             if (node.stamp != open) continue; // an old entry of a node whose f fell later
             if constexpr (!exact)
