@@ -96,7 +96,8 @@ struct Divides : NothingMore {
         explicit In(const Divides&) : NothingMore(0) {}
         int parts() const { return 2; }
         void solve(Solved&, double) const {}
-        template <class Data, class Pull> void remember_approaches(Solved&, const Data&, const Pull&) const {}
+        template <class Data> bool find_bouncing(Solved&, const Data&) const { return false; }
+        template <class Pull> void remember_approaches(Solved&, const Pull&) const {}
         template <class Data> double friction(const Data&, std::size_t, std::size_t) const { return 0; }
     };
 };

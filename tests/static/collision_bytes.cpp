@@ -38,6 +38,8 @@ static_assert(bytes<Impulse<>, Layers> == bytes<Impulse<>> + 2 * number && bytes
 
 // What is kept between steps, beside the contacts: nothing by Impulse and Projection; friction's share only with friction.
 static_assert(Colliding<Impulse<Friction>, Projection>::composition::keepers::size == 0 && Colliding<SoftSubsteps<>>::composition::keepers::size == 1);
+// A pass reads a contact as one line of the cache.
+static_assert(sizeof(SoftContacts<Space<>, false>::Constraint) == 64);
 static_assert(sizeof(SoftContacts<Space<>, true>::Constraint) - sizeof(SoftContacts<Space<>, false>::Constraint) == 4 * number);
 static_assert(SoftContacts<Space<>, false>::numbers_each == 1 && SoftContacts<Space<>, true>::numbers_each == 4);
 

@@ -201,7 +201,8 @@ template <class R, class S> struct CheckResponse {
     static_assert(
         Facts::solve,
         "Ansatz: a response at Level::substeps with a wrong signature; its In<S> needs parts(), solve(contacts, h), "
-        "remember_approaches(contacts, data, pull) and friction(data, a, b), its State what SoftContacts has");
+        "find_bouncing(contacts, data), remember_approaches(contacts, pull) and friction(data, a, b), its State what "
+        "SoftContacts has");
 };
 template <> struct ChecksOfRole<roles::Response> {
     template <class P, class S> using Facts = ResponseFacts<P, S>;

@@ -102,7 +102,8 @@ concept SolvesContactsIn = Binds<R, S> && KeepsContactsIn<R, S> &&
                                     const DataProbe& data, std::size_t slot) {
                                { response.parts() } -> std::same_as<int>;
                                response.solve(contacts, h);
-                               response.remember_approaches(contacts, data, ApproachProbe<S>());
+                               { response.find_bouncing(contacts, data) } -> std::same_as<bool>;
+                               response.remember_approaches(contacts, ApproachProbe<S>());
                                response.friction(data, slot, slot);
                                contacts.begin(data, FrictionProbe());
                                contacts.relax(h);

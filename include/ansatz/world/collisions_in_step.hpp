@@ -32,15 +32,16 @@ void Step<C, Policies>::in_substeps() {
     auto& before = data_.collisions.before_solving();
     bodies.place(contacts.bodies);
     contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
+    const bool bounces = response.find_bouncing(contacts, data_);
     const auto dt = S::Time::from_value(h);
     for (int part = 0; part < response.parts(); ++part) {
         context_ = Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)), TimeStep<S>(dt, last));
         bound_.prepare(context_);
         if constexpr (C::history) complete_starts();
         if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
-        if (part == 0) {
+        if (bounces && part == 0) {
             bodies.gather(contacts.bodies, before, leads, dt, last);
-            response.remember_approaches(contacts, data_, [&](const auto& c) { return pull_along(c); });
+            response.remember_approaches(contacts, [&](const auto& c) { return pull_along(c); });
         }
         bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last);
         response.solve(contacts, h);
@@ -56,9 +57,11 @@ void Step<C, Policies>::in_substeps() {
         contacts.relax(h);
         bodies.scatter(contacts.bodies, before, last);
     }
-    bodies.gather(contacts.bodies, before, leads, dt, last);
-    contacts.restore();
-    bodies.scatter(contacts.bodies, before, last);
+    if (bounces) {
+        bodies.gather(contacts.bodies, before, leads, dt, last);
+        contacts.restore();
+        bodies.scatter(contacts.bodies, before, last);
+    }
     data_.collisions.parts = response.parts();
     context_ = whole;
     if constexpr (C::coupled) data_.coupled.current = false;

@@ -55,28 +55,32 @@ public:
     using Scalar = typename S::Scalar;
     using Raw = Vector<Scalar, S::dimension>; ///< raw SI
     using Body = SolverBody<S>;               ///< what is solved for
-    /// In place of what is not there.
-    struct Nothing {};
+    /// In place of what is not there; two of one type would need two places.
+    template <int> struct Nothing {};
 
-    /// A contact of this step.
+    /// A contact of this step. Each pass reads it: in double and three dimensions it is one line of the cache, without friction.
     struct Constraint {
-        std::uint32_t a;     ///< the id of a body
-        std::uint32_t b;     ///< and of the other
-        Raw normal;          ///< from b to a
-        Scalar touching;     ///< N . (x_a - x_b) where they only touch, m
-        Scalar impulse = 0;  ///< along the normal, of a substep, N s
-        Scalar mass = 0;     ///< 1 / (w_a + w_b), kg
-        Scalar approach = 0; ///< N . (v_a - v_b) when the step began, m/s
-        Scalar bounce = 0;   ///< at which they part again, m/s; 0 if they do not
-        Scalar most = 0;     ///< the largest impulse of the step, N s; none, if they never touched
-        [[no_unique_address]] std::conditional_t<Rubs, Raw, Nothing> rubbing{};     ///< across the normal, N s
-        [[no_unique_address]] std::conditional_t<Rubs, Scalar, Nothing> friction{}; ///< the coefficient of the two
-        bool held = false;                                                          ///< one of them is not moved at all
-        std::uint32_t slot_a = 0;                                                   ///< where the first is
-        std::uint32_t slot_b = 0;                                                   ///< and the other
+        std::uint32_t a;          ///< the id of a body
+        std::uint32_t b;          ///< and of the other
+        std::uint32_t slot_a = 0; ///< where the first is
+        std::uint32_t slot_b = 0; ///< and the other
+        Raw normal;               ///< from b to a
+        Scalar touching;          ///< N . (x_a - x_b) where they only touch, m
+        Scalar impulse = 0;       ///< along the normal, of a substep, N s
+        Scalar mass = 0;          ///< 1 / (w_a + w_b), kg
+        [[no_unique_address]] std::conditional_t<Rubs, Raw, Nothing<0>> rubbing{};     ///< across the normal, N s
+        [[no_unique_address]] std::conditional_t<Rubs, Scalar, Nothing<1>> friction{}; ///< the coefficient of the two
     };
-    std::vector<Constraint> all; ///< by the ids of their bodies
-    std::vector<Body> bodies;    ///< by slot
+    /// What gives its approach back at the end of the step.
+    struct Bounce {
+        std::size_t which;        ///< of `all`
+        Scalar restitution;       ///< the larger one of the two bodies
+        Scalar speed = 0;         ///< at which they part again, m/s; 0 if they do not
+        bool has_pressed = false; ///< they have touched in this step
+    };
+    std::vector<Constraint> all;   ///< by the ids of their bodies
+    std::vector<Body> bodies;      ///< by slot
+    std::vector<Bounce> bouncing;  ///< a note of this step: those with restitution
 
     /// Calls `f(constraint)` for each of which a body is awake: those of a sleeping pile cost no pass, and keep their impulses.
     template <class F> [[gnu::always_inline]] void each_acting(F&& f) {
@@ -125,14 +129,13 @@ public:
     /// The same where the slots are known: which contacts act, and against what mass.
     void weigh() {
         acting_.clear();
+        bouncing.clear();
         for (std::size_t n = 0; n < all.size(); ++n) {
             auto& c = all[n];
             const Scalar wa = bodies[c.slot_a].weight, wb = bodies[c.slot_b].weight;
             if (!(wa + wb > Scalar(0))) continue;
             acting_.push_back(std::uint32_t(n));
             c.mass = 1 / (wa + wb);
-            c.held = !(wa > Scalar(0)) || !(wb > Scalar(0));
-            c.most = 0;
         }
     }
     /// How far two are apart; negative where they intersect, m.
@@ -161,11 +164,13 @@ public:
             const Scalar s = apart(c);
             if (s > Scalar(0)) press(c, s * per_h, Scalar(1), Scalar(0));
             else {
-                const auto& how = c.held ? soft_held : soft;
+                const bool held = !(bodies[c.slot_a].weight > Scalar(0)) || !(bodies[c.slot_b].weight > Scalar(0));
+                const auto& how = held ? soft_held : soft;
                 press(c, std::max(how.rate * std::min(s + slop, Scalar(0)), -push_out), how.mass, how.impulse);
             }
             rub(c);
         });
+        note_who_presses();
     }
     /// One pass that takes back the velocity which only parted them.
     void relax(Scalar h) {
@@ -175,15 +180,17 @@ public:
             press(c, s > Scalar(0) ? s * per_h : Scalar(0), Scalar(1), Scalar(0));
             rub(c);
         });
+        note_who_presses();
     }
     /// One pass in which those that met part again.
     void restore() {
-        each_acting([&](Constraint& c) {
-            if (!(c.bounce > Scalar(0)) || !(c.most > Scalar(0))) return;
-            const Scalar j = std::max(c.mass * (c.bounce - along(c)), -c.impulse);
+        for (const Bounce& bounce : bouncing) {
+            if (!(bounce.speed > Scalar(0)) || !bounce.has_pressed) continue;
+            Constraint& c = all[bounce.which];
+            const Scalar j = std::max(c.mass * (bounce.speed - along(c)), -c.impulse);
             c.impulse += j;
             push(c, j * c.normal);
-        });
+        }
     }
 
     /// \name What a world asks of everything that a policy keeps
@@ -236,6 +243,9 @@ public:
     /// @}
 
 private:
+    void note_who_presses() {
+        for (Bounce& bounce : bouncing) bounce.has_pressed = bounce.has_pressed || all[bounce.which].impulse > Scalar(0);
+    }
     template <class V> [[gnu::always_inline]] void push(const Constraint& c, const V& impulse) {
         bodies[c.slot_a].u += bodies[c.slot_a].weight * impulse;
         bodies[c.slot_b].u -= bodies[c.slot_b].weight * impulse;
@@ -245,7 +255,6 @@ private:
         const Scalar now = std::max(c.impulse + j, Scalar(0)); // contacts never pull
         push(c, (now - c.impulse) * c.normal);
         c.impulse = now;
-        c.most = std::max(c.most, now);
     }
     /// Coulomb's law: what slides is held back by at most mu times what presses.
     [[gnu::always_inline]] void rub([[maybe_unused]] Constraint& c) {

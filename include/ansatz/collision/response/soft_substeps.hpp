@@ -84,21 +84,28 @@ template <class... Options> struct SoftSubsteps {
             contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h),
                            Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
         }
-        /// What the contacts will give back at the end of the step.
-        /// \param pull N . (a_a - a_b) of a contact, m/s^2
-        template <class Data, class Pull>
-        void remember_approaches(SoftContacts<S, rubs>& contacts, const Data& data, const Pull& pull) const {
-            contacts.each_acting([&](auto& c) {
-                c.approach = contacts.along(c);
-                c.bounce = 0;
-                const Scalar e =
-                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b))
-                        .value();
-                if (!(e > Scalar(0)) || !(-c.approach > Scalar(policy.threshold.value()))) return;
-                // They were this far apart when the step began: what pulled them together did so on the rest of the way, too.
-                const Scalar squared = c.approach * c.approach - 2 * pull(c) * contacts.apart(c);
-                c.bounce = squared > Scalar(0) ? e * std::sqrt(squared) : Scalar(0);
+        /// Finds the contacts that may give something back at the end of the step.
+        /// \return whether there are any; where there are none, nothing is done for them
+        template <class Data> bool find_bouncing(SoftContacts<S, rubs>& contacts, const Data& data) const {
+            contacts.each_acting([&](const auto& c) {
+                const auto e =
+                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b));
+                if (e.value() > Scalar(0))
+                    contacts.bouncing.push_back({std::size_t(&c - contacts.all.data()), e.value()});
             });
+            return !contacts.bouncing.empty();
+        }
+        /// What they will give back, by the velocities when the step begins.
+        /// \param pull N . (a_a - a_b) of a contact, m/s^2
+        template <class Pull> void remember_approaches(SoftContacts<S, rubs>& contacts, const Pull& pull) const {
+            for (auto& bounce : contacts.bouncing) {
+                const auto& c = contacts.all[bounce.which];
+                const Scalar approach = contacts.along(c);
+                if (!(-approach > Scalar(policy.threshold.value()))) continue;
+                // They were this far apart when the step began: what pulled them together did so on the rest of the way, too.
+                const Scalar squared = approach * approach - 2 * pull(c) * contacts.apart(c);
+                if (squared > Scalar(0)) bounce.speed = bounce.restitution * std::sqrt(squared);
+            }
         }
         /// The friction of two bodies.
         template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {
