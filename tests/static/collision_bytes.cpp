@@ -39,7 +39,7 @@ static_assert(bytes<Impulse<>, Layers> == bytes<Impulse<>> + 2 * number && bytes
 // What is kept between steps, beside the contacts: nothing by Impulse and Projection; friction's share only with friction.
 static_assert(Colliding<Impulse<Friction>, Projection>::composition::keepers::size == 0 && Colliding<SoftSubsteps<>>::composition::keepers::size == 1);
 static_assert(sizeof(SoftContacts<Space<>, true>::Constraint) - sizeof(SoftContacts<Space<>, false>::Constraint) == 4 * number);
-static_assert(SoftContacts<Space<>, false>::numbers_each == 1 && SoftContacts<Space<>, true>::numbers_each == 4);
+static_assert(SoftContacts<Space<>, false>::numbers_each == 5 && SoftContacts<Space<>, true>::numbers_each == 8);
 
 // A world without collisions has nothing of them in it, and one with them everything.
 static_assert(sizeof(World<SemiImplicitEuler, Gravity>) + 100 < sizeof(Colliding<Impulse<>>));
