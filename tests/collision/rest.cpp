@@ -6,6 +6,7 @@
 #include <ansatz/collision/islands.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
+#include <ansatz/springs.hpp>
 #include <ansatz/world/collisions_in_step.hpp>
 #include <ansatz/world/contact_step.hpp>
 #include <ansatz/world/sleep.hpp>
@@ -245,5 +246,21 @@ TEST_CASE("who sleeps wakes when what it lies on lets it through, or when someth
         const auto [ground, ball] = asleep(world);
         world.set_position(wall, metres(1.5, 0.5, 0));
         CHECK(world.motion(ball) == Motion::resting);
+    }
+}
+
+TEST_CASE("a body that is put to rest in the air falls, also with the id of one that slept on the ground", "[collision][rest]") {
+    for (const bool with_an_old_id : {false, true}) {
+        auto world = with_rest(Springs{}, SoftSubsteps<>{}); // where bodies pull at each other, who sleeps is looked at in every step
+        const auto slept = column(world, {1.0}).front();
+        world.add(Sphere{0.5 * metre}, position(metres(5, 1e3, 0)), mass(1.0 * kilogram)); // somebody is awake
+        run(world, 120, dt);
+        REQUIRE(world.motion(slept) == Motion::resting);
+        if (with_an_old_id) world.remove(slept);
+        const auto body = world.add(Sphere{0.5 * metre}, position(metres(0, 10, 0)), mass(1.0 * kilogram), resting);
+        CHECK((body.id == slept.id) == with_an_old_id);
+        run(world, 30, dt);
+        const double n = 30 * 4, h = dt / 4; // SoftSubsteps takes a step in four parts
+        CHECK(std::abs(height_of(world, body) - (10 - 0.5 * 9.81 * n * (n + 1) * h * h)) <= 1e-9);
     }
 }

@@ -1,4 +1,4 @@
-// expect: this parameter takes a quantity of another shape or scalar
+// expect: one number where a vector belongs; give each of its components
 // SPDX-License-Identifier: BSL-1.0
 // Gravity has a direction.
 

@@ -41,7 +41,7 @@ static_assert(Colliding<Impulse<Friction>, Projection>::composition::keepers::si
 // A pass reads a contact as one line of the cache.
 static_assert(sizeof(SoftContacts<Space<>, false>::Constraint) == 64);
 static_assert(sizeof(SoftContacts<Space<>, true>::Constraint) - sizeof(SoftContacts<Space<>, false>::Constraint) == 4 * number);
-static_assert(SoftContacts<Space<>, false>::numbers_each == 1 && SoftContacts<Space<>, true>::numbers_each == 4);
+static_assert(SoftContacts<Space<>, false>::numbers_each == 5 && SoftContacts<Space<>, true>::numbers_each == 8);
 
 // A world without collisions has nothing of them in it, and one with them everything.
 static_assert(sizeof(World<SemiImplicitEuler, Gravity>) + 100 < sizeof(Colliding<Impulse<>>));

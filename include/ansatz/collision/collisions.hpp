@@ -77,6 +77,7 @@ public:
     /// A body that is gone takes its shape and its contacts with it.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
+        if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // who takes the id has not slept
         std::erase_if(contacts, [&](const Contact<S>& c) {
             const bool over = c.first.id == id || c.second.id == id;
             if (over) ends_next_.push_back({c.first, c.second});

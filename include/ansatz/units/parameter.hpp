@@ -86,9 +86,19 @@ private:
     template <class Other>
     static constexpr Base make(const boost::units::quantity<Unit, Other>& q) {
         constexpr bool fits = detail::widens<Value, Other>; // by name: the compiler prints the condition
-        static_assert(fits,
-                      "Ansatz units: this parameter takes a quantity of another shape or scalar, e.g. a vector where a "
-                      "number was given; see metres(x, y, z) and scalar_cast<double>(q)");
+        constexpr bool wants_vector = requires { Value::RowsAtCompileTime; };
+        constexpr bool gets_vector = requires { Other::RowsAtCompileTime; };
+        constexpr bool one_number_for_a_vector = wants_vector && !gets_vector;
+        constexpr bool a_vector_for_one_number = !wants_vector && gets_vector;
+        static_assert(!one_number_for_a_vector,
+                      "Ansatz units: one number where a vector belongs; give each of its components, e.g. "
+                      "metres(0.5, 0.5, 0.5) instead of 0.5 * metre");
+        static_assert(!a_vector_for_one_number,
+                      "Ansatz units: a vector where one number belongs; give a single one with its unit, e.g. "
+                      "0.5 * metre instead of metres(0.5, 0.5, 0.5)");
+        static_assert(fits || one_number_for_a_vector || a_vector_for_one_number,
+                      "Ansatz units: a quantity that this parameter cannot hold, because it has more components or "
+                      "another scalar; scalar_cast<double>(q) makes it one of doubles");
         if constexpr (fits)
             return Base::from_value(detail::widened<Value>(q.value()));
         else

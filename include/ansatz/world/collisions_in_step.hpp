@@ -22,6 +22,7 @@ void Step<C, Policies>::in_substeps() {
     const detail::Bound<R, S> response(std::get<R>(policies_));
     auto& contacts = data_.template state<R>();
     data_.collisions.expect(context_.dt());
+    settle();
     data_.collisions.refresh(data_, policies_, [&](Slot slot) { return this->acceleration(slot, data_.load(slot, context_.dt().previous)); });
     const Scalar h = context_.dt().value() / Scalar(response.parts());
     const auto whole = context_;
@@ -115,10 +116,20 @@ void Step<C, Policies>::hold_back() {
     });
 }
 
+/// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good before, and in the
+/// same way as for a world that is saved now: or the loaded one would look by others, and find other last bits.
+template <class C, class Policies>
+void Step<C, Policies>::settle() {
+    if constexpr (C::coupled)
+        if (C::substeps || data_.coupled.changed)
+            refresh_coupled(data_, policies_, Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
+}
+
 /// Contacts that are forces are looked for anew where bodies were changed, or a step is longer than the last one was.
 template <class C, class Policies>
 void Step<C, Policies>::look_around() {
     if constexpr (C::acts_next && !C::substeps) {
+        settle();
         data_.collisions.expect(context_.dt());
         if (!data_.collisions.refresh(data_, policies_, [&](Slot slot) { return bound_.laws.acceleration(data_.load(slot), context_); })) return;
         data_.coupled.current = false;

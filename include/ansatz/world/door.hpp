@@ -292,7 +292,13 @@ void World<P...>::set(const Policy& policy) {
 template <class... P>
 auto World<P...>::query() const {
     need_collisions();
-    if constexpr (composition::collides) return typename composition::Narrowphase::template Query<composition, Policies>(data_, policies_);
+    if constexpr (composition::collides) {
+        using Asked = typename composition::Narrowphase::template Query<composition, Policies>;
+        constexpr bool defined = requires { sizeof(Asked); };
+        static_assert(defined, "Ansatz: query: what answers it is not included; write #include <ansatz/collision/queries_in_world.hpp>, or "
+                               "<ansatz/collision.hpp> for all of collision");
+        if constexpr (defined) return Asked(data_, policies_);
+    }
 }
 
 template <class... P>

@@ -98,7 +98,7 @@ struct CollisionArchive {
         if (collisions.parts < 1) file.at("parts").refuse_here("a whole number of at least 1");
         collisions.expected = C::S::Time::from_value(file.at("expected").template number<typename C::S::Scalar>());
         if (collisions.expected.value() < 0) file.at("expected").refuse_here("a time step that is not negative");
-        collisions.stale_ = C::substeps || file.at("stale").yes(); // a response that keeps impulses looks for whose they are
+        collisions.stale_ = file.at("stale").yes();
         data.states.for_each([&](auto& state) {
             if constexpr (requires { state.saved([](auto&&...) {}); }) read_acting<C>(data, state, file.at("acting"));
         });

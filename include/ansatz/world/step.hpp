@@ -111,6 +111,7 @@ private:
 
     // Where bodies collide: collisions_in_step.hpp.
     template <class Transient, bool Later> void in_substeps();
+    void settle();
     Scalar pull_along(const auto& contact) const;
     void wake_neighbours();
     void hold_back();

@@ -213,26 +213,32 @@ public:
                 hash.add_number(c.impulse);
             }
     }
-    /// To a file: `f(a, b, numbers)` for each contact that keeps an impulse.
+    /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it would be another
+    /// by the last bits, and a loaded world would go on beside the saved one.
     template <class F> void saved(F&& f) const {
         for (const auto& c : all) {
-            std::vector<Scalar> numbers{c.impulse};
+            std::vector<Scalar> numbers{c.impulse, c.touching};
+            numbers.insert(numbers.end(), c.normal.data(), c.normal.data() + S::dimension);
             if constexpr (Rubs) numbers.insert(numbers.end(), c.rubbing.data(), c.rubbing.data() + S::dimension);
             f(c.a, c.b, numbers);
         }
     }
-    static constexpr int numbers_each = Rubs ? 1 + S::dimension : 1; ///< that a contact keeps
-    /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken. Who they belong to is found at the next step.
+    static constexpr int numbers_each = 2 + (Rubs ? 2 : 1) * S::dimension; ///< of a contact in a file
+    /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken.
     std::optional<std::pair<int, const char*>> load(std::uint32_t a, std::uint32_t b,
                                                     const std::vector<Scalar>& numbers) {
         if (numbers[0] < Scalar(0)) return std::pair(0, "an impulse that is not negative, because contacts never pull");
         Constraint c{};
-        for (int k = 0; k < S::dimension; ++k) c.normal[k] = Scalar(0);
         c.a = a;
         c.b = b;
         c.impulse = numbers[0];
-        if constexpr (Rubs)
-            for (int k = 0; k < S::dimension; ++k) c.rubbing[k] = numbers[std::size_t(k) + 1];
+        c.touching = numbers[1];
+        for (int k = 0; k < S::dimension; ++k) {
+            c.normal[k] = numbers[std::size_t(k) + 2];
+            if constexpr (Rubs) c.rubbing[k] = numbers[std::size_t(k + S::dimension) + 2];
+        }
+        if (!(abs(c.normal.squaredNorm() - Scalar(1)) < Scalar(0.001)))
+            return std::pair(2, "the first number of a unit vector");
         all.push_back(c);
         return std::nullopt;
     }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSL-1.0
+// I19 where velocities and forces decide who may come to touch: a world that is saved between two steps, whatever was done to it
+// there, goes on to the same bits.
+
+#include "tests/collision/support.hpp"
+
+#include <ansatz/collision/response/penalty.hpp>
+#include <ansatz/collision/response/soft_contacts.hpp>
+#include <ansatz/collision/response/soft_substeps.hpp>
+#include <ansatz/springs.hpp>
+#include <ansatz/world/save.hpp>
+
+#include <random>
+#include <sstream>
+
+using namespace collision_tests;
+
+namespace {
+
+/// A heap of balls and boxes that is pushed, loses bodies and gets new ones; springs hold them in pairs, where the world has springs.
+template <class World_> class Heap {
+public:
+    using S = typename World_::S;
+    World_ world;
+    explicit Heap(const World_& empty, unsigned seed) : world(empty), engine_(seed) {
+        world.add(Plane::ground(), fixed);
+        for (int i = 0; i < 14; ++i) put();
+        if constexpr (World_::composition::element_keepers::size > 0)
+            for (std::size_t i = 0; i + 1 < bodies_.size(); i += 2)
+                world.add(Spring{bodies_[i], bodies_[i + 1], 300.0 * newton_per_metre, 4.0 * newton_second_per_metre});
+    }
+    void push() { world.apply_impulse(any(), vector([](auto... x) { return newton_seconds(x...); }, 0.5, 1, 0)); }
+    void exchange() {
+        const auto gone = any();
+        std::erase(bodies_, gone);
+        world.remove(gone);
+        put();
+    }
+
+private:
+    double number() { return 2 * double(engine_() >> 11) * 0x1p-53 - 1; }
+    Handle any() { return bodies_[engine_() % bodies_.size()]; }
+    static auto vector(auto&& make, double x, double y, [[maybe_unused]] double z) {
+        if constexpr (S::dimension == 2) return make(x, y);
+        else return make(x, y, z);
+    }
+    void put() {
+        const auto long_ = [](auto... x) { return metres(x...); };
+        const auto fast = [](auto... x) { return metres_per_second(x...); };
+        const double x = 1.5 * number(), y = 1.5 + 1.2 * number(), z = 0.3 * number(), u = 2 * number(), v = 2 * number(), m = 1 + 0.5 * number();
+        const auto there = position(vector(long_, x, y, z));
+        const auto going = velocity(vector(fast, u, v, 0));
+        if (number() < 0) bodies_.push_back(world.add(Sphere{(0.3 + 0.1 * number()) * metre}, there, going, mass(m * kilogram)));
+        else bodies_.push_back(world.add(Box{vector(long_, 0.3, 0.2, 0.3)}, there, going, mass(m * kilogram)));
+    }
+    std::mt19937_64 engine_;
+    std::vector<Handle> bodies_;
+};
+
+template <class... P> void check_restarts(P... policies) {
+    const World empty{policies..., Gravity{}, SortAndSweep{}, Narrowphase<Sphere, Plane, Box>{}};
+    const std::vector<double> lengths{1.0 / 120, 1.0 / 120, 1.0 / 90, 1.0 / 90, 1.0 / 90, 1.0 / 60};
+    for (unsigned seed = 0; seed < 3; ++seed) {
+        Heap heap(empty, seed);
+        auto loaded = empty;
+        for (std::size_t n = 0; n < 200; ++n) {
+            INFO("seed " << seed << ", step " << n);
+            if (n % 3 == 1) heap.push();
+            if (n % 5 == 2) heap.exchange();
+            if (n % 4 < 2) { // else it goes on from the step before
+                std::stringstream file;
+                save(heap.world, file);
+                load(loaded, file);
+            } else if (n % 3 == 1 || n % 5 == 2) loaded = heap.world;
+            REQUIRE(loaded.hash() == heap.world.hash());
+            const auto dt = lengths[n % lengths.size()] * second;
+            heap.world.step(dt);
+            loaded.step(dt);
+            REQUIRE(loaded.hash() == heap.world.hash());
+            REQUIRE(loaded.contacts().size() == heap.world.contacts().size());
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("I19: a world that is saved goes on to the same bits where springs pull at those who may come to touch", "[collision][restart]") {
+    check_restarts(SemiImplicitEuler{}, Springs{}, SoftSubsteps<>{});
+    check_restarts(Space<float, 2>{}, Verlet{}, Springs{}, SoftSubsteps<Friction>{});
+}
+
+TEST_CASE("I19: a world that is saved goes on to the same bits where a change waits to be made good", "[collision][restart]") {
+    const Penalty soft{2e3 * newton_per_metre, 20.0 * newton_second_per_metre};
+    check_restarts(Space<float, 2>{}, Verlet{}, soft);
+    check_restarts(Verlet{}, Springs{}, soft);
+}
