@@ -78,15 +78,15 @@ template <class M, std::size_t Leaf, std::size_t From = 0>
 template <class M, class F, class Context>
 constexpr void act(const F& f, Context& context, Quantity<unit::Time> dt, EventQueue& queue) {
     if constexpr (std::is_same_v<F, Raised>) queue.raise(EventId(M::find_event(f.event)));
-    else if constexpr (std::is_invocable_v<const F&, Context&>) f(context);
-    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>) f(context, queue);
-    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>) f(context, dt);
+    else if constexpr (std::is_invocable_v<const F&, Context&>) std::invoke(f, context);
+    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>) std::invoke(f, context, queue);
+    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>) std::invoke(f, context, dt);
     else {
         static_assert(std::is_invocable_v<const F&, Context&, Quantity<unit::Time>, EventQueue&>,
                       "Ansatz: an action is a function of the machine's Context, or of it and an EventQueue&, or "
                       "raise(\"event\"); "
                       "that of each_update may take the time of the update too");
-        f(context, dt, queue);
+        std::invoke(f, context, dt, queue);
     }
 }
 
