@@ -238,6 +238,7 @@ struct Circle {
 struct Diary {
     std::map<std::string, int> days{};
     std::string title = "longer than what a string keeps inside itself";
+    int exit = 0; // no function
     void update(Log&) { ++days["day " + std::to_string(days.size())]; }
 };
 struct Writes {

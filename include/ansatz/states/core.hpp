@@ -106,14 +106,37 @@ template <class... P> struct BehaviourOf<State<P...>> {
     using type = typename decltype(all(std::type_identity<P>{}...))::type;
 };
 
+// Whether a class has a function of a name, whatever it takes and whoever may call it: then the name is there twice in
+// WithNames. Data that bears it, the exit of a room, is none.
+struct OfThoseNames {
+    int enter, exit, update;
+};
+template <class B> struct WithNames : B, OfThoseNames {};
+template <class B> constexpr bool may_have_members = std::is_class_v<B> && !std::is_final_v<B>;
+template <class B>
+concept NamesEnter = may_have_members<B> && !requires { &WithNames<B>::enter; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::enter)>; };
+template <class B>
+concept NamesExit = may_have_members<B> && !requires { &WithNames<B>::exit; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::exit)>; };
+template <class B>
+concept NamesUpdate = may_have_members<B> && !requires { &WithNames<B>::update; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::update)>; };
+
 /// Calls `enter`, `exit` or `update` of a state class, if it has it.
 template <class B, class Context> constexpr void behave_enter(B& b, Context& c, EventQueue& q) {
     if constexpr (requires { b.enter(c, q); }) b.enter(c, q);
     else if constexpr (requires { b.enter(c); }) b.enter(c);
+    else
+        static_assert(!NamesEnter<B>, "Ansatz: the enter of this state's class would never be called; it is public and "
+                                      "takes the machine's Context, void enter(Npc&), or it and an EventQueue&");
 }
 template <class B, class Context> constexpr void behave_exit(B& b, Context& c, EventQueue& q) {
     if constexpr (requires { b.exit(c, q); }) b.exit(c, q);
     else if constexpr (requires { b.exit(c); }) b.exit(c);
+    else
+        static_assert(!NamesExit<B>, "Ansatz: the exit of this state's class would never be called; it is public and "
+                                     "takes the machine's Context, void exit(Npc&), or it and an EventQueue&");
 }
 template <class B, class Context>
 constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQueue& q) {
@@ -121,6 +144,10 @@ constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQue
     else if constexpr (requires { b.update(c, q); }) b.update(c, q);
     else if constexpr (requires { b.update(c, dt); }) b.update(c, dt);
     else if constexpr (requires { b.update(c); }) b.update(c);
+    else
+        static_assert(!NamesUpdate<B>,
+                      "Ansatz: the update of this state's class would never be called; it is public and takes the "
+                      "machine's Context, or it and the time, void update(Npc&, Quantity<unit::Time>)");
 }
 
 template <class T> struct GuardOf;
