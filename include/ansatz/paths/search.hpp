@@ -115,7 +115,7 @@ struct Search {
     /// The heuristic, bound to the goal of this query.
     const Estimate& bound() const { return *estimate_; }
     /// The weights as they were when the query began.
-    const Weights& weights() const { return *weights_; }
+    const Weights& weights() const { return weights_->map; }
     /// The weights, asked of the graph anew.
     Weights fresh_weights() const { return detail::weights_of<Graph, Cost>(*graph_, given_); }
     /// The node of a vertex that this query has come to, else null.
@@ -210,7 +210,12 @@ private:
     const Graph* graph_;
     Given given_;
     Index index_;
-    std::optional<Weights> weights_;   ///< as they were when the query began
+    /// Whether Boost's map of a lambda has a default must not be asked: in clang that is an error.
+    struct Kept {
+        Weights map;
+        explicit Kept(Weights w) : map(std::move(w)) {}
+    };
+    std::optional<Kept> weights_;      ///< as they were when the query began
     std::optional<Estimate> estimate_; ///< bound to the goal of this query
 };
 
