@@ -23,6 +23,7 @@
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/filtered_graph.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
 #include <functional>
@@ -311,4 +312,44 @@ TEST_CASE("weights and numbers may stand beside the graph, vertices need no numb
     AStar many{g, WeightsOf{boost::make_assoc_property_map(weights)}};
     CHECK(many.find(a, c) == Outcome::found);
     CHECK(many.cost() == 2.0);
+}
+
+TEST_CASE("weights may be a function, whose map cannot be assigned", "[paths]") {
+    struct Street {
+        double km = 0, speed = 1;
+    };
+    using Streets = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Street>;
+    Streets g(3);
+    add_edge(0, 1, {3, 50}, g), add_edge(1, 2, {4, 50}, g), add_edge(0, 2, {6, 30}, g);
+    const auto hours = boost::make_function_property_map<Streets::edge_descriptor>([&g](const Streets::edge_descriptor& e) { return g[e].km / g[e].speed; });
+    AStar search{g, WeightsOf{hours}};
+    AStar by_boost{g, WeightsOf{hours}, BoostAStar{}};
+    for (int twice = 0; twice < 2; ++twice) {
+        CHECK(search.find(0, 2) == Outcome::found);
+        CHECK(search.cost() == Approx(7.0 / 50));
+        CHECK(by_boost.find(0, 2) == Outcome::found);
+        CHECK(by_boost.cost() == Approx(7.0 / 50));
+    }
+}
+
+TEST_CASE("an estimate of yours that is below zero or no number counts as nothing, one without end as no way", "[paths]") {
+    const Grid<> map(12, 9);
+    const Cell start{1, 2}, goal{10, 7};
+    AStar best{map, ZeroHeuristic{}};
+    REQUIRE(best.find(start, goal) == Outcome::found);
+    for (const double odd : {-1.0, -1e300, -std::numeric_limits<double>::infinity(), std::nan("")}) {
+        const By some{[odd](Cell c) { return (c.x + c.y) % 2 ? odd : 0.0; }};
+        AStar whole{map, some};
+        CHECK(whole.find(start, goal) == Outcome::found);
+        CHECK(whole.cost() == best.cost());
+        AStar real{map, some, CostIn<double>{}};
+        CHECK(real.find(start, goal) == Outcome::found);
+        CHECK(real.cost() == Approx(map.tiles(best.path())));
+    }
+    AStar negative{map, By{[](Cell c) { return c.x % 2 ? -1 : 0; }}}; // whole, and wraps round
+    CHECK(negative.find(start, goal) == Outcome::found);
+    CHECK(negative.cost() == best.cost());
+    AStar none{map, By{[](Cell) { return std::numeric_limits<double>::infinity(); }}};
+    none.begin(start, goal);
+    CHECK(none.node(start)->h == std::numeric_limits<std::uint32_t>::max());
 }

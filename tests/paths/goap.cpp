@@ -347,3 +347,16 @@ TEST_CASE("what a domain is given wrongly it refuses, and a budget ends a plan",
     CHECK(poor.plan(g.start, g.goal, 20) == Outcome::gave_up);
     CHECK(poor.expanded() == 20);
 }
+
+TEST_CASE("an action that is learnt while one plans in slices does no harm", "[goap]") {
+    goap::Domain<> domain;
+    std::vector<Fact> steps;
+    for (int i = 0; i < 20; ++i) steps.push_back(domain.fact("step " + std::to_string(i)));
+    for (std::size_t i = 1; i < steps.size(); ++i) domain.action("to " + std::to_string(i), double(i)).needs(steps[i - 1]).makes(steps[i]);
+    goap::Planner planner{domain};
+    planner.begin(domain.state({steps[0]}), domain.condition({steps.back()}));
+    for (int i = 0; planner.advance(1) == Outcome::running; ++i) domain.action("new " + std::to_string(i), 1e6).makes(steps.back());
+    CHECK(planner.outcome() == Outcome::found);
+    CHECK(planner.actions().size() == 19);
+    CHECK(planner.cost() == 19 * 20 / 2);
+}

@@ -51,6 +51,17 @@ TEST_CASE("a path is searched again when its rest is touched, and not for anythi
     CHECK(route.here() == Cell{4, 0});
     CHECK(route.step() == Cell{4, 0});
     CHECK_FALSE(route.renew());
+    // A start that is not on the map leaves the walker where it is.
+    CHECK(route.go(route.here(), Cell{0, 2}) == Outcome::found);
+    const Cell next = route.next();
+    CHECK_THAT(test::refusal([&] { route.go(Cell{9, 9}, Cell{0, 2}); }), ContainsSubstring("start is (9, 9)"));
+    CHECK_THAT(test::refusal([&] { route.go(Cell{0, 0}, Cell{9, 9}); }), ContainsSubstring("goal is (9, 9)"));
+    CHECK(route.here() == Cell{4, 0});
+    CHECK(route.next() == next);
+    map.set_passable(next, false);
+    CHECK(route.renew());
+    while (!route.arrived()) route.step();
+    CHECK(route.here() == Cell{0, 2});
 }
 
 TEST_CASE("by choice it is searched again when anything got cheaper, and an unreachable goal when something opens", "[paths]") {
@@ -186,6 +197,11 @@ TEMPLATE_TEST_CASE("landmarks are never too much, help where the straight line m
         REQUIRE_FALSE(check_heuristic<TestType>(map, marks, b));
     }
     CHECK(2 * helped < plain);
+    Roads roads(3); // of a graph that has grown since they say nothing
+    boost::add_edge(0, 1, 1, roads), boost::add_edge(1, 2, 1, roads);
+    const Landmarks<int> before(roads, 2);
+    for (std::size_t v = 3; v < 100; ++v) boost::add_edge(v - 1, v, 1, roads);
+    REQUIRE_FALSE(check_heuristic<int>(roads, before, std::size_t(99)));
     CHECK_THAT(test::refusal([] { Landmarks<>(Grid(2, 2), 5); }), ContainsSubstring("Landmarks: their number is 5"));
 }
 

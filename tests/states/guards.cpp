@@ -349,3 +349,21 @@ TEST_CASE("the checkers name what is probably wrong", "[states]") {
     grid.resize(15); // up to 1.4 m they do not meet
     CHECK(overlapping<Twice>(grid).empty());
 }
+
+/// Names that a user of both namespaces takes for his own; `Guard` was one of the library's.
+struct Guard {
+    double health = 1;
+};
+struct GuardsLife {
+    using Context = Guard;
+    static constexpr auto machine = states::machine(state("alive", transition(when(held_for(value("health", &Guard::health) < 0.5 && !after(9.0 * second), 1.0 * second)), to("dead"))), final_state("dead"));
+};
+
+TEST_CASE("whoever uses both namespaces may call his class Guard", "[states]") {
+    Guard guard{0.2};
+    Machine<GuardsLife, Switch> machine;
+    machine.start(guard);
+    for (int i = 0; i < 59; ++i) CHECK_FALSE(machine.update(guard, frame));
+    CHECK(machine.update(guard, frame));
+    CHECK(machine.done());
+}

@@ -123,6 +123,11 @@ TEST_CASE("a bad file is refused with its path, line and name", "[states]") {
     CHECK_THAT(line2("<state id=\"a\"/>\n<state id=\"a\"/>"), ContainsSubstring("guard.scxml:3: the id \"a\" is taken already, by the state of line 2"));
     CHECK_THAT(line2("<state id=\"a\"><transition cond=\"maybe\" target=\"a\"/></state>"), ContainsSubstring("guard.scxml:2: the transition of \"a\" has the guard \"maybe\", which is not bound; bound are: no, yes"));
     CHECK_THAT(line2("<state id=\"a\"><onentry><script>four</script></onentry></state>"), ContainsSubstring("guard.scxml:2: the action \"four\" is not bound; bound are: one, three, two"));
+    CHECK_THAT(line2("<state id=\"a\"><onentry>\n<script>one<!-- and -->two</script></onentry></state>"), ContainsSubstring("guard.scxml:3: <script> holds the name of one action"));
+    CHECK_THAT(line2("<state id=\"a\"><onentry><script>one<b/></script></onentry></state>"), ContainsSubstring("guard.scxml:2: <script> holds the name of one action"));
+    CHECK_THAT(refused("<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n" + in("<state id=\"caf\xe9\"/>")), ContainsSubstring("guard.scxml:1: the encoding is \"ISO-8859-1\"; save the file as UTF-8"));
+    CHECK_NOTHROW(parse_scxml("\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n" + in("<state id=\"a\"><onentry><script><!-- what -->one</script></onentry></state>"), "f", names()));
+    CHECK_NOTHROW(parse_scxml("<?xml version=\"1.0\"?>" + in("<state id=\"a\"/>"), "f", names()));
     CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state>"), ContainsSubstring("guard.scxml:2: the state \"a\" names the state \"b\""));
     CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state><state id=\"b\"/>"), ContainsSubstring("begins in \"b\", which is not inside it"));
     CHECK_THAT(line2("<state id=\"a\">\n<transition event=\"e\" traget=\"a\"/></state>"), ContainsSubstring("guard.scxml:3: <transition> has the attribute \"traget\""));

@@ -58,6 +58,12 @@ struct DefaultHeuristic<Graph> {
     using type = typename Graph::default_heuristic;
 };
 
+/// Whether a policy that brings weights brings a property map of this graph's edges.
+template <class Graph, class Policy> inline constexpr bool brings_weights = true;
+template <class Graph, class Map>
+inline constexpr bool brings_weights<Graph, WeightsOf<Map>> =
+    requires(const Map& map, const EdgeOf<Graph>& e) { get(map, e); };
+
 /// What is wrong with a list of policies, in sentences. One assert a rule.
 template <class Graph, class... Policies> struct CheckedPolicies {
     static_assert(SearchGraph<Graph>,
@@ -80,6 +86,9 @@ template <class Graph, class... Policies> struct CheckedPolicies {
     static_assert(count_of<roles::Weights, Policies...> <= 1,
                   "Ansatz paths: AStar has two maps of weights; leave one out");
     static_assert(count_of<roles::Index, Policies...> <= 1, "Ansatz paths: AStar has two index maps; leave one out");
+    static_assert((brings_weights<Graph, Policies> && ...),
+                  "Ansatz paths: WeightsOf takes a property map of the graph's edges: WeightsOf{get(&Road::length, "
+                  "graph)}, or of a function WeightsOf{boost::make_function_property_map<Edge>(function)}");
     static constexpr bool ok = true;
 };
 } // namespace detail

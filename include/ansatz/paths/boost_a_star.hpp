@@ -37,7 +37,7 @@ template <class Work> struct BoostWeights {
         const auto& g = map.work->graph();
         if (!edge_passable(e, g) || !vertex_passable(typename Work::Vertex(target(e, g)), g))
             return infinite<value_type>;
-        const auto weight = get(map.work->weights, e);
+        const auto weight = get(map.work->weights(), e);
         return weight >= decltype(weight)(0) ? Work::cost_of(weight)
                                              : value_type(0); // the visitor refuses it, before Boost throws
     }
@@ -70,7 +70,7 @@ template <class Work, class Distances> struct BoostVisitor : boost::default_asta
     template <class V, class Graph> void discover_vertex(const V&, const Graph&) { ++work->generated; }
     template <class E, class Graph> void black_target(const E&, const Graph&) { ++work->reopened; }
     template <class E, class Graph> void examine_edge(const E& e, const Graph& g) {
-        const auto weight = get(work->weights, e);
+        const auto weight = get(work->weights(), e);
         if constexpr (!std::is_unsigned_v<std::decay_t<decltype(weight)>>)
             if (!(weight >= 0)) {
                 work->refuse_weight(source(e, g), target(e, g), weight);

@@ -37,7 +37,7 @@ struct OwnLoop {
         constexpr bool exact = Work::Queue::exact;
         // Values, not references: behind a reference the compiler would read them again after each node that is written.
         const auto estimate = work.bound();
-        const auto weights = work.weights;
+        const auto weights = work.weights();
         const auto place = work.place();
         const auto goal = work.goal;
         const std::uint32_t open = work.nodes.stamps().open();

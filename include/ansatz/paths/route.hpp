@@ -43,10 +43,13 @@ public:
     explicit Route(Search& search, Replan rule = Replan::when_touched) : search_(&search), rule_(rule) {}
 
     /// Searches once: when the walker first starts to move.
+    /// \throws std::invalid_argument for a start or goal that the graph does not have; the walker goes on as before
     Outcome go(const Vertex& start, const typename Search::Goal& goal) {
+        const Vertex from = start; // perhaps here(), or an end of ahead()
+        search_->find(from, goal);
         goal_ = goal;
-        here_ = start;
-        return again();
+        here_ = from;
+        return take();
     }
     /// Whether the walker stands at the end of a path that was found.
     bool arrived() const { return outcome_ == Outcome::found && at_ + 1 == path_.size(); }
@@ -91,7 +94,12 @@ public:
 
 private:
     Outcome again() {
-        outcome_ = search_->find(here_, goal_);
+        search_->find(here_, goal_);
+        return take();
+    }
+    /// What the search has found.
+    Outcome take() {
+        outcome_ = search_->outcome();
         ++searches_;
         path_.assign(search_->path().begin(), search_->path().end());
         at_ = 0;

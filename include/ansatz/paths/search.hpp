@@ -58,10 +58,10 @@ struct Search {
     /// Looks at the graph, which must live as long; keeps the others.
     Search(const Graph& g, Queue q, const Given& given, const Index& i)
         : queue(std::move(q)),
-          weights(detail::weights_of<Graph, Cost>(g, given)),
           graph_(&g),
           given_(given),
-          index_(i) {}
+          index_(i),
+          weights_(detail::weights_of<Graph, Cost>(g, given)) {}
 
     /// The graph that is searched.
     const Graph& graph() const { return *graph_; }
@@ -116,6 +116,8 @@ struct Search {
     }
     /// The heuristic, bound to the goal of this query.
     const Estimate& bound() const { return *estimate_; }
+    /// The weights as they were when the query began.
+    const Weights& weights() const { return weights_->map; }
     /// The weights, asked of the graph anew.
     Weights fresh_weights() const { return detail::weights_of<Graph, Cost>(*graph_, given_); }
     /// The node of a vertex that this query has come to, else null.
@@ -161,7 +163,7 @@ struct Search {
 
     /// Forgets the last query and sets out for another.
     void begin(const Vertex& from, const Goal& to) {
-        weights = detail::weights_of<Graph, Cost>(*graph_, given_);
+        weights_.emplace(fresh_weights()); // not assigned: a map that holds a lambda cannot be
         nodes.begin(count());
         queue.begin(*graph_);
         start = from, goal = to;
@@ -190,7 +192,6 @@ struct Search {
 
     Nodes nodes;       ///< of this query, and of earlier ones with their old stamps
     Queue queue;       ///< the open list
-    Weights weights;   ///< as they were when the query began
     Vertex start{},    ///< where the query began
         goal_vertex{}, ///< where it reached the goal
         nearest{},     ///< closed, with the least h
@@ -211,6 +212,12 @@ private:
     const Graph* graph_;
     Given given_;
     Index index_;
+    /// Whether Boost's map of a lambda has a default must not be asked: in clang that is an error.
+    struct Kept {
+        Weights map;
+        explicit Kept(Weights w) : map(std::move(w)) {}
+    };
+    std::optional<Kept> weights_;      ///< as they were when the query began
     std::optional<Estimate> estimate_; ///< bound to the goal of this query
 };
 

@@ -66,9 +66,11 @@ template <class G, class Context, class Own> BoundGuard<Context> bind_guard(cons
     bound.needs_time = G::needs_time;
     bound.equality = g.is_equality();
     static constexpr auto question = [](const typename Bound::Asked& a) {
-        static constexpr Own nothing{};
-        return Question<Context, Own>{a.context, a.own != nullptr ? *static_cast<const Own*>(a.own) : nothing,
-                                      a.in_state, a.dt};
+        if constexpr (std::is_same_v<Own, NoBehaviour>) {
+            static constexpr NoBehaviour nothing{};
+            return Question<Context, Own>{a.context, nothing, a.in_state, a.dt};
+        } else // the chart has made sure that the state that asks has this class
+            return Question<Context, Own>{a.context, *static_cast<const Own*>(a.own), a.in_state, a.dt};
     };
     using Memory = typename G::Memory;
     bound.ask = [](const void* guard, const typename Bound::Asked& a, const void* memory) {

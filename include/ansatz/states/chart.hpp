@@ -71,7 +71,10 @@ public:
         const auto at = state_ids_.find(name);
         return at == state_ids_.end() ? StateId::none : StateId(at->second);
     }
-    std::string_view name(StateId id) const { return outline_.states[index(id)].name; } ///< of a state
+    /// Of a state; empty for StateId::none and what is no state.
+    std::string_view name(StateId id) const {
+        return index(id) < outline_.states.size() ? std::string_view(outline_.states[index(id)].name) : "";
+    }
     /// Of an event.
     std::string_view name(EventId id) const {
         return index(id) < events_.size() ? std::string_view(events_[index(id)]) : "*";

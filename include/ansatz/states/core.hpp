@@ -78,15 +78,15 @@ template <class M, std::size_t Leaf, std::size_t From = 0>
 template <class M, class F, class Context>
 constexpr void act(const F& f, Context& context, Quantity<unit::Time> dt, EventQueue& queue) {
     if constexpr (std::is_same_v<F, Raised>) queue.raise(EventId(M::find_event(f.event)));
-    else if constexpr (std::is_invocable_v<const F&, Context&>) f(context);
-    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>) f(context, queue);
-    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>) f(context, dt);
+    else if constexpr (std::is_invocable_v<const F&, Context&>) std::invoke(f, context);
+    else if constexpr (std::is_invocable_v<const F&, Context&, EventQueue&>) std::invoke(f, context, queue);
+    else if constexpr (std::is_invocable_v<const F&, Context&, Quantity<unit::Time>>) std::invoke(f, context, dt);
     else {
         static_assert(std::is_invocable_v<const F&, Context&, Quantity<unit::Time>, EventQueue&>,
                       "Ansatz: an action is a function of the machine's Context, or of it and an EventQueue&, or "
                       "raise(\"event\"); "
                       "that of each_update may take the time of the update too");
-        f(context, dt, queue);
+        std::invoke(f, context, dt, queue);
     }
 }
 
@@ -106,14 +106,37 @@ template <class... P> struct BehaviourOf<State<P...>> {
     using type = typename decltype(all(std::type_identity<P>{}...))::type;
 };
 
+// Whether a class has a function of a name, whatever it takes and whoever may call it: then the name is there twice in
+// WithNames. Data that bears it, the exit of a room, is none.
+struct OfThoseNames {
+    int enter, exit, update;
+};
+template <class B> struct WithNames : B, OfThoseNames {};
+template <class B> constexpr bool may_have_members = std::is_class_v<B> && !std::is_final_v<B>;
+template <class B>
+concept NamesEnter = may_have_members<B> && !requires { &WithNames<B>::enter; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::enter)>; };
+template <class B>
+concept NamesExit = may_have_members<B> && !requires { &WithNames<B>::exit; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::exit)>; };
+template <class B>
+concept NamesUpdate = may_have_members<B> && !requires { &WithNames<B>::update; } &&
+                     !requires { requires std::is_member_object_pointer_v<decltype(&B::update)>; };
+
 /// Calls `enter`, `exit` or `update` of a state class, if it has it.
 template <class B, class Context> constexpr void behave_enter(B& b, Context& c, EventQueue& q) {
     if constexpr (requires { b.enter(c, q); }) b.enter(c, q);
     else if constexpr (requires { b.enter(c); }) b.enter(c);
+    else
+        static_assert(!NamesEnter<B>, "Ansatz: the enter of this state's class would never be called; it is public and "
+                                      "takes the machine's Context, void enter(Npc&), or it and an EventQueue&");
 }
 template <class B, class Context> constexpr void behave_exit(B& b, Context& c, EventQueue& q) {
     if constexpr (requires { b.exit(c, q); }) b.exit(c, q);
     else if constexpr (requires { b.exit(c); }) b.exit(c);
+    else
+        static_assert(!NamesExit<B>, "Ansatz: the exit of this state's class would never be called; it is public and "
+                                     "takes the machine's Context, void exit(Npc&), or it and an EventQueue&");
 }
 template <class B, class Context>
 constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQueue& q) {
@@ -121,6 +144,10 @@ constexpr void behave_update(B& b, Context& c, Quantity<unit::Time> dt, EventQue
     else if constexpr (requires { b.update(c, q); }) b.update(c, q);
     else if constexpr (requires { b.update(c, dt); }) b.update(c, dt);
     else if constexpr (requires { b.update(c); }) b.update(c);
+    else
+        static_assert(!NamesUpdate<B>,
+                      "Ansatz: the update of this state's class would never be called; it is public and takes the "
+                      "machine's Context, or it and the time, void update(Npc&, Quantity<unit::Time>)");
 }
 
 template <class T> struct GuardOf;

@@ -52,7 +52,7 @@ constexpr After after(Number) {
 }
 
 /// Holds while another guard has held at every update for a time, whichever state was active.
-template <Guard G> struct HeldFor : GuardBase {
+template <AnyGuard G> struct HeldFor : GuardBase {
     static constexpr bool needs_time = true; ///< it reads `dt`
     /// What it remembers between two updates.
     struct Memory {
@@ -91,7 +91,7 @@ template <Guard G> struct HeldFor : GuardBase {
 
 /// The guard has held at every update for this time, s.
 /// \throws std::invalid_argument for a negative or non-finite time
-template <Guard G> constexpr HeldFor<G> held_for(G guard, Quantity<unit::Time> time) {
+template <AnyGuard G> constexpr HeldFor<G> held_for(G guard, Quantity<unit::Time> time) {
     detail::check_dwell("held_for", time);
     return {guard, time};
 }

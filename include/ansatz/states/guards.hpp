@@ -15,6 +15,7 @@
 #include <ansatz/states/ids.hpp>
 
 #include <concepts>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -33,19 +34,19 @@ struct GuardBase {
 
 /// A guard as the machine sees it.
 template <class G>
-concept Guard = std::derived_from<G, GuardBase> && std::is_trivially_copyable_v<typename G::Memory>;
+concept AnyGuard = std::derived_from<G, GuardBase> && std::is_trivially_copyable_v<typename G::Memory>;
 
 namespace detail {
 
 template <class F, class Context, class Own> constexpr bool call(const F& f, const Question<Context, Own>& q) {
-    if constexpr (std::is_invocable_v<const F&, Context&>) return bool(f(q.context));
+    if constexpr (std::is_invocable_v<const F&, Context&>) return bool(std::invoke(f, q.context)); // also a member: &Npc::sees
     else {
         static_assert(
             std::is_invocable_v<const F&, Context&, const Own&>,
             "Ansatz: a guard is a function of the machine's Context, or of the Context and the class of the state that "
             "asks; "
             "it answers bool, e.g. when(\"sees\", [](const Npc& npc) { return npc.distance < 5.0 * metre; })");
-        return bool(f(q.context, q.own));
+        return bool(std::invoke(f, q.context, q.own));
     }
 }
 
@@ -113,7 +114,7 @@ protected:
 } // namespace detail
 
 /// Both hold.
-template <Guard A, Guard B> struct And : detail::Pair<A, B> {
+template <AnyGuard A, AnyGuard B> struct And : detail::Pair<A, B> {
     using detail::Pair<A, B>::Pair;
     /// "(a and b)".
     std::string name() const { return "(" + this->a.name() + " and " + this->b.name() + ")"; }
@@ -123,7 +124,7 @@ template <Guard A, Guard B> struct And : detail::Pair<A, B> {
     }
 };
 /// At least one holds.
-template <Guard A, Guard B> struct Or : detail::Pair<A, B> {
+template <AnyGuard A, AnyGuard B> struct Or : detail::Pair<A, B> {
     using detail::Pair<A, B>::Pair;
     /// "(a or b)".
     std::string name() const { return "(" + this->a.name() + " or " + this->b.name() + ")"; }
@@ -133,7 +134,7 @@ template <Guard A, Guard B> struct Or : detail::Pair<A, B> {
     }
 };
 /// It does not hold.
-template <Guard A> struct Not : GuardBase {
+template <AnyGuard A> struct Not : GuardBase {
     using Memory = typename A::Memory;                ///< that of the other guard
     static constexpr bool needs_time = A::needs_time; ///< whether the other reads `in_state` or `dt`
     A a;                                              ///< the other guard
@@ -155,10 +156,10 @@ template <Guard A> struct Not : GuardBase {
 };
 
 /// Both hold.
-template <Guard A, Guard B> constexpr And<A, B> operator&&(A a, B b) { return {a, b}; }
+template <AnyGuard A, AnyGuard B> constexpr And<A, B> operator&&(A a, B b) { return {a, b}; }
 /// At least one holds.
-template <Guard A, Guard B> constexpr Or<A, B> operator||(A a, B b) { return {a, b}; }
+template <AnyGuard A, AnyGuard B> constexpr Or<A, B> operator||(A a, B b) { return {a, b}; }
 /// It does not hold.
-template <Guard A> constexpr Not<A> operator!(A a) { return Not<A>(a); }
+template <AnyGuard A> constexpr Not<A> operator!(A a) { return Not<A>(a); }
 
 } // namespace ansatz::states

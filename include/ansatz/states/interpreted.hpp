@@ -64,10 +64,11 @@ public:
     InterpretedMachine& operator=(InterpretedMachine&&) = default; ///< takes everything over
 
     // ------------------------------------------------------------ driving it; as Machine of the other representations
-    /// Enters the initial states, from the outside inwards.
+    /// Enters the initial states, from the outside inwards; refused within an action. What waits, and stuck(), is forgotten.
     void start(Context& context) {
+        if (busy_) refuse(Refusal::invalid_argument, "Machine::start: called from an action of the same machine; raise an event instead");
         const Busy busy(busy_);
-        now_ = dt_ = {};
+        now_ = dt_ = {}, queue_ = {}, stopped_ = false;
         forget();
         const auto& c = *chart_;
         for_memories(context, true);

@@ -40,13 +40,14 @@ public:
         if (const auto nul = text_.find('\0'); nul != std::string_view::npos)
             wrong(line_of(std::ptrdiff_t(nul)), "a byte with the value 0 is no XML of UTF-8");
         pugi::xml_document document;
-        const auto result = document.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype,
-                                                 pugi::encoding_utf8);
+        constexpr auto how = pugi::parse_default | pugi::parse_doctype | pugi::parse_declaration;
+        const auto result = document.load_buffer(text_.data(), text_.size(), how, pugi::encoding_utf8);
         if (!result) wrong(line_of(result.offset), std::string("it is no well-formed XML: ") + result.description());
         pugi::xml_node root;
         for (const auto node : document.children()) {
             if (node.type() == pugi::node_doctype)
                 wrong(node, "a document type (<!DOCTYPE ...>) is not accepted, and no entity of its own");
+            if (node.type() == pugi::node_declaration) require_utf8(node);
             if (node.type() != pugi::node_element) continue;
             if (root) wrong(node, "a second root element, <" + std::string(node.name()) + ">");
             root = node;
@@ -77,6 +78,14 @@ private:
     long line_of(Node node) { return line_of(node.offset_debug()); }
     static std::string tag(Node node) {
         return "<" + shown(node.name()).substr(1, std::min<std::size_t>(60, shown(node.name()).size() - 2)) + ">";
+    }
+
+    // Its names are compared byte by byte with those that the program binds.
+    void require_utf8(Node declaration) {
+        std::string encoding = declaration.attribute("encoding").as_string("UTF-8");
+        for (char& c : encoding) c = c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+        if (encoding != "UTF-8" && encoding != "UTF8" && encoding != "US-ASCII" && encoding != "ASCII")
+            wrong(declaration, "the encoding is " + shown(encoding) + "; save the file as UTF-8");
     }
 
     // ------------------------------------------------------------ namespaces
@@ -264,6 +273,8 @@ private:
                 attributes(child, {});
                 content.name = trimmed(child.child_value());
                 if (content.name.empty()) wrong(child, "<script> holds the name of an action");
+                if (child.first_child() != child.last_child())
+                    wrong(child, "<script> holds the name of one action and nothing else; write two of them");
             } else out_of_place(child, name, node);
             if (name != "script" && child.first_child()) wrong(child, tag(child) + " is empty");
             found.push_back(std::move(content));

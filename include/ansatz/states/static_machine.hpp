@@ -35,8 +35,15 @@ public:
         : options_(options...) {}
 
     // ------------------------------------------------------------ driving it
-    /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and begins anew.
+    /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and begins anew:
+    /// events that wait, as those behind an action that threw, and stuck() are forgotten.
+    /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies outside
     void start(Context& context) {
+        if constexpr (can_raise) {
+            if (busy_) refuse(Refusal::invalid_argument, "Machine::start: called from an action of the same machine; raise an event instead");
+            queue_ = {};
+        }
+        if constexpr (loops) stopped_ = false;
         const Busy busy(*this);
         clock_ = {};
         if constexpr (M::rows.history) history_.fill(nowhere);
@@ -130,7 +137,8 @@ public:
     static constexpr std::size_t state_count() { return M::state_count; }           ///< with the root
     static constexpr std::size_t transition_count() { return M::transition_count; } ///< all
     static constexpr std::size_t event_count() { return M::event_count; }           ///< names, and one for all others
-    static constexpr std::string_view name(StateId id) { return M::rows.states[index(id)].name; }         ///< of a state
+    /// Of a state; empty for StateId::none and what is no state.
+    static constexpr std::string_view name(StateId id) { return index(id) < M::state_count ? M::rows.states[index(id)].name : std::string_view(); }
     static constexpr std::string_view name(EventId id) { return M::event_name(index(id)); }               ///< of an event
     /// The event of a name; of a name that no transition mentions, the event that only "*" takes.
     static constexpr EventId event(std::string_view name) { return EventId(M::find_event(name)); }

@@ -83,8 +83,8 @@ template <std::size_t Words> struct ChangeCosts {
     using value_type = double;
     using reference = double;
     using category = boost::readable_property_map_tag;
-    const typename Domain<Words>::Rule* rules; ///< of the domain, by action
-    friend double get(const ChangeCosts& map, const Change<Words>& c) { return map.rules[c.action].cost; }
+    const Domain<Words>* domain; ///< whose actions these are; they may become more while one plans in slices
+    friend double get(const ChangeCosts& map, const Change<Words>& c) { return map.domain->rules()[c.action].cost; }
 };
 
 template <std::size_t W> std::pair<Changes<W>, Changes<W>> out_edges(const State<W>& s, const StateGraph<W>& g) {
@@ -99,7 +99,7 @@ template <std::size_t W> std::size_t out_degree(const State<W>& s, const StateGr
 template <std::size_t W> State<W> source(const Change<W>& c, const StateGraph<W>&) { return c.from; }
 template <std::size_t W> State<W> target(const Change<W>& c, const StateGraph<W>&) { return c.to; }
 template <std::size_t W> ChangeCosts<W> get(boost::edge_weight_t, const StateGraph<W>& g) {
-    return {g.domain().rules().data()};
+    return {&g.domain()};
 }
 template <std::size_t W> std::string name_of(const State<W>& s, const StateGraph<W>& g) { return g.domain().words(s); }
 

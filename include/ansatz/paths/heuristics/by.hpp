@@ -6,12 +6,30 @@
 
 #include <ansatz/paths/graph.hpp>
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
 namespace ansatz::paths {
 
-/// h is what this function answers, in the unit of the weights.
+namespace detail {
+/// What a function answered, in the number of the search. No cost is negative, so an estimate below zero says no more than
+/// zero does, and one that is no number says nothing; as a whole number both would be huge.
+template <class Cost, class Number> constexpr Cost estimated(const Number& h) {
+    if constexpr (std::is_arithmetic_v<Number>) {
+        if (!(h > Number(0))) return Cost(0);
+        if constexpr (std::is_integral_v<Cost> && std::is_floating_point_v<Number>) {
+            if (h >= Number(infinite<Cost>)) return infinite<Cost>;
+        } else if constexpr (std::is_integral_v<Cost>) {
+            if (std::uintmax_t(h) >= std::uintmax_t(infinite<Cost>)) return infinite<Cost>;
+        }
+    }
+    return Cost(h);
+}
+} // namespace detail
+
+/// h is what this function answers, in the unit of the weights: on a Grid, whose searches count in whole numbers,
+/// 33461 a tile (`Tile<Cost>::straight`). Less than nothing, and what is no number, counts as nothing.
 template <class Function> struct By {
     using role = roles::Heuristic;
     Function function; ///< of (vertex, goal), or of (vertex)
@@ -21,8 +39,8 @@ template <class Function> struct By {
         static_assert(of_both || of_one,
                       "Ansatz paths: By takes a function of (vertex, goal), or of (vertex), that answers "
                       "with a number; write e.g. By{[](auto v, auto goal) { return 0.0; }}");
-        if constexpr (of_both) return [f = function, goal](const VertexOf<Graph>& v) { return Cost(f(v, goal)); };
-        else return [f = function](const VertexOf<Graph>& v) { return Cost(f(v)); };
+        if constexpr (of_both) return [f = function, goal](const VertexOf<Graph>& v) { return detail::estimated<Cost>(f(v, goal)); };
+        else return [f = function](const VertexOf<Graph>& v) { return detail::estimated<Cost>(f(v)); };
     }
 };
 /// `By{function}` holds this function.

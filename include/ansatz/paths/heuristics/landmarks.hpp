@@ -9,7 +9,7 @@
 /// \f[ d(v, t) \ge d(v, L) - d(t, L), \qquad d(v, t) \ge d(L, t) - d(L, v). \f]
 /// The largest of these is h: never too much, and exact behind every landmark. Making one costs two searches of the whole
 /// graph and two numbers a vertex. Blocked or dearer edges leave it right; when something gets cheaper it must be made anew:
-/// on a graph that counts its changes (`cheaper_version()`) it is 0 everywhere until then.
+/// on a graph that counts its changes (`cheaper_version()`) it is 0 everywhere until then, and so on any that has grown.
 ///
 /// \see A. V. Goldberg, C. Harrelson, "Computing the shortest path: A* search meets graph theory", SODA 2005.
 
@@ -69,8 +69,9 @@ public:
         static_assert(std::is_same_v<Cost, Number>,
                       "Ansatz paths: Landmarks<Number> must count in the number of the search; write "
                       "Landmarks<Cost>(graph, count), with CostIn<Cost>{} if the search has one");
-        bool valid = true;
-        if constexpr (requires { g.cheaper_version(); }) valid = g.cheaper_version() == table_->cheaper;
+        // Numbered behind the tables: a vertex that the graph has got since.
+        bool valid = table_->to.empty() || table_->to.front().size() >= num_vertices(g);
+        if constexpr (requires { g.cheaper_version(); }) valid = valid && g.cheaper_version() == table_->cheaper;
         const auto index = get(boost::vertex_index, g);
         return [table = valid ? table_ : std::make_shared<Table>(), index,
                 t = std::size_t(get(index, goal))](const VertexOf<Graph>& v) {
