@@ -104,7 +104,7 @@ private:
         auto reaches = [&](const Vertex& v) { return Work::reaches(v, goal); };
         Work::Successors::each(
             work.graph(), p, parent, reaches, [&](const Vertex& q, const auto& edge, std::size_t edges) {
-                const Cost g = detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights, edge))));
+                const Cost g = detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights(), edge))));
                 relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
             });
     }
