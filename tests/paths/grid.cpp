@@ -260,6 +260,11 @@ TEST_CASE("quantities: lengths, places and travel times", "[paths][grid]") {
     ways.connect(0, 2, 2.0 * metre_per_second);
     AStar search{ways};
     REQUIRE(search.find(0, 2) == Outcome::found);
+    CHECK(search.why() == "the path from 0 to 2 costs 3 s"); // 5 m at 5 m/s, then 20 m at 10 m/s
+    const Grid even(4, 3);
+    AStar on_tiles{even};
+    REQUIRE(on_tiles.find({0, 0}, {2, 1}) == Outcome::found);
+    CHECK(on_tiles.why() == "the path from (0, 0) to (2, 1) costs 2.4142137 tiles"); // 1 + the root of 2, and not what it counts in
     CHECK(ways.travel_time(search.path()).value() == Approx(3));
     CHECK(ways.length(search.path()).value() == Approx(25));
     ways.set_road_passable(winding, false);

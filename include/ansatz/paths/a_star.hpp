@@ -283,7 +283,7 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
     switch (outcome_) {
     case Outcome::not_begun: return "no search was begun";
     case Outcome::running: return "the search " + way + " goes on after " + std::to_string(expanded()) + " expansions";
-    case Outcome::found: return "the path " + way + " costs " + describe(cost());
+    case Outcome::found: return "the path " + way + " costs " + detail::name_of_cost(cost(), g);
     case Outcome::no_path:
         return "there is no path " + way + ": all " + std::to_string(expanded()) +
                " nodes that can be reached were looked at";

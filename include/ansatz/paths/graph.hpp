@@ -16,6 +16,7 @@
 /// | `is_blocked(v, g)`                         | the same of start and goal, where out_edges leaves blocked ones out |
 /// | `has_vertex(v, g)`                         | start and goal are refused at the door when they are outside        |
 /// | `name_of(v, g)`                            | sentences about a node                                              |
+/// | `cost_in_words(c, g)`                      | sentences about a cost                                              |
 /// | `edge_weights(g, std::type_identity<C>{})` | the weights in the number C, where a graph can say them in several  |
 /// | `target_index(e, map)`                     | the number of an edge's target, where the graph has it at hand      |
 ///
@@ -156,6 +157,13 @@ template <class Graph> [[gnu::cold]] std::string name_of_vertex(const VertexOf<G
     else if constexpr (std::is_arithmetic_v<VertexOf<Graph>>) return describe(v);
     else if constexpr (IsNumbered<Graph>) return describe(get(get(boost::vertex_index, g), v));
     else return "of this graph";
+}
+template <class Cost, class Graph> [[gnu::cold]] std::string name_of_cost(const Cost& cost, const Graph& g) {
+    if constexpr (requires {
+                      { cost_in_words(cost, g) } -> std::convertible_to<std::string>;
+                  })
+        return cost_in_words(cost, g);
+    else return describe(cost);
 }
 template <class Graph> [[gnu::cold]] std::string size_of_graph(const Graph& g) {
     if constexpr (requires {

@@ -331,6 +331,10 @@ template <class M, int D> bool is_passable(const Road& r, const Waypoints<M, D>&
     return g.road_passable(r.number);
 }
 template <class M, int D> const auto& position_of(std::size_t v, const Waypoints<M, D>& g) { return g.position(v); }
+/// "3 s" or "25 m".
+template <class Cost, class M, int D> std::string cost_in_words(Cost cost, const Waypoints<M, D>&) {
+    return std::is_same_v<M, ByTime> ? describe(double(cost) * second) : describe(double(cost) * metre);
+}
 template <class M, int D> double least_cost_per_metre(const Waypoints<M, D>& g) {
     return std::is_same_v<M, ByTime> ? 1 / g.fastest().value() : 1;
 }

@@ -38,10 +38,11 @@ struct NothingToSweep {
 } // namespace detail
 
 /// A narrowphase that looks at the motion of a step, too.
-/// \tparam N the narrowphase, e.g. Narrowphase<Sphere, Plane, Box>
-template <class N> struct Swept : std::conditional_t<detail::Wrappable<N>, N, detail::NothingToSweep> {
+/// \tparam N    the narrowphase, e.g. Narrowphase<Sphere, Plane, Box>
+/// \tparam More nothing; it stands here so that Swept<Sphere, Box> is told what is missing
+template <class N, class... More> struct Swept : std::conditional_t<detail::Wrappable<N>, N, detail::NothingToSweep> {
     static_assert(
-        detail::Wrappable<N>,
+        detail::Wrappable<N> && sizeof...(More) == 0,
         "Ansatz: Swept of something that is no narrowphase; write e.g. Swept<Narrowphase<Sphere, Plane, Box>>{}");
 
     static constexpr std::string_view name = "Swept"; ///< in a saved file

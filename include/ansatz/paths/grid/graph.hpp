@@ -162,6 +162,10 @@ template <class N, class G> bool is_blocked(Cell c, const Grid<N, G>& g) {
     return g.open_directions(c) == 0 && !g.passable(c); // whoever has a way out is free: the flags need not be fetched
 }
 template <class N, class G> std::string name_of(Cell c, const Grid<N, G>&) { return name_of(c); }
+/// "2.4142137 tiles", in whatever number a search has counted.
+template <class Cost, class N, class G> std::string cost_in_words(Cost cost, const Grid<N, G>&) {
+    return describe(float(double(cost) / double(Tile<Cost>::straight))) + " tiles"; // as many digits as are read
+}
 template <class N, class G> std::string size_in_words(const Grid<N, G>& g) {
     return "the map has " + g.size_in_words();
 }
