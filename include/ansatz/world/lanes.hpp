@@ -182,7 +182,7 @@ public:
         return detail::load<Which, S>(raw);
     }
     /// A body's values in a list of columns.
-    template <class... Which> Row<S, Columns<Which...>> get(Columns<Which...>, std::size_t i) const {
+    template <class... Which> Row<S, Columns<Which...>> get(Columns<Which...>, [[maybe_unused]] std::size_t i) const {
         Row<S, Columns<Which...>> row;
         ((row.template get<Which>() = get<Which>(i)), ...);
         return row;
