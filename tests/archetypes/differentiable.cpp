@@ -32,7 +32,7 @@ struct WithoutMotion : NothingMore {
 static_assert(DifferentiableIn<WithJacobian, S> && DifferentiableIn<WithoutMotion, S>);
 auto of_derivatives() { return use(World{ImplicitEuler{}, WithJacobian(1), WithoutMotion(1)}); }
 
-static_assert(DifferentiableIn<QuadraticDrag, Space<float, 2>> && DifferentiableIn<Gravity, S>);
+static_assert(DifferentiableIn<QuadraticDrag, Space<float, 2>> && DifferentiableIn<Gravity, S> && DifferentiableIn<Gravity, Space<float, 2>>);
 
 // Near misses: no derivative, half of one, one with other arguments; and a force between bodies.
 template <class Derivative> struct Candidate {

@@ -62,6 +62,6 @@ struct QuadraticDrag {
     };
 };
 
-static_assert(LawIn<QuadraticDrag, Space<>> && DifferentiableIn<QuadraticDrag, Space<float, 2>>);
+static_assert(LawIn<QuadraticDrag, Space<>>);
 
 } // namespace ansatz
