@@ -12,7 +12,9 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <filesystem>
+#include <limits>
 #include <random>
+#include <span>
 #include <string>
 
 namespace paths_tests {
@@ -44,6 +46,13 @@ template <class Map = Grid<>> Map random_map(std::mt19937& random, std::size_t w
 }
 inline Cell random_cell(std::mt19937& random, std::size_t width, std::size_t height) {
     return {std::uint16_t(random() % width), std::uint16_t(random() % height)};
+}
+
+/// Cost of a path by the grid's own edges, or infinity.
+template <class Map> double cost_along(const Map& map, std::span<const Cell> path) {
+    for (std::size_t i = 1; i < path.size(); ++i)
+        if (!map.passable(path[i - 1], path[i])) return std::numeric_limits<double>::infinity();
+    return map.cost(path);
 }
 
 } // namespace paths_tests
