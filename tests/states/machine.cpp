@@ -20,7 +20,6 @@
 #include "tests/states/support.hpp"
 
 #include <cstdlib>
-#include <map>
 #include <new>
 
 using namespace states_tests;
@@ -234,30 +233,6 @@ struct Circle {
     using Context = Log;
     static constexpr auto machine = states::machine(state("a", transition(on("x"), then(raise("y")), to("b"))), state("b", transition(on("y"), then(raise("x")), to("a"))));
 };
-/// A class that is no literal type and lies on the heap.
-struct Diary {
-    std::map<std::string, int> days{};
-    std::string title = "longer than what a string keeps inside itself";
-    int exit = 0; // no function
-    void update(Log&) { ++days["day " + std::to_string(days.size())]; }
-};
-struct Writes {
-    using Context = Log;
-    static constexpr auto machine = states::machine(
-        state("write", behaves<Diary>("Diary"), transition(on("stop"), when([](const Log& l) { return l.armed; }), to("read")),
-              transition(when([](const Log&, const Diary& d) { return d.days.size() == 2; }), to("read"))),
-        state("read"));
-};
-struct Oven {
-    bool warm = false;
-    int rung = 0;
-    bool ready() const { return warm; }
-    void ring() { ++rung; }
-};
-struct Bakes {
-    using Context = Oven;
-    static constexpr auto machine = states::machine(state("wait", transition(when(&Oven::ready), to("bake"))), state("bake", on_entry(&Oven::ring), transition(when(&Oven::warm), then(&Oven::ring), to("wait"))));
-};
 
 } // namespace
 
@@ -289,29 +264,6 @@ TEST_CASE("start is anew: no event of before, not stuck; not from an action; wha
         CHECK(circle.stuck());
         circle.start(log);
         CHECK_FALSE(circle.stuck());
-    });
-}
-
-TEST_CASE("a state's class may be of any type, and guards and actions may be members of the context", "[states]") {
-    each_representation([]<class R>() {
-        Log log;
-        Machine<Writes, R> m;
-        m.start(log);
-        CHECK_FALSE(m.update(log, frame));
-        CHECK_FALSE(m.update(log, frame));
-        CHECK(m.template own<Diary>(m.state("write")).days.size() == 2);
-        CHECK(m.update(log, frame));
-        CHECK(m.is_in("read"));
-
-        Oven oven;
-        Machine<Bakes, R> bakes;
-        bakes.start(oven);
-        CHECK_FALSE(bakes.update(oven, frame));
-        oven.warm = true;
-        CHECK(bakes.update(oven, frame));
-        CHECK(bakes.update(oven, frame));
-        CHECK(oven.rung == 2);
-        CHECK(bakes.is_in("wait"));
     });
 }
 
