@@ -21,10 +21,21 @@ endfunction()
 # ------------------------------------------------------------------ ccache, by itself
 find_program(ANSATZ_CCACHE ccache)
 mark_as_advanced(ANSATZ_CCACHE)
+set(ANSATZ_LAUNCHER_IN_PLACE ${CMAKE_CXX_COMPILER_LAUNCHER})
 if(ANSATZ_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # The sloppiness is what ccache asks for to work with precompiled headers.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${ANSATZ_CCACHE})
+    # The sloppiness is what ccache asks for to work with precompiled headers. With the project's folder as its base, paths
+    # inside it are handed to the compiler relative to the build folder, so that another checkout finds what this one has
+    # compiled; errors are still said with whole paths.
+    set(sloppiness CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime)
+    set(shared CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_ABSSTDERR=1)
+    # A debugger must find the sources of this checkout, the trace of a sanitizer need not.
+    string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags_of_type)
+    if(NOT "${CMAKE_CXX_FLAGS} ${${flags_of_type}}" MATCHES " -g( |$)")
+        list(APPEND shared CCACHE_NOHASHDIR=1)
+    endif()
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env ${sloppiness} ${shared} ${ANSATZ_CCACHE})
+    # For a program that asks where its own source lies (__FILE__) while it runs.
+    set(ANSATZ_LAUNCHER_IN_PLACE ${CMAKE_COMMAND} -E env ${sloppiness} ${ANSATZ_CCACHE})
 endif()
 
 # ------------------------------------------------------------------ warnings
@@ -70,6 +81,8 @@ if(ANSATZ_NATIVE)
     string(APPEND flags " -march=native")
 endif()
 target_compile_definitions(ansatz_measured INTERFACE ANSATZ_FLAGS="${flags}")
+
+include(cmake/ThirdParty.cmake)
 
 foreach(tree tests chapters exercises)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${tree}/CMakeLists.txt)

@@ -24,7 +24,6 @@
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/filter/layers.hpp>
-#include <ansatz/collision/islands.hpp>
 #include <ansatz/collision/narrowphase/box_box.hpp>
 #include <ansatz/collision/narrowphase/box_plane.hpp>
 #include <ansatz/collision/narrowphase/first_touch.hpp>
@@ -41,6 +40,8 @@
 #include <ansatz/collision/response/penalty.hpp>
 #include <ansatz/collision/response/projection.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
+#include <ansatz/collision/response/soft_impacts.hpp>
+#include <ansatz/collision/response/soft_loads.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
 #include <ansatz/collision/restitution.hpp>
 #include <ansatz/collision/shapes.hpp>

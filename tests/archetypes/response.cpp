@@ -83,9 +83,15 @@ struct Solved : Kept {
     };
     std::vector<One> all;
     std::vector<SolverBody<S>> bodies;
+    std::vector<SolverBody<S>::Raw> kicks, pushed;
+    SoftImpacts<S> impacts;
     template <class Data, class F> void begin(const Data&, const F&) {}
+    void expect_platforms(bool) {}
+    void warm_start() {}
+    void unload(const std::vector<SolverBody<S>::Raw>&) {}
     void relax(double) {}
-    void restore() {}
+    void calm(const std::vector<SolverBody<S>::Raw>&) {}
+    void note_impacts() {}
 };
 struct Divides : NothingMore {
     using NothingMore::NothingMore;
@@ -97,7 +103,7 @@ struct Divides : NothingMore {
         int parts() const { return 2; }
         void solve(Solved&, double) const {}
         template <class Data> bool find_bouncing(Solved&, const Data&) const { return false; }
-        template <class Pull> void remember_approaches(Solved&, const Pull&) const {}
+        bool bounce(Solved&, double) const { return false; }
         template <class Data> double friction(const Data&, std::size_t, std::size_t) const { return 0; }
     };
 };

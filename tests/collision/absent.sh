@@ -78,10 +78,10 @@ cmp without.bytes unused.bytes || { echo "including collision.hpp changed the ma
 
 # ---------------------------------------------------------------- a world that collides, without what nobody asked for
 declare -A asked=(
-    [Friction]="Impulse<Friction>{}|, friction(0.5)" [slow_sliding]="Impulse<Friction>{}|, friction(0.5)" [Layers]="Impulse<>{}, Layers{}|, member_of(1)"
+    [Friction]="Impulse<Friction>{}|, friction(0.5)" ["ContactPushes<.*>::rub"]="Impulse<Friction>{}|, friction(0.5)" [Layers]="Impulse<>{}, Layers{}|, member_of(1)"
     [Member]="Impulse<>{}, Layers{}|, member_of(1)" [Ignored]="Impulse<>{}, Layers{}|, ignores(2)" [CoupledForce]="Penalty{}|"
     [PenaltyContacts]="Penalty{}|" [Projection]="Impulse<>{}, Projection{}|" [SoftContacts]="SoftSubsteps<>{}|" [RestTime]="Impulse<>{}, Rest{}|"
-    [UniformGrid]="Impulse<>{}|" [Box]="Impulse<>{}|" [Islands]="Impulse<>{}, Rest{}|"
+    [UniformGrid]="Impulse<>{}|" [Box]="Impulse<>{}|" [SleepScratch]="Impulse<>{}, Rest{}|"
 )
 {
     echo "$includes"

@@ -110,7 +110,7 @@ TEST_CASE("shapes: radii, half widths, normals and offsets that mean nothing", "
 TEST_CASE("shapes whose numbers the world's scalar cannot hold", "[collision][refusals]") {
     World world{Space<float, 2>{}, SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere, Plane, Box>{}, Impulse<>{}};
     refuses(world, "Sphere: radius is 1e-60 m; it is greater than zero in the world's scalar", [&] { world.add(Sphere{1e-60 * metre}, mass(1.0 * kilogram)); });
-    refuses(world, "World: a parameter is 1e+60 m; the world's scalar can hold it", [&] { world.add(Sphere{1e60 * metre}, mass(1.0 * kilogram)); });
+    refuses(world, "Sphere: radius is 1e+60 m; the world's scalar holds numbers up to 3.4028234663852886e+38", [&] { world.add(Sphere{1e60 * metre}, mass(1.0 * kilogram)); });
     refuses(world, "Box: half is (1, 1e-60, 0) m; two lengths, finite and greater than zero", [&] { world.add(Box{metres(1, 1e-60)}, mass(1.0 * kilogram)); });
 }
 

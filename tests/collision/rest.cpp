@@ -3,12 +3,12 @@
 
 #include "tests/collision/support.hpp"
 
-#include <ansatz/collision/islands.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world/collisions_in_step.hpp>
 #include <ansatz/world/contact_step.hpp>
+#include <ansatz/world/islands.hpp>
 #include <ansatz/world/sleep.hpp>
 #include <ansatz/world/substeps.hpp>
 

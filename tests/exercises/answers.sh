@@ -40,6 +40,32 @@ answer 'std::abort();'
 expect 1 "It was aborted: something called std::abort()" -- exercise
 expect 0 "1.6.1 started explicit_euler" -- list
 
+# Macros of an answer mean nothing to the tests, be they in it or in a file beside it.
+for macro in 'FAIL(...) (void)0' 'expect_near(...) (void)0' 'TEST_CASE(...) inline void nothing()' 'abs(x) 0 * (x)' 'metres metres_of'; do
+    answer 'v += a * dt; x += v * dt;'
+    printf '#  define \\\n    %s\n' "$macro" >> "$exercise/exercise.hpp"
+    expect 1 "✗ the position moves with the velocity of the beginning" "yours (1.305, 2.3, 0) m" -- exercise
+done
+printf '#pragma once\n#define expect_near(...) (void)0\n' > "$exercise/beside.hpp"
+echo '#include "beside.hpp"' >> "$exercise/exercise.hpp"
+expect 1 "✗ the position moves with the velocity of the beginning" -- exercise
+rm "$exercise/beside.hpp"
+# Nor does it help to write where the verdict is written: at the beginning, at the end, or with what stands there.
+cp "$project/tests/exercises/forger.hpp" "$exercise/"
+for when in BEGINNING END AT_EXIT ALL_FILES; do
+    answer 'v += a * dt; x += v * dt;'
+    printf '#define FORGE_%s\n#include "forger.hpp"\n' "$when" >> "$exercise/exercise.hpp"
+    output=$("$tree/workbook" exercise explicit_euler 2>&1 < /dev/null)
+    if [ $? -eq 1 ] && ! grep -q '✓\|Done' <<< "$output"; then passed=$((passed + 1))
+    else failed=$((failed + 1)); printf 'FAILED: a verdict was forged (%s):\n%s\n' "$when" "$output"; fi
+done
+rm "$exercise/forger.hpp"
+expect 0 "1.6.1 started explicit_euler" -- list
+
+# A wrong unit in a return is one sentence, with its units.
+{ cat "$scratch/skeleton"; echo 'inline Quantity<unit::Frequency> f(Quantity<unit::Frequency> a) { return a * a; }'; } > "$exercise/exercise.hpp"
+expect 1 "this is a quantity in 1/s^2, where a quantity in 1/s belongs" -- exercise
+
 # Ctrl-C stops at once, and says so, though the program of the answer has a group of its own.
 answer 'for (volatile int i = 0;; i = i + 1) {}'
 (set -m; ANSATZ_CPU_SECONDS=60 "$tree/workbook" exercise > "$scratch/stopped" 2>&1 < /dev/null & echo $! > "$scratch/pid"; wait) &

@@ -52,6 +52,27 @@ expect 8 exercises/1-a/b/exercise.hpp:8:5 "no match for 'operator=' (operand typ
 /p/exercises/1-a/b/exercise.hpp:8:5: error: no match for 'operator=' (operand types are 'boost::units::quantity<boost::units::unit<boost::units::list<boost::units::dim<boost::units::length_base_dimension, boost::units::static_rational<1> >, boost::units::list<boost::units::dim<boost::units::mass_base_dimension, boost::units::static_rational<1> >, boost::units::list<boost::units::dim<boost::units::time_base_dimension, boost::units::static_rational<-2> >, boost::units::dimensionless_type> > >, boost::units::homogeneous_system<boost::units::list<boost::units::si::meter_base_unit, boost::units::dimensionless_type> >, void>, double>' and 'boost::units::quantity<boost::units::unit<boost::units::dimensionless_type, boost::units::homogeneous_system<boost::units::list<boost::units::si::meter_base_unit, boost::units::dimensionless_type> >, void>, Eigen::Matrix<double, 3, 1> >')
 LOG
 
+# A wrong unit in a return: what is there and what belongs there, and nothing of how it came to be.
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "this is a quantity in 1/s^2, where a quantity in 1/s belongs" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: could not convert ‘boost::units::operator*(const quantity<Unit1, X>&, const quantity<Unit2, Y>&) [with Unit1 = unit<list<dim<time_base_dimension, static_rational<-1> >, dimensionless_type>, homogeneous_system<list<si::meter_base_unit, dimensionless_type> >, void>; X = double; typename multiply_typeof_helper<quantity<Unit1, X>, quantity<Unit2, Y> >::type = quantity<unit<list<dim<time_base_dimension, static_rational<-2> >, dimensionless_type>, homogeneous_system<list<si::meter_base_unit, dimensionless_type> >, void>, double>](f)’ from ‘quantity<unit<list<dim<time_base_dimension,static_rational<-2>>,dimensionless_type>,homogeneous_system<list<si::meter_base_unit,dimensionless_type>>,void>,double>’ to ‘quantity<unit<list<dim<time_base_dimension,static_rational<-1>>,dimensionless_type>,homogeneous_system<list<si::meter_base_unit,dimensionless_type>>,void>,double>’
+LOG
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "this is a quantity in m, where a plain number belongs" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: cannot convert 'exercise::Length' {aka 'boost::units::quantity<boost::units::unit<boost::units::list<boost::units::dim<boost::units::length_base_dimension, boost::units::static_rational<1> >, boost::units::dimensionless_type>, boost::units::homogeneous_system<boost::units::list<boost::units::si::meter_base_unit, boost::units::dimensionless_type> >, void>, double>'} to 'double' in return
+LOG
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "this is a plain number, where a quantity in m belongs" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: could not convert 'a' from 'double' to 'exercise::Length' {aka 'quantity<unit<list<dim<length_base_dimension, static_rational<1> >, dimensionless_type>, homogeneous_system<list<si::meter_base_unit, dimensionless_type> >, void>, double>'}
+LOG
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "this is a vector in m/s, where a vector in m belongs" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: no viable conversion from returned value of type 'quantity<unit<list<dim<length_base_dimension, static_rational<1>>, list<dim<time_base_dimension, static_rational<-1>>, dimensionless_type>>, homogeneous_system<list<si::meter_base_unit, dimensionless_type>>, void>, Eigen::Matrix<double, 3, 1>>' to function return type 'Place' (aka 'quantity<unit<list<dim<length_base_dimension, static_rational<1>>, dimensionless_type>, homogeneous_system<list<si::meter_base_unit, dimensionless_type>>, void>, Matrix<double, 3, 1>>')
+LOG
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "this is a quantity in m, where a quantity in s belongs" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: conversion from 'quantity<unit<list<dim<length_base_dimension,static_rational<1>>,dimensionless_type>,homogeneous_system<list<si::meter_base_unit,dimensionless_type>>,void>,double>' to non-scalar type 'quantity<unit<list<dim<time_base_dimension,static_rational<1>>,dimensionless_type>,homogeneous_system<list<si::meter_base_unit,dimensionless_type>>,void>,double>' requested
+LOG
+# What has no unit keeps the compiler's words.
+expect 8 exercises/1-a/b/exercise.hpp:8:9 "cannot convert 'std::string' to 'double' in return" << 'LOG'
+/p/exercises/1-a/b/exercise.hpp:8:9: error: cannot convert 'std::string' to 'double' in return
+LOG
+
 # clang++ names the deleted operator first.
 expect 8 exercises/1-a/b/exercise.hpp:8:11 "this adds or compares quantities of different units" << 'LOG'
 /p/exercises/1-a/b/exercise.hpp:8:11: error: overload resolution selected deleted operator '+='

@@ -24,7 +24,10 @@ expect 1 "This exercise is not done yet" -- diff explicit_euler
 
 answer 'v += a * dt; x += v * dt;'
 expect 1 "✗ the position moves with the velocity of the beginning" "yours (1.305, 2.3, 0) m right (1.3, 2.4, 0) m" \
-    "Your numbers equal those of: the position moved with the new velocity." "See 1.6.3." -- exercise 1.6.1
+    "5 answers that people give are compiled now" "Your numbers equal those of: the position moved with the new velocity." "See 1.6.3." -- exercise 1.6.1
+# Whenever they are compiled somebody waits, and is told for what.
+rm "$tree"/build/exercises/motion.explicit_euler/{others,wrong.new_velocity} 2> /dev/null
+expect 1 "answers that people give are compiled now" "Your numbers equal those of: the position moved with the new velocity." -- exercise
 expect 0 "1.6.1 started explicit_euler" -- list
 
 answer 'x += a * dt; v += a * dt;'
@@ -50,6 +53,20 @@ expect 0 "yours -1.39043" "library -1.39043" "ns a body and step" -- play explic
 expect 0 "+ x += v * dt;" "- const auto way" -- diff explicit_euler
 expect 0 "nothing is left to hint at" -- hint
 expect 0 "hint 1 of 4" -- hint explicit_euler 1 1
+# What was done once and then fails in an earlier task is not done for whoever asks for a hint.
+cp "$exercise/exercise.hpp" "$scratch/right"
+sed -i 's|auto way = dt \* v|auto way = 2 * dt * v|' "$exercise/exercise.hpp"
+expect 1 "✗ the position moves with the velocity of the beginning" -- exercise
+expect 0 "hint 3 of 4" -- hint
+expect 0 "hint 4 of 4" -- hint explicit_euler
+cp "$scratch/right" "$exercise/exercise.hpp"
+expect 0 "Done: every test passes." -- exercise
+expect 0 "nothing is left to hint at" -- hint
+# Whatever number a list shows can be typed.
+sed -i '1s/1.6.1/2.1.2.2.1/' "$exercise/README.md"
+expect 0 "2.1.2.2.1 done explicit_euler" -- list
+expect 0 "2.1.2.2.1 Explicit Euler" -- hint 2.1.2.2.1 1 1
+sed -i '1s/2.1.2.2.1/1.6.1/' "$exercise/README.md"
 expect 0 "first verdict" "known mistakes" "save to verdict" -- doctor
 ANSATZ_WATCH_ONCE=true expect 0 "Done: every test passes." -- watch explicit_euler
 
@@ -95,6 +112,31 @@ gone solution.hpp diff explicit_euler --anyway
 gone solution.hpp reset explicit_euler
 gone library.hpp verify explicit_euler
 gone README.md verify
+
+# A wrong answer that does not compile, crashes, ends the program or defines a macro harms no other. One
+# that cannot be made is refused with its place.
+cp "$exercise/wrong.diff" "$scratch/wrong.diff"
+wrong_answer() { # <name> <lines in the place of v += a * dt;>
+    printf '\n=== %s\nMistake: %s\nWhy:     A test.\nRead:    1.6.1\nFails:   velocity-adds-up, fall\n@@\n-        v += a * dt;\n' "$1" "$1"
+    printf '+%s\n' "${@:2}"
+} >> "$exercise/wrong.diff"
+wrong_answer a_macro '#define expect_near(...) (void)0' '#undef TEST_CASE' '        v += 3 * a * dt;'
+wrong_answer crashes '        int* p = nullptr;' '        *p = 1;'
+wrong_answer does_not_compile '        v += a * dt' '        }'
+wrong_answer ends_the_program '        std::_Exit(0);'
+expect 1 "wrong.does_not_compile should fail [velocity-adds-up] by a check, but it is 'missing': it does not compile: wrong.does_not_compile.hpp" \
+    "wrong.crashes should fail [velocity-adds-up] by a check, but it is 'crashed'" \
+    "wrong.ends_the_program should fail [velocity-adds-up] by a check, but it is 'ended'" \
+    "wrong.a_macro pass fail fail pass wrong.crashes" "wrong.new_velocity fail pass fail pass" "solution pass pass pass pass" \
+    -- verify explicit_euler
+"$tree/workbook" verify explicit_euler 2>&1 | grep -q 'a_macro.*should\|a_macro passes' && { failed=$((failed + 1)); echo "FAILED: a macro of a wrong answer has changed what is asked of it"; }
+answer 'x += v * dt; v += 3 * a * dt;'
+expect 1 "Your numbers equal those of: a_macro." -- exercise explicit_euler
+wrong_answer nowhere '        v = v;'
+sed -i '/^=== nowhere/,$s/^-.*/-        v *= 2;/' "$exercise/wrong.diff"
+expect 1 "wrong.diff:$(($(grep -n '^=== nowhere' "$exercise/wrong.diff" | cut -d : -f 1) + 5)): error: nowhere: these lines are not in solution.hpp: 'v *= 2;'" \
+    -- verify explicit_euler
+cp "$scratch/wrong.diff" "$exercise/wrong.diff"
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -11,7 +11,6 @@ scratch=${ANSATZ_SCRATCH:?a folder for this test}
 tree=$scratch/a\ copy
 rm -rf "$scratch" && mkdir -p "$tree/exercises/1-motion" || exit 1
 cp -R "$project"/{CMakeLists.txt,CMakePresets.json,README.md,workbook,cmake,include,chapters,tools} "$tree/" || exit 1
-mkdir -p "$tree/tests" && cp "$project/tests/catch.hpp" "$tree/tests/" || exit 1
 cp "$project"/exercises/{CMakeLists.txt,precompiled.cpp} "$tree/exercises/" && cp -R "$project/exercises/1-motion/explicit_euler" "$tree/exercises/1-motion/" || exit 1
 cp "$project/exercises/.clang-format" "$tree/exercises/" 2> /dev/null
 exercise=$tree/exercises/1-motion/explicit_euler

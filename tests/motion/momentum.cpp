@@ -61,7 +61,7 @@ TEST_CASE("Momentum: p = m v, and an impulse is its change", "[motion][momentum]
     const auto m = 2 * kilogram;
     const auto push = 5 * newton;
     const auto ride = suvat::solve(suvat::initial_velocity(1 * metre_per_second), suvat::acceleration(acceleration(push, m)),
-                                   suvat::time(4 * second)).front();
+                                   suvat::time(4.0 * second)).front();
     CHECK(momentum(m, ride.v) - momentum(m, ride.u) == impulse(push, ride.t));
     // and through a way: the work of the force is the change of the kinetic energy.
     CHECK(kinetic_energy(m, ride.v) - kinetic_energy(m, ride.u) == push * ride.s);

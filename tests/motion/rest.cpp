@@ -99,9 +99,24 @@ TEST_CASE("rest: a force that begins later wakes it when it begins", "[motion][r
     CHECK(world.motion(body) == Motion::awake);
 }
 
-TEST_CASE("rest refuses a threshold that nothing is below, and a negative time", "[motion][rest]") {
+TEST_CASE("rest refuses a threshold that nothing is below, a negative time, and a pull that is none", "[motion][rest]") {
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.0 * metre_per_second, 0.5 * second}}), std::invalid_argument);
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, -0.5 * second}}), std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = -1e-3 * metre_per_second_squared}}), std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = INFINITY * metre_per_second_squared}}), std::invalid_argument);
+}
+
+TEST_CASE("rest: what remains of all that pulls may be as much as it says, and zero is nothing at all", "[motion][rest]") {
+    const auto sleeps = [](double most, double g) {
+        World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -g, 0)}, Rest{.pull = most * metre_per_second_squared}};
+        const auto body = world.add();
+        run(world, 30, 1.0 / 60);
+        return world.motion(body) == Motion::resting;
+    };
+    CHECK(sleeps(1e-3, 0.999e-3));
+    CHECK_FALSE(sleeps(1e-3, 1.001e-3));
+    CHECK(sleeps(0, 0));
+    CHECK_FALSE(sleeps(0, 1e-300));
 }
 
 TEST_CASE("rest: the order of the list means nothing, also among effects of one place", "[motion][rest]") {

@@ -195,12 +195,12 @@ TEST_CASE("SUVAT: back at the start is at once, and once more later", "[motion][
 
 TEST_CASE("SUVAT: s = v t - a t^2 / 2 holds for the final velocity, not for the initial one", "[motion][suvat]") {
     const auto m = suvat::solve(suvat::initial_velocity(0 * metre_per_second), suvat::acceleration(2 * metre_per_second_squared),
-                                suvat::time(3 * second)).front();
+                                suvat::time(3.0 * second)).front();
     CHECK(m.s == 9 * metre);
     CHECK(m.v * m.t - 0.5 * m.a * m.t * m.t == m.s);
     CHECK(m.u * m.t - 0.5 * m.a * m.t * m.t == -m.s); // the usual mistake: -9 m
     const auto from_the_end = suvat::solve(suvat::final_velocity(6 * metre_per_second), suvat::acceleration(2 * metre_per_second_squared),
-                                           suvat::time(3 * second)).front();
+                                           suvat::time(3.0 * second)).front();
     CHECK(from_the_end.s == 9 * metre);
     CHECK(from_the_end.u == 0 * metre_per_second);
 }

@@ -18,4 +18,8 @@ if(family STREQUAL "clang++")
     set(result ${PRECOMPILED}.pch)
 endif()
 list(REMOVE_ITEM flags -fsyntax-only)
+if(family STREQUAL "clang++")
+    # What the library's own inline functions instantiate is kept with it: else every mistake instantiates it again.
+    list(APPEND flags -fpch-instantiate-templates)
+endif()
 execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${PRECOMPILED} -o ${result} COMMAND_ERROR_IS_FATAL ANY)

@@ -3,6 +3,8 @@
 
 // Where the benchmarks' files are.
 
+#include "tests/project.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -13,7 +15,7 @@ namespace paths_tests {
 inline std::string data_folder() {
     namespace fs = std::filesystem;
     if (const char* named = std::getenv("ANSATZ_TEST_DATA")) return fs::exists(named) ? named : "";
-    const fs::path beside = fs::path(__FILE__).parent_path() / "../../../shared/data";
+    const fs::path beside = fs::path(project_folder()) / "../shared/data";
     return fs::exists(beside) ? beside.lexically_normal().string() : "";
 }
 

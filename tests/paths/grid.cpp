@@ -193,7 +193,7 @@ TEST_CASE("heuristics: their values, which are never too much, and the node wher
     auto halved = road;
     for (std::uint16_t x = 0; x < 5; ++x) halved.set_weight(Cell{x, 0}, 0.5);
     CHECK_FALSE(check_heuristic(halved, Octile{}, Cell{4, 0}));
-    const auto wrong = check_heuristic(halved, Unscaled{Octile{}}, Cell{4, 0});
+    const auto wrong = check_heuristic<double>(halved, Unscaled{Octile{}}, Cell{4, 0});
     REQUIRE(wrong);
     CHECK(wrong->node == Cell{0, 1}); // beside the end of the road: a diagonal onto it, then three tiles of a half
     CHECK(wrong->estimate == Approx(3 + root2));

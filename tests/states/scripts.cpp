@@ -5,6 +5,7 @@
 
 #include <ansatz/states/scxml.hpp>
 
+#include "tests/project.hpp"
 #include "tests/states/support.hpp"
 
 #include <nlohmann/json.hpp>
@@ -122,7 +123,7 @@ struct scxml_prefix_event_name_matching_test1 : Script {
 
 std::filesystem::path data() {
     if (const char* set = std::getenv("ANSATZ_DATA")) return std::filesystem::path(set) / "scxml";
-    return std::filesystem::absolute(__FILE__).parent_path() / "../../../shared/data/scxml";
+    return std::filesystem::path(project_folder()) / "../shared/data/scxml";
 }
 
 // The structure alone: what is logged, and where a machine begins if that is not said.

@@ -4,6 +4,7 @@
 #include <ansatz/states/scxml.hpp>
 #include <ansatz/states/scxml_elements.hpp>
 
+#include "tests/project.hpp"
 #include "tests/states/support.hpp"
 
 #include <nlohmann/json.hpp>
@@ -40,7 +41,7 @@ std::string refused(const std::string& text) {
 
 fs::path data() {
     if (const char* set = std::getenv("ANSATZ_DATA")) return fs::path(set) / "scxml";
-    return fs::absolute(__FILE__).parent_path() / "../../../shared/data/scxml";
+    return fs::path(project_folder()) / "../shared/data/scxml";
 }
 std::set<std::string> configuration(const auto& machine) {
     std::set<std::string> found;

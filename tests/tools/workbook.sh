@@ -85,7 +85,7 @@ for name in exercise hint; do
     expect 2 "1.6.2 implicit_euler" $name 1.6
 done
 expect 1 "exercises/1-motion/drag/hints.md is not there" hint exercises/1-motion/drag/exercise.hpp
-expect 1 "exercises/1-motion/drag/hints.md is not there" hint "$tree/exercises/1-motion/drag/wrong/linear.hpp"
+expect 1 "exercises/1-motion/drag/hints.md is not there" hint "$tree/exercises/1-motion/drag/wrong.diff"
 expect 1 "exercises/1-motion/implicit_euler/hints.md is not there" hint implicit
 expect 0 "0      missing    drag                  motion.drag" list
 rm -r "$tree/exercises"

@@ -277,3 +277,25 @@ TEST_CASE("rotations turn vector quantities", "[units]") {
     const auto plane = Eigen::Rotation2Dd(EIGEN_PI / 2) * metres(1, 0);
     CHECK((plane.value() - Eigen::Vector2d(0, 1)).cwiseAbs().maxCoeff() < 4e-16);
 }
+
+TEST_CASE("a whole number of seconds is a quantity like any other in sums, products and comparisons", "[units]") {
+    const auto two = 2 * second;
+    static_assert(std::is_convertible_v<decltype(two), Quantity<unit::Time>>);
+    static_assert(std::is_same_v<decltype(two * (3.0 * metre_per_second)), Quantity<unit::Length>>);
+    static_assert(std::is_same_v<decltype(two / 60), Quantity<unit::Time>>); // 1/30 s
+    static_assert(std::is_same_v<decltype(two + 0.5 * second), Quantity<unit::Time>>);
+    static_assert(std::is_same_v<decltype(-two), Quantity<unit::Time>>);
+    static_assert(std::is_same_v<decltype(2 * metre), Quantity<unit::Length>>);
+    CHECK((1 * second / 60).value() == 1.0 / 60);
+    CHECK((second * 1 / 60).value() == 1.0 / 60);
+    CHECK((two * metre).value() == 2);
+    CHECK((metre / two).value() == 0.5);
+    CHECK((1 / two).value() == 0.5);
+    CHECK((two * 3 - 1.0 * second).value() == 5);
+    CHECK(two == 2.0 * second);
+    CHECK(two > 1.5 * second);
+    Quantity<unit::Time> sum = two;
+    sum += two;
+    CHECK(sum.value() == 4);
+    CHECK((1 / 60 * second).value() == 0); // what every door refuses, because nobody means it
+}

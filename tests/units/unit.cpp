@@ -76,7 +76,8 @@ static_assert(same<decltype(0.05 / second), Quantity<unit::Frequency>>);
 static_assert(same<decltype(2 * kilogram), Quantity<unit::Mass>>);
 static_assert(same<decltype(kilogram * 2), Quantity<unit::Mass>>);
 static_assert(same<decltype(2u / second), Quantity<unit::Frequency>>);
-static_assert(same<decltype(2L * second), Quantity<unit::Time>>);
+static_assert(same<decltype(2L * metre), Quantity<unit::Length>>);
+static_assert(std::is_base_of_v<Quantity<unit::Time>, decltype(2L * second)>); // which the doors that take a time tell from 2.0 * second
 static_assert(same<decltype(0.5f * metre), Quantity<unit::Length, float>>);
 static_assert(same<decltype(Precise(2) * metre), Quantity<unit::Length, Precise>>);
 static_assert(same<decltype(9.81 * metre / second / second), Quantity<unit::Acceleration>>);

@@ -5,6 +5,8 @@
 #include <ansatz/world/add_facts.hpp>
 #include <ansatz/world/door.hpp>
 
+#include <ansatz/world/checked_value.hpp>
+
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"
 

@@ -181,8 +181,37 @@ TEST_CASE("a push before each step is the same on every screen, and every step's
 
 TEST_CASE("a world that refuses the step leaves the clock as it was", "[world][fixed_step]") {
     World<Space<float, 2>, SemiImplicitEuler> world{Space<float, 2>{}, SemiImplicitEuler{}};
-    FixedStep clock(1e-60 * second); // no float
+    FixedStep clock(1e-60 * second, 1e-59 * second); // no float
     clock.advance(world, 0.5e-60 * second);
     CHECK_THROWS_AS(clock.advance(world, 1.25e-60 * second), std::invalid_argument);
     CHECK(clock.alpha() == 0.5);
+}
+
+TEST_CASE("a clock whose frames would never end is refused", "[world][fixed_step][I21]") {
+    struct Counts {
+        std::uint64_t steps = 0;
+        void step(const Quantity<unit::Time>&) {
+            if (++steps > 1000) throw std::runtime_error("it does not end");
+        }
+    };
+    for (const double dt : {5e-324, 1e-320, 1e-300, 1e-100, 1e-15, 2e-10}) {
+        const auto sentence = test::refusal([&] { FixedStep clock(dt * second); });
+        CHECK(sentence.find("FixedStep: dt is " + describe(dt * second)) == 0);
+        CHECK(sentence.find("2.5e-10 s") != std::string::npos); // the shortest, within a clamp of a quarter of a second
+        // With a clamp of its own it is a clock like another.
+        FixedStep clock(dt * second, 3 * dt * second);
+        Counts world;
+        CHECK(clock.advance(world, 1.0 * second) == 3);
+        CHECK(world.steps == 3);
+        CHECK(clock.advance(world, 0.0 * second) == 0);
+        CHECK(is_finite(clock.dropped()));
+    }
+    CHECK_NOTHROW(FixedStep(2.51e-10 * second));
+    // A clamp that never acts leaves it to the frame.
+    FixedStep clock(1.0 / 60 * second, 1e300 * second);
+    Counts world;
+    CHECK(clock.advance(world, 1.0 / 120 * second) == 0);
+    CHECK(test::refusal([&] { clock.advance(world, 1e300 * second); }).find("FixedStep::advance: frame_time is 1e+300 s; ") == 0);
+    CHECK(clock.alpha() == 0.5);
+    CHECK(world.steps == 0);
 }

@@ -4,12 +4,12 @@
 /// \file
 /// How the test of an exercise holds an answer against the right one, and says in words what a right one looks like.
 ///
-/// A test.cpp is built against several subjects: the student's exercise.hpp, the library, the solution, the skeleton and
-/// each wrong answer. All of them define `namespace exercise`; "subject.hpp" is the one of this build. A test case has two
-/// tags, its task and its own name, by which a wrong answer lists what it fails: "[task-1][old-velocity]".
+/// A test.cpp is compiled once for each subject, the student's exercise.hpp, the library, the solution, the skeleton and
+/// each wrong answer; all of them define `namespace exercise`. A test case has two tags, its task and its own name, by
+/// which a wrong answer lists what it fails: "[task-1][old-velocity]". This header comes before the subject, so that
+/// nothing that an answer defines can change what is asked of it.
 
-#include "subject.hpp"
-#include "tests/catch.hpp"
+#include "tools/exercises/registry.hpp"
 #include "tools/exercises/todo.hpp"
 
 #include <ansatz/units.hpp>
@@ -23,14 +23,9 @@
 
 namespace ansatz::workbook {
 
-/// What the subject computes for inputs that tell the wrong answers apart; written in each test.cpp. Equal numbers name
-/// the mistake that a student made.
-std::vector<double> probe(int task);
-
 /// Fails the test with a text of one or more lines.
 inline void expect(bool holds, const std::string& text) {
-    if (!holds) FAIL(text);
-    SUCCEED();
+    if (!holds) fail(text);
 }
 
 namespace detail {
@@ -38,7 +33,7 @@ inline bool all_finite(double x) { return std::isfinite(x); }
 template <class Q> bool all_finite(const Q& q) { return is_finite(q); }
 inline double size_of(double x) { return std::abs(x); }
 template <class Q> auto size_of(const Q& q) {
-    if constexpr (ansatz::detail::vector_valued<Q>)
+    if constexpr (requires { q.value().norm(); })
         return norm(q);
     else
         return abs(q);
@@ -58,11 +53,10 @@ template <class Q, class R, class T>
 void expect_near(std::string_view what, const Q& yours, const R& right, const T& tolerance, std::string_view why) {
     std::string text(what);
     text.append("\n    yours  ").append(detail::shown(yours)).append("\n    right  ").append(detail::shown(right)).append("\n");
-    if (!detail::all_finite(yours)) {
-        FAIL(text << "Yours is no finite number: something was divided by zero, or a root was taken of something negative, or it grew without end.");
-    }
-    if (!(detail::size_of(yours - right) <= tolerance)) FAIL(text << why);
-    SUCCEED();
+    if (!detail::all_finite(yours))
+        fail(text + "Yours is no finite number: something was divided by zero, or a root was taken of something negative, or it "
+                    "grew without end.");
+    if (!(detail::size_of(yours - right) <= tolerance)) fail(text.append(why));
 }
 
 /// Fails unless two numbers of the subject's own, which must be equal, are within `tolerance` of each other.
@@ -84,10 +78,9 @@ inline void expect_order(std::string_view what, const std::vector<double>& error
             std::ostringstream text;
             text << what << ": halving the step divided the error by " << ratio << "; a method of order " << order << " gives "
                  << std::exp2(order) << ".\n" << why;
-            FAIL(text.str());
+            fail(text.str());
         }
     }
-    SUCCEED();
 }
 
 } // namespace ansatz::workbook

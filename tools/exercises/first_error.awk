@@ -59,6 +59,30 @@ function sentence(text,    words, first, second) {
     return words (first != "" && second != "" ? ": " first " and " second : "")
 }
 
+# A type as a person calls it: 'Length' {aka 'quantity in m'} is a quantity in m.
+function called(text) {
+    if (match(text, /\(aka '|\{aka '/)) text = substr(text, RSTART + RLENGTH)
+    sub(/^'/, "", text)
+    sub(/'.*/, "", text)
+    if (text ~ /^(const )?(double|float|int|long|unsigned|unsigned long|std::size_t|size_t)( const)?&?$/) return "a plain number"
+    return (text ~ /^(quantity|vector) in / ? "a " : "") text
+}
+# A quantity where one of another unit belongs, most often behind `return`: what it is and what belongs there, and nothing
+# of how either came to be.
+function conversion(text,    told, from, to, at) {
+    told = text
+    gsub(/\342\200\230|\342\200\231/, "'", told)
+    if (told !~ /could not convert '|cannot convert '|no viable conversion from |conversion from '/) return text
+    if (told ~ /cannot convert '/) sub(/^.*cannot convert /, "", told)
+    else while (match(told, /(^|[ )])from (returned value of type )?'/)) told = substr(told, RSTART + RLENGTH - 1)
+    at = match(told, / to (function return type |non-scalar type )?'/)
+    if (!at) return text
+    from = substr(told, 1, at - 1)
+    to = substr(told, at); sub(/^ to (function return type |non-scalar type )?/, "", to)
+    if (from to !~ /(quantity|vector) in /) return text
+    return "this is " called(from) ", where " called(to) " belongs"
+}
+
 # What a compiler says in its own words, where a person needs others.
 function plain(text) {
     if (text ~ /no return statement in function|control reaches end of non-void|non-void function.* does not return a value/)
@@ -105,7 +129,7 @@ function found_at(place_in_file, where_it_is, text) {
     if (sub(/^static assertion failed( due to requirement .*)?: /, "", message) || sub(/^static_assert failed( due to requirement .*)? "/, "", message))
         sub(/"$/, "", message)
     deleted = message ~ /deleted operator/
-    found_at(index($0, file) ? place($0) : near, $0, plain(readable(sentence(message))))
+    found_at(index($0, file) ? place($0) : near, $0, plain(conversion(readable(sentence(message)))))
     sub(/: (fatal )?error: .*/, "", where)
     if (index(where, root) == 1) where = substr(where, length(root) + 1)
     next

@@ -25,14 +25,16 @@ memory_limit_of() {
 
 # limited <program> <arguments...>: a program with an end: seconds of CPU, four times as long on the clock, and so much
 # output and memory. It is waited for and not simply called: a trap acts while the shell waits, and else only afterwards.
+# On its standard input it gets JUDGES_WORD, new each time and written nowhere, without which it cannot say "passed".
 limited() {
     local status
     memory_limit_of "$1"
+    JUDGES_WORD=${SRANDOM:-$RANDOM$RANDOM}${SRANDOM:-$RANDOM$RANDOM}
     (
         ulimit -c 0 -t "$CPU_SECONDS" -f $((PRINTED_MEGABYTES * 1024))
         ulimit -v "$MEMORY_LIMIT" 2> /dev/null      # not every system has this limit
         exec timeout -k 1 $((4 * CPU_SECONDS)) "$@"
-    ) > "$JUDGE_SCRATCH/printed" 2>&1 < /dev/null &
+    ) > "$JUDGE_SCRATCH/printed" 2>&1 < <(printf '%s\n' "$JUDGES_WORD") &
     RUNNING=$!
     { wait "$RUNNING"; } 2> /dev/null               # the shell's own remark on a program that crashes
     status=$?
@@ -78,39 +80,60 @@ thrown() {
     esac
 }
 
-# run_test <program> <test>: OUTCOME is passed, failed, todo, threw, crashed, endless, flooded, ended or missing; TEXT says
-# why, PRINTED holds what the program printed by itself. What counts is what the test's own main has written at its end:
-# an answer may end the program with any code.
+what_was_printed() {
+    PRINTED=''
+    if [ -s "$JUDGE_SCRATCH/printed" ]; then PRINTED=$(head -c 4000 "$JUDGE_SCRATCH/printed" | tr -d '\000'); fi
+}
+
+# not_there <the folder of the programs> <program> <subject>: TEXT says why a subject is not there; fails where it is.
+not_there() {
+    TEXT="it was not built"
+    [ -x "$2" ] || return 0
+    [ "$3" != student ] && [ -f "$1/broken" ] || return 1
+    TEXT=$(awk -F '\t' -v subject="$3" '$1 == subject { print "it does not compile: " $2 }' "$1/broken")
+    [ -n "$TEXT" ]
+}
+
+# run_test <the folder of the programs> <subject> <test>: OUTCOME is passed, failed, todo, threw, crashed, endless, flooded,
+# ended or missing; TEXT says why, PRINTED holds what the program printed by itself. What counts is what the test's own main
+# has written at its end, "passed" with the judge's word: an answer may end the program with any code, and write into any
+# file.
 run_test() {
-    local program=$1 test=$2 file=$JUDGE_SCRATCH/verdict status
+    local program file=$JUDGE_SCRATCH/verdict status
+    if [ "$2" = student ]; then program=$1/student; else program=$1/others; fi
     rm -f "$file"
-    if [ ! -x "$program" ]; then OUTCOME=missing TEXT="it was not built" PRINTED=''; return; fi
-    limited "$program" run "$test" "$file"
+    if not_there "$1" "$program" "$2"; then OUTCOME=missing PRINTED=''; return; fi
+    limited "$program" run "$2" "$3" "$file"
     status=$?
-    PRINTED=$(head -c 4000 "$JUDGE_SCRATCH/printed" | tr -d '\000')
+    what_was_printed
     crash_of "$status" && return
-    OUTCOME=$(head -n 1 "$file" 2> /dev/null)
-    TEXT=$(tail -n +2 "$file" 2> /dev/null)
+    OUTCOME='' TEXT=''
+    # shellcheck disable=SC2162  # backslashes and blanks stay
+    { IFS= read -r OUTCOME && IFS= read -r -d '' TEXT; } 2> /dev/null < "$file"
+    TEXT=${TEXT%$'\n'}
+    [ "$OUTCOME" = "passed $JUDGES_WORD" ] && OUTCOME=believed
     case $status:$OUTCOME in
-        0:passed | 0:failed | 0:todo) ;;
+        0:believed) OUTCOME=passed ;;
+        0:failed | 0:todo) ;;
         0:threw) TEXT=$(thrown "$TEXT") ;;
         20:*) OUTCOME=crashed TEXT="Its result could not be written: is the disk full?" ;;
         *) OUTCOME=ended TEXT="It ended the program (exit) before the test was over." ;;
     esac
 }
 
-# list_tests <program>: LISTED is every test as task<TAB>name<TAB>sentence, by task. Where there is none, or the list has
-# no end, it fails and TEXT says why.
+# list_tests <the folder of the programs> <subject>: LISTED is every test as task<TAB>name<TAB>sentence, by task. Where there
+# is none, or the list has no end, it fails and TEXT says why.
 list_tests() {
-    local file=$JUDGE_SCRATCH/tests status
+    local program file=$JUDGE_SCRATCH/tests status
+    if [ "$2" = student ]; then program=$1/student; else program=$1/others; fi
     LISTED='' TEXT='' PRINTED=''
     rm -f "$file"
-    if [ ! -x "$1" ]; then TEXT="It was not built."; return 1; fi
-    limited "$1" list "$file"
+    if [ ! -x "$program" ]; then TEXT="It was not built."; return 1; fi
+    limited "$program" list "$2" "$file"
     status=$?
-    PRINTED=$(head -c 4000 "$JUDGE_SCRATCH/printed" | tr -d '\000')
+    what_was_printed
     if crash_of "$status"; then TEXT="$TEXT That was before main: look at what a global variable does."; return 1; fi
-    if [ "$(tail -n 1 "$file" 2> /dev/null)" != end ]; then
+    if [ "$(tail -n 1 "$file" 2> /dev/null)" != "end $JUDGES_WORD" ]; then
         TEXT="It ended the program (exit) before main: look at what a global variable does."
         return 1
     fi
@@ -118,45 +141,50 @@ list_tests() {
     [ -n "$LISTED" ] || { TEXT="It has no test at all."; return 1; }
 }
 
-# probes_of <program> <tasks>: PROBES is the file with what it computes; made anew when the program is.
+# probes_of <the folder of the programs> <subject> <tasks>: PROBES is the file with what it computes; made anew when the
+# program is.
 probes_of() {
-    local program=$1 tasks=$2
-    PROBES=$1.probes
+    local program
+    if [ "$2" = student ]; then program=$1/student; else program=$1/others; fi
+    PROBES=$1/$2.probes
     [ -f "$PROBES" ] && [ ! "$program" -nt "$PROBES" ] && return
-    limited "$program" probe "$tasks" "$PROBES.$$"
+    limited "$program" probe "$2" "$3" "$PROBES.$$"
     [ -f "$PROBES.$$" ] && mv -f "$PROBES.$$" "$PROBES"
 }
 
+# The names of the wrong answers of an exercise, one a line.
+wrong_answers() { sed -n 's/^=== *\([a-z0-9_]*\) *$/\1/p' "$1/wrong.diff" 2> /dev/null; }
+
 # mistake_of <the exercise's folder> <the programs' folder> <whose> <tasks>: MISTAKES are the names of the wrong answers
-# that compute the same, one a line. A program whose wrong answer is gone from the exercise does not count.
+# that compute the same, one a line.
 mistake_of() {
-    local exercise=$1 folder=$2 whose=$3 tasks=$4 wrong mine solution
+    local exercise=$1 folder=$2 whose=$3 tasks=$4 wrong mine
     local files=()
     MISTAKES=''
-    for wrong in "$exercise"/wrong/*.hpp; do
-        wrong=${wrong##*/}
-        wrong=$folder/wrong.${wrong%.hpp}
-        [ -x "$wrong" ] || continue
-        probes_of "$wrong" "$tasks"
+    for wrong in $(wrong_answers "$exercise"); do
+        probes_of "$folder" "wrong.$wrong" "$tasks"
         files+=("$PROBES")
     done
     [ ${#files[@]} -gt 0 ] || return 0
-    probes_of "$folder/$whose" "$tasks"
+    probes_of "$folder" "$whose" "$tasks"
     mine=$PROBES
-    probes_of "$folder/solution" "$tasks"
-    solution=$PROBES
-    limited "$folder/solution" mistake "$mine" "$solution" "${files[@]}"
+    probes_of "$folder" solution "$tasks"
+    limited "$folder/others" mistake "$mine" "$PROBES" "${files[@]}"
     # shellcheck disable=SC2034  # the caller's
     MISTAKES=$(sed -n 's|^.*/wrong\.\(.*\)\.probes$|\1|p' "$JUDGE_SCRATCH/printed")
 }
 
-# line_of <file> <word>: what a wrong answer says of itself: // Mistake: ..., Why, Read, Fails; continued lines are joined.
+# line_of <the exercise's folder> <wrong answer> <word>: what a wrong answer says of itself: Mistake: ..., Why, Read, Fails;
+# continued lines are joined.
 line_of() {
-    awk -v word="// $2:" '
+    awk -v name="$2" -v word="$3:" '
+        /^=== / { here = $2 == name; head = 1; on = 0; next }
+        /^@@/ { head = 0; on = 0 }
+        !here || !head { next }
         index($0, word) == 1 { text = substr($0, length(word) + 1); on = 1; next }
-        on && /^\/\/  +/ { sub(/^\/\/ +/, " "); text = text $0; next }
-        on { exit }
-        END { sub(/^ +/, "", text); print text }' "$1"
+        on && /^ +[^ ]/ { sub(/^ +/, " "); text = text $0; next }
+        { on = 0 }
+        END { sub(/^ +/, "", text); print text }' "$1/wrong.diff"
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: BSL-1.0
-// The main of every subject of an exercise: one test at a time, each in a process of its own, so that a crash or an
-// endless loop is an answer like any other. tools/exercises/judge.sh calls it and says it to people.
+// The main of the programs of an exercise: one test of one subject at a time, each in a process of its own, so that a
+// crash or an endless loop is an answer like any other. tools/exercises/judge.sh calls it and says it to people.
 //
-//   <program> list <file>                 each test:  task<TAB>name<TAB>sentence; the last line is "end"
-//   <program> run <name> <file>           runs one; the file says in its first line how it was, in the others why
-//   <program> probe <tasks> <file>        what it computes, a line for each task
+//   <program> list <subject> <file>           each test:  task<TAB>name<TAB>sentence; the last line is "end"
+//   <program> run <subject> <name> <file>     runs one; the file says in its first line how it was, in the others why
+//   <program> probe <subject> <tasks> <file>  what it computes, a line for each task
 //   <program> mistake <its probes> <the solution's> <a wrong answer's>...   the wrong answers that compute the same
 //
-// What counts stands in a file of its own, for an answer may print what it likes and end the program with any code.
-#define CATCH_CONFIG_RUNNER
-#include "tests/catch.hpp"
+// What counts stands in a file of its own, for an answer may print what it likes and end the program with any code. It may
+// write that file too, from a global object or at exit: so "passed" and "end" count only with the word after them which
+// the judge has given on the standard input. It is read before any global object of an answer is made.
 #include "tools/exercises/main.hpp"
+
+#include "tools/exercises/registry.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fcntl.h>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <unistd.h>
 #include <vector>
-
-namespace ansatz::workbook {
-std::vector<double> probe(int task);
-}
 
 namespace {
 
@@ -32,100 +32,122 @@ enum Outcome { passed, failed, not_done_yet, threw, unfinished };
 constexpr const char* words[] = {"passed", "failed", "todo", "threw", "unfinished"};
 constexpr int not_written = 20; // what the program ends with where its file cannot be written
 
-/// The first failure of the test, in the words that a person reads.
+// No constructors: it is filled before any other global object is made.
+char judges_word[64];
+__attribute__((constructor(101))) void take_judges_word() {
+    const auto length = read(STDIN_FILENO, judges_word, sizeof judges_word - 1);
+    if (length > 0 && judges_word[length - 1] == '\n') judges_word[length - 1] = '\0';
+    const int nothing = open("/dev/null", O_RDONLY); // who opens the input again finds nothing in it
+    if (nothing < 0) std::_Exit(not_written);
+    dup2(nothing, STDIN_FILENO);
+    close(nothing);
+}
+
+/// A test as it was registered, and what belongs to one subject.
+struct Test {
+    std::string task, name, sentence;
+    void (*run)();
+};
+struct Subject {
+    std::string name;
+    std::vector<Test> tests;
+    std::vector<double> (*probe)(int task) = nullptr;
+};
+std::vector<Subject>& subjects() {
+    static std::vector<Subject> all;
+    return all;
+}
+Subject& subject_named(const std::string& name) {
+    for (Subject& subject : subjects())
+        if (subject.name == name) return subject;
+    subjects().push_back({name, {}, nullptr});
+    return subjects().back();
+}
+
+/// How the test came out, with its first failure in the words that a person reads.
 struct Verdict {
     Outcome outcome = passed;
     std::string text;
 };
 Verdict verdict;
-std::string verdict_file;
-int tests_run_to_their_end = 0;
+struct TestEnds {};
 
 Outcome outcome_of_exception(const std::string& what) {
     return what.rfind("not done yet: task ", 0) == 0 ? not_done_yet : threw;
 }
 
-struct Listener : ListenerBase {
-    using ListenerBase::ListenerBase;
-    bool assertion(const Catch::AssertionStats& stats) {
-        const auto& result = stats.assertionResult;
-        if (result.isOk() || verdict.outcome != passed) return true;
-        verdict.outcome = failed;
-        if (result.getResultType() == Catch::ResultWas::ThrewException) verdict.outcome = outcome_of_exception(text_of(result.getMessage()));
-        verdict.text = text_of(result.getMessage());
-        if (verdict.text.empty() || (result.hasExpression() && verdict.outcome == failed))
-            verdict.text = result.getExpression() + "\n    yours  " + result.getExpandedExpression();
-        for (const auto& info : stats.infoMessages)
-            if (info.type == Catch::ResultWas::Info) verdict.text += "\n" + info.message;
-        return true;
-    }
-    void testCaseEnded(const Catch::TestCaseStats&) override { ++tests_run_to_their_end; }
-#ifdef ANSATZ_CATCH_3
-    void assertionEnded(const Catch::AssertionStats& stats) override { assertion(stats); }
-#else
-    bool assertionEnded(const Catch::AssertionStats& stats) override { return assertion(stats); }
-#endif
-};
-CATCH_REGISTER_LISTENER(Listener)
-
-bool write_verdict() {
-    std::ofstream out(verdict_file);
-    out << words[verdict.outcome] << '\n' << verdict.text << '\n';
+// The end of the program, before anything that an answer has left behind for it can act.
+[[noreturn]] void end(bool written) {
+    std::fflush(nullptr);
+    std::cout.flush();
+    std::_Exit(written ? 0 : not_written);
+}
+bool write_verdict(const std::string& file) {
+    std::ofstream out(file);
+    out << words[verdict.outcome];
+    if (verdict.outcome == passed) out << ' ' << judges_word;
+    out << '\n' << verdict.text << '\n';
     out.close();
     return bool(out);
 }
 
+std::string verdict_file;
 /// An exception that left a noexcept function, or a destructor.
 [[noreturn]] void terminated() {
-    verdict = {threw, "std::terminate was called"};
-    try {
-        if (std::current_exception()) std::rethrow_exception(std::current_exception());
-    } catch (const std::exception& error) {
-        verdict = {outcome_of_exception(error.what()), error.what()};
-    } catch (...) {
-        verdict.text = "something that is no std::exception";
+    if (verdict.outcome != failed) {
+        verdict = {threw, "std::terminate was called"};
+        try {
+            if (std::current_exception()) std::rethrow_exception(std::current_exception());
+        } catch (const std::exception& error) {
+            verdict = {outcome_of_exception(error.what()), error.what()};
+        } catch (...) {
+            verdict.text = "something that is no std::exception";
+        }
     }
-    std::_Exit(write_verdict() ? 0 : not_written);
+    end(write_verdict(verdict_file));
 }
 
-int list(const std::string& file) {
+int list(const Subject& subject, const std::string& file) {
     std::ofstream out(file);
-    for (const auto& test : all_tests()) {
-        std::string task, name;
-        for (const std::string& tag : test.tags)
-            if (tag.rfind("task-", 0) == 0)
-                task = tag.substr(5);
-            else
-                name = tag;
-        out << task << '\t' << name << '\t' << test.sentence << '\n';
-    }
-    out << "end\n";
+    for (const Test& test : subject.tests) out << test.task << '\t' << test.name << '\t' << test.sentence << '\n';
+    out << "end " << judges_word << '\n';
     out.close();
-    return out ? 0 : not_written;
+    end(bool(out));
 }
 
-int run(const std::string& name, const std::string& file) {
+int run(const Subject& subject, const std::string& name, const std::string& file) {
     verdict_file = file;
     std::set_terminate(terminated);
-    const std::string tag = "[" + name + "]";
-    const char* arguments[] = {"subject", tag.c_str(), "--out", "/dev/null", "--abort"};
+    const Test* the_one = nullptr;
+    int of_this_name = 0;
+    for (const Test& test : subject.tests)
+        if (test.name == name) the_one = &test, ++of_this_name;
     verdict.outcome = unfinished; // what the file says should the process end before the test
-    if (!write_verdict()) return not_written;
+    if (!write_verdict(file)) return not_written;
     verdict = {};
-    const int failures = Catch::Session().run(5, arguments);
-    if (verdict.outcome == passed && tests_run_to_their_end != 1) verdict = {failed, "there is not one test of this name"};
-    if (verdict.outcome == passed && failures != 0) verdict = {failed, "a check failed"};
-    return write_verdict() ? 0 : not_written;
+    if (of_this_name != 1) {
+        verdict = {failed, "there is not one test of this name"};
+    } else {
+        try {
+            the_one->run();
+        } catch (const TestEnds&) {
+        } catch (const std::exception& error) {
+            if (verdict.outcome == passed) verdict = {outcome_of_exception(error.what()), error.what()};
+        } catch (...) {
+            if (verdict.outcome == passed) verdict = {threw, "something that is no std::exception"};
+        }
+    }
+    end(write_verdict(file));
 }
 
-int write_probes(int tasks, const std::string& file) {
+int write_probes(const Subject& subject, int tasks, const std::string& file) {
     std::FILE* out = std::fopen(file.c_str(), "w");
-    if (out == nullptr) return 2;
+    if (out == nullptr || subject.probe == nullptr) return 2;
     for (int task = 1; task <= tasks; ++task) {
         std::string line = std::to_string(task);
         try {
             char number[40];
-            for (const double x : probe(task)) {
+            for (const double x : subject.probe(task)) {
                 std::snprintf(number, sizeof number, " %a", x);
                 line += number;
             }
@@ -136,7 +158,7 @@ int write_probes(int tasks, const std::string& file) {
         std::fflush(out); // should the next task crash, this one's numbers are there
     }
     std::fclose(out);
-    return 0;
+    end(true);
 }
 
 int mistake(const std::vector<std::string>& files) {
@@ -148,13 +170,43 @@ int mistake(const std::vector<std::string>& files) {
 
 } // namespace
 
+namespace ansatz::workbook {
+
+RegisteredTest::RegisteredTest(const char* subject, const char* sentence, const char* tags, void (*run)()) {
+    Test test{"", "", sentence, run};
+    const std::string all(tags);
+    for (std::size_t i = 0, close; i < all.size() && (close = all.find(']', i)) != std::string::npos; i = close + 1) {
+        const std::string tag = all.substr(i + 1, close - i - 1);
+        if (tag.rfind("task-", 0) == 0)
+            test.task = tag.substr(5);
+        else
+            test.name = tag;
+    }
+    subject_named(subject).tests.push_back(test);
+}
+
+RegisteredProbe::RegisteredProbe(const char* subject, std::vector<double> (*probe)(int task)) {
+    subject_named(subject).probe = probe;
+}
+
+void fail(const std::string& text) {
+    if (verdict.outcome == passed) verdict = {failed, text};
+    throw TestEnds();
+}
+
+} // namespace ansatz::workbook
+
 int main(int argc, char* argv[]) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const std::size_t n = arguments.size();
-    if (n == 2 && arguments[0] == "list") return list(arguments[1]);
-    if (n == 3 && arguments[0] == "run") return run(arguments[1], arguments[2]);
-    if (n == 3 && arguments[0] == "probe") return write_probes(std::atoi(arguments[1].c_str()), arguments[2]);
     if (n >= 3 && arguments[0] == "mistake") return mistake({arguments.begin() + 1, arguments.end()});
-    std::cerr << "usage: list <file> | run <test> <file> | probe <tasks> <file> | mistake <probes> <solution's> <wrong answer's>...\n";
+    if (n >= 2) {
+        const Subject& subject = subject_named(arguments[1]);
+        if (n == 3 && arguments[0] == "list") return list(subject, arguments[2]);
+        if (n == 4 && arguments[0] == "run") return run(subject, arguments[2], arguments[3]);
+        if (n == 4 && arguments[0] == "probe") return write_probes(subject, std::atoi(arguments[2].c_str()), arguments[3]);
+    }
+    std::cerr << "usage: list <subject> <file> | run <subject> <test> <file> | probe <subject> <tasks> <file> |\n"
+                 "       mistake <probes> <solution's> <wrong answer's>...\n";
     return 2;
 }

@@ -6,7 +6,7 @@
 #   - the library and the solution pass every test;
 #   - every task of the skeleton fails with "not done yet: task n", for that reason and no other;
 #   - where the first n tasks are done and no more, their tests pass, and those of task n + 1 say that it is not done;
-#   - each wrong answer fails exactly the tests that it lists (// Fails: ...), by a check and not by a crash;
+#   - each wrong answer fails exactly the tests that it lists (Fails: ...), by a check and not by a crash;
 #   - no test catches nothing, and there are three wrong answers at least;
 #   - each wrong answer, taken for a student's, is named as the mistake it is; solution and library are named nothing;
 #   - what an answer computes for the probes is the same each time, and no two tests have one name;
@@ -75,9 +75,9 @@ expect_wrong() {
 run_subject() {
     local subject=$1 kind=$2 task name row='' listed=''
     ALL_PASSED=true
-    [ "$kind" = wrong ] && listed=",$(line_of "$EXERCISE/wrong/${subject#wrong.}.hpp" Fails | tr -d ' '),"
+    [ "$kind" = wrong ] && listed=",$(line_of "$EXERCISE" "${subject#wrong.}" Fails | tr -d ' '),"
     while IFS=$'\t' read -r task name _; do
-        run_test "$PROGRAMS/$subject" "$name"
+        run_test "$PROGRAMS" "$subject" "$name"
         row="$row $(printf '%-*s' $((${#name} > 6 ? ${#name} : 6)) "$(cell)")"
         [ "$OUTCOME" = passed ] || ALL_PASSED=false
         case $kind in
@@ -93,38 +93,37 @@ run_subject() {
 # A mistake is named by its numbers, so that numbers which change each time would name nothing, or anything.
 verify_probes() {
     local subject=$1 again=$JUDGE_SCRATCH/again
-    probes_of "$PROGRAMS/$subject" "$TASKS"
+    probes_of "$PROGRAMS" "$subject" "$TASKS"
     rm -f "$again"
-    limited "$PROGRAMS/$subject" probe "$TASKS" "$again"
+    limited "$PROGRAMS/others" probe "$subject" "$TASKS" "$again"
     if [ -f "$PROBES" ] && ! cmp -s "$PROBES" "$again"; then fault "what $subject computes for the probes is not the same each time"; fi
 }
 
 verify_right() {
     run_subject "$1" right
-    [ -x "$PROGRAMS/$1" ] || return
     verify_probes "$1"
     mistake_of "$EXERCISE" "$PROGRAMS" "$1" "$TASKS"
     [ -z "$MISTAKES" ] || fault "$1 is right, but it is named '$(echo "$MISTAKES" | tr '\n' ' ')'"
 }
 
 verify_wrong() {
-    local subject=$1 name text=$EXERCISE/wrong/${1#wrong.}.hpp named word
+    local subject=$1 wrong=${1#wrong.} name named word
     run_subject "$subject" wrong
     $ALL_PASSED && fault "$subject passes every test: no test catches this mistake"
-    for name in $(line_of "$text" Fails | tr ',' ' '); do
+    for name in $(line_of "$EXERCISE" "$wrong" Fails | tr ',' ' '); do
         printf '%s\n' "$TESTS" | cut -f 2 | grep -qxF -e "$name" || fault "$subject lists a test that is not there: $name"
     done
-    if [ -x "$PROGRAMS/$subject" ]; then
+    if [ "$OUTCOME" != missing ]; then
         verify_probes "$subject"
         mistake_of "$EXERCISE" "$PROGRAMS" "$subject" "$TASKS"
         named=$(printf '%s' "${MISTAKES:-nothing}" | tr '\n' ' ')
         [ "$named" = "${subject#wrong.}" ] || fault "$subject, taken for a student's, should be named '${subject#wrong.}', but it is named '$named'"
     fi
     for word in Mistake Why Read Fails; do
-        [ -n "$(line_of "$text" $word)" ] || fault "wrong/${subject#wrong.}.hpp has no line // $word:"
+        [ -n "$(line_of "$EXERCISE" "$wrong" $word)" ] || fault "wrong.diff has no line $word: for $wrong"
     done
-    for word in $(line_of "$text" Read | tr ',' ' '); do
-        section_is_there "$word" || fault "wrong/${subject#wrong.}.hpp sends people to section $word, which is not there"
+    for word in $(line_of "$EXERCISE" "$wrong" Read | tr ',' ' '); do
+        section_is_there "$word" || fault "$wrong in wrong.diff sends people to section $word, which is not there"
     done
 }
 
@@ -147,7 +146,7 @@ verify_hints() {
 
 verify_texts() {
     local file number
-    for file in README.md exercise.hpp library.hpp solution.hpp test.cpp hints.md play.cpp; do
+    for file in README.md exercise.hpp library.hpp solution.hpp wrong.diff test.cpp hints.md play.cpp; do
         [ -f "$EXERCISE/$file" ] || fault "there is no $file"
     done
     number=$(sed -n '1s/^# *\([0-9.]*\) .*/\1/p' "$EXERCISE/README.md" 2> /dev/null)
@@ -177,11 +176,9 @@ verify_subjects() {
     verify_right solution
     run_subject skeleton skeleton
     for ((solved = 1; solved < TASKS; solved++)); do run_subject "skeleton.$solved" partly; done
-    for wrong in "$EXERCISE"/wrong/*.hpp; do
-        [ -f "$wrong" ] || continue
+    for wrong in $(wrong_answers "$EXERCISE"); do
         wrongs=$((wrongs + 1))
-        wrong=${wrong##*/}
-        verify_wrong "wrong.${wrong%.hpp}"
+        verify_wrong "wrong.$wrong"
     done
     [ "$wrongs" -ge 3 ] || fault "there are $wrongs wrong answers; an exercise has three at least"
     while IFS=$'\t' read -r _ name _; do
@@ -193,8 +190,8 @@ verify() {
     EXERCISE=${1%/} PROGRAMS=${2%/} FAULTS=0 CAUGHT='' TESTS='' TASKS=0
     local name
     : > "$JUDGE_SCRATCH/faults"
-    if ! list_tests "$PROGRAMS/solution"; then
-        echo "$EXERCISE: there is no $PROGRAMS/solution that lists its tests; build the target exercise.${PROGRAMS##*/}.all_subjects"
+    if ! list_tests "$PROGRAMS" solution; then
+        echo "$EXERCISE: there is no $PROGRAMS/others that lists its tests; build the target exercise.${PROGRAMS##*/}.others"
         return 1
     fi
     TESTS=$LISTED

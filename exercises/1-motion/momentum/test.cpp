@@ -129,7 +129,7 @@ TEST_CASE("seen from a train, the same energy is lost", "[task-2][train-energy]"
     });
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for_each_collision([&](const TwoBodies& m, double e, const std::string&) {
         if (task == 2) {

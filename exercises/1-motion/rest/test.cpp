@@ -139,7 +139,7 @@ TEST_CASE("where the time is zero, a fast body still goes on", "[task-2][no-time
     expect_sleep(0.01 * second, none, true, "It is slow, and no time is asked for.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
         for (const Velocities& v : {Velocities{slow, slow},

@@ -130,7 +130,7 @@ TEST_CASE("a short way of a fast body does not lose its digits", "[task-3][digit
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     if (task == 1) {
         const auto one = exercise::after(3.0 * mps, -2.0 * mps2, 5.0 * second),
                    other = exercise::after(-1.0 * mps, 4.0 * mps2, 2.0 * second);

@@ -145,7 +145,7 @@ TEST_CASE("in a world, a throw is exact after every step", "[task-3][throw]") {
                 "World::velocity asks mean_velocity and velocity_now.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     if (task == 1) {
         const Pair even = flown(dt, dt), uneven = flown(dt, 0.25 * second);
         return {x(even.now).value(),   y(even.now).value(),   x(even.before).value(),  y(even.before).value(),

@@ -118,7 +118,7 @@ TEST_CASE("every pair that touches is found", "[task-3][all-found]") {
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1)
         for (const auto* all : {&apart, &beside, &around, &shared})

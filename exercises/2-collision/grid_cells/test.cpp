@@ -114,7 +114,7 @@ TEST_CASE("and in the same when they are exchanged", "[task-3][exchanged]") {
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
         for (const double width : widths)

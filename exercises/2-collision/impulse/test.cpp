@@ -216,7 +216,7 @@ TEST_CASE("across the normal no velocity changes", "[task-4][across]") {
                         "Without friction a body slides on as it did.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1)
         for (const auto* all : {&approaching, &parting, &side_by_side})

@@ -126,7 +126,7 @@ TEST_CASE("and not deeper than it may be", "[task-3][deepest]") {
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1)
         for (const Point& centre : centres())

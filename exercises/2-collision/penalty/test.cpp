@@ -229,7 +229,7 @@ TEST_CASE("four times as stiff is half the step", "[task-3][stiffer]") {
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1)
         for (const auto* all : {&springs_alone, &deeper, &parting, &fast_out, &apart})

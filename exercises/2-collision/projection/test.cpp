@@ -179,7 +179,7 @@ TEST_CASE("step by step the depth comes down to the slop", "[task-3][step-by-ste
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 3)
         for (const auto* all : {&too_deep, &deep_enough})

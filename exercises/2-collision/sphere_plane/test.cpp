@@ -178,7 +178,7 @@ TEST_CASE("the point is halfway between the ball's lowest point and the surface"
                     "Straight below the centre, and as far from the lowest point of the ball as from the surface.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     auto add = [&](const auto& vector) { numbers.insert(numbers.end(), {vector[0], vector[1], vector[2]}); };
     for (const Slope& s : slopes) {

@@ -178,7 +178,7 @@ TEST_CASE("it is the same point for (a, b) and (b, a)", "[task-4][one-point]") {
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     auto add = [&](const auto& vector) { numbers.insert(numbers.end(), {vector[0], vector[1], vector[2]}); };
     if (task == 1)

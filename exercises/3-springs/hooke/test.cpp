@@ -179,7 +179,7 @@ TEST_CASE("the other end feels the opposite", "[task-3][opposite]") {
                      "What a spring does to one of its ends it does to the other with the opposite sign (notes 1.3).");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 3)
         for (const auto& s : springs_on_a_line()) numbers.push_back(s.force_on_first().value());

@@ -179,7 +179,7 @@ TEST_CASE("before the first step all of the energy is there", "[task-2][before]"
                     1.0, 1e-15, "Nothing has been taken.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 2) {
         for (const auto& c : cases())

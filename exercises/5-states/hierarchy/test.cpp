@@ -86,7 +86,7 @@ TEST_CASE("of one state the first that holds", "[task-3][first]") {
     expect_taken(look, {{patrol, true}, {patrol, true}}, 0, "Two hold, and the first of them is taken.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for (const int source : {walk, strike, hide, home}) {
         if (task == 3)

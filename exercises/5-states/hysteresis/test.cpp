@@ -97,7 +97,7 @@ TEST_CASE("what counts is the time in the state, not that of the wish", "[task-2
     expect_turns("with a wish that comes and goes", wishes("+-+-+-+-+-+-"), {5, 9}, "A noisy wish is still a wish. Who begins to wait anew whenever it goes may wait for ever.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
         for (const bool above : {false, true})

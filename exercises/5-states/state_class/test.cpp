@@ -107,7 +107,7 @@ TEST_CASE("a new alarm begins to count anew", "[task-2][anew]") {
     expect_equal("shouts in two alarms of 1.75 s", npc.shouts, 2, "Neither lasted two seconds, so each has the shout of its entry and no more. The data outlives the alarm: enter must set it back.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
         for (const int updates : {1, 11, 50, 100}) numbers.push_back(place_after(updates, 0.9375 * second).value());

@@ -111,7 +111,7 @@ TEST_CASE("eight neighbours: no less than the straight distance", "[task-2][not-
     });
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for (int dy = -3; dy <= 5; ++dy)
         for (int dx = -5; dx <= 7; ++dx)

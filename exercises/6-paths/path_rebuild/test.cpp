@@ -106,7 +106,7 @@ TEST_CASE("each node of the path is the child of the one before it", "[task-2][s
     }
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for (const auto* all : {&reached(), &unreached(), &at_the_start()})
         for (const auto& t : *all) {

@@ -120,7 +120,7 @@ TEST_CASE("what became dearer behind or elsewhere makes no path better", "[task-
                    "Nothing became cheaper, and the rest of the path is what it was.");
 }
 
-std::vector<double> ansatz::workbook::probe(int task) {
+std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for (const List list : {dearer_ahead, dearer_behind, dearer_elsewhere, other_direction, cheaper_ahead,
                             cheaper_elsewhere, cheaper_behind, unchanged})

@@ -201,7 +201,7 @@ template <class R, class S> struct CheckResponse {
     static_assert(
         Facts::solve,
         "Ansatz: a response at Level::substeps with a wrong signature; its In<S> needs parts(), solve(contacts, h), "
-        "find_bouncing(contacts, data), remember_approaches(contacts, pull) and friction(data, a, b), its State what "
+        "find_bouncing(contacts, data), bounce(contacts, h) and friction(data, a, b), its State what "
         "SoftContacts has");
 };
 template <> struct ChecksOfRole<roles::Response> {

@@ -12,8 +12,10 @@
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
-#include <ansatz/collision/islands.hpp>
+#include <ansatz/collision/near_contacts.hpp>
+#include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/world/bodies.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
 #include <ansatz/world/elements.hpp>
 #include <ansatz/world/sleep.hpp>
@@ -37,6 +39,10 @@ struct ContactEnd {
 
 template <class C> class SweptCollisions;
 
+namespace detail {
+struct NoNear {};
+} // namespace detail
+
 /// \tparam C the world's composition
 template <class C> class Collisions {
 public:
@@ -47,7 +53,7 @@ public:
     using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
 
     Shapes shapes;                    ///< of the bodies, by their ids
-    std::vector<Contact<S>> contacts; ///< of the present positions, by the ids of their bodies
+    std::vector<Contact<S>> contacts; ///< as the last step found them, by the ids of their bodies; see `lasts`
     typename S::Time expected{};      ///< the length of the step for which bodies are looked at, s
     int parts = 1;                    ///< into how many the last step was divided
     std::vector<ContactEnd> ended;    ///< what was a contact before the last step and is none now
@@ -64,25 +70,37 @@ public:
         if constexpr (C::rests)
             if (pulls_.size() <= id) pulls_.resize(std::size_t(id) + 1, S::template zero_vector<unit::Acceleration>());
     }
+    /// Whether assigning cannot fail where there is room.
+    static constexpr bool assigns_in_place = Shapes::assigns_in_place;
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const Collisions& other) {
+        shapes.make_room_for(other.shapes);
+        contacts.reserve(other.contacts.size());
+        ended.reserve(other.ended.size());
+        sensors_.reserve(other.sensors_.size());
+        pulls_.reserve(other.pulls_.size());
+    }
     /// Whether two bodies intersect now, whatever a filter says.
     template <class Data> bool intersect(const Data& data, std::uint32_t a, std::uint32_t b) const {
         const auto at = [&](std::uint32_t id) { return data.lanes.template get<Position>(data.bodies.slot_of_id(id)); };
         Contact<S> contact;
         return Narrowphase::template collide_bodies<S>(shapes, a, at(a), b, at(b), contact);
     }
+    /// Whether two bodies were in contact when the last step was done; the one with the smaller id first.
+    bool has_contact(std::uint32_t a, std::uint32_t b) const { return detail::has_contact(contacts, a, b); }
     /// Whether a body only notices.
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
     /// Says so.
     void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
-    /// A body that is gone takes its shape and its contacts with it.
+    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may be walking over them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
         if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // who takes the id has not slept
-        std::erase_if(contacts, [&](const Contact<S>& c) {
-            const bool over = c.first.id == id || c.second.id == id;
-            if (over) ends_next_.push_back({c.first, c.second});
-            return over;
-        });
+        somebody_removed_ = true;
+    }
+    /// Whether both bodies of a contact are still there.
+    bool lasts(const Bodies& bodies, const Contact<S>& c) const {
+        return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
     }
     /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
     typename S::Acceleration pull_when_it_slept(std::uint32_t id) const {
@@ -92,8 +110,10 @@ public:
     void slept(std::uint32_t id, const typename S::Acceleration& pull) { pulls_[id] = pull; }
     /// Velocities before a pass over the contacts.
     auto& before_solving() { return working_.value.before; }
-    /// Room for finding out who does.
-    auto& sleep_scratch() { return working_.value.sleep; }
+    /// What contacts that are answered together are solved with.
+    auto& pushes() { return working_.value.pushes; }
+    /// Who all but touches.
+    auto& near() { return working_.value.near; }
     /// The parameters of the broadphase have changed.
     void new_broadphase() { working_.value.finder.reset(); }
 
@@ -115,11 +135,11 @@ public:
     template <class Data, class Policies, class Pull>
     bool refresh(Data& data, const Policies& policies, const Pull& pull) {
         if (!stale_) return false;
-        stale_ = false;
         if constexpr (C::acts_next) {
             find(data, policies, pull);
             hand_over(data, NextStep{}, working_.value.found);
         }
+        stale_ = false; // last: whoever could not look has not looked
         return true;
     }
     /// Who asks for forces between two steps gets those of the contacts that are there; the next step looks for itself.
@@ -147,13 +167,15 @@ private:
     void find(const Data& data, const Policies& policies, const Pull& pull) {
         auto& w = working_.value;
         w.found.clear();
+        if constexpr (C::holds_near) w.near.all.clear();
         if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0)
             find_among_moving(data, policies, pull);
-        keep_those_at_rest(data);
+        const bool twice = keep_those_at_rest(data);
         if constexpr (C::sweeps)
             static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
         w.order.sort(w.found, data.bodies.ids());
-        if constexpr (C::sweeps) // what the discrete functions saw, too, stands before what was added
+        if constexpr (C::holds_near) w.order.sort(w.near.all, data.bodies.ids());
+        if (C::sweeps || twice) // what the discrete functions saw, too, stands before what was added
             w.found.erase(
                 std::unique(w.found.begin(), w.found.end(),
                             [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; }),
@@ -163,11 +185,14 @@ private:
     void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
         auto& w = working_.value;
         if constexpr (C::anticipates) look_ahead(data, pull);
+        if constexpr (C::holds_near) w.near.begin(data.bodies, pull);
         gather(data);
         auto pair = [&](std::size_t i, std::size_t j) { look(data, policies, w.ids[i], w.ids[j]); };
         if constexpr (Narrowphase::any_bounded) {
             if (!w.finder) w.finder.emplace(std::get<Broadphase>(policies));
+            Unfinished unfinished{&w.finder};
             w.finder->find(w.boxes, pair);
+            unfinished.finder = nullptr;
         }
         if constexpr (Narrowphase::any_unbounded) unbounded(data, policies);
     }
@@ -206,11 +231,19 @@ private:
         std::optional<typename Broadphase::template In<S>> finder;
         std::vector<Contact<S>> found;
         ContactOrder<S> order;
-        [[no_unique_address]] std::conditional_t<C::rests, SleepScratch<S, Islands>, detail::Absent>
-            sleep;                                        // only where somebody sleeps
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         std::vector<Ahead> ahead;                         // by slot, of those that are looked at before they touch
         std::vector<Contact<S>> touching;
+        [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes; // only where they are used
+        [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near; // these, too
+    };
+
+    /// A search that was broken off leaves nothing behind that the next one could stumble over.
+    struct Unfinished {
+        std::optional<typename Broadphase::template In<S>>* finder;
+        ~Unfinished() {
+            if (finder) finder->reset();
+        }
     };
 
     template <class Data> void gather(const Data& data) {
@@ -230,6 +263,7 @@ private:
                     typename S::Position lower, upper;
                     shape.bounds(data.lanes.template get<Position>(slot), lower, upper);
                     if constexpr (C::anticipates) widen(data, slot, lower, upper);
+                    if constexpr (C::holds_near) w.near.widen(slot, lower, upper);
                     if (!is_finite(lower) || !is_finite(upper)) return; // World::status tells of it
                     w.boxes.push_back(lower, upper);
                     w.ids.push_back(id);
@@ -293,8 +327,10 @@ private:
         if constexpr (C::anticipates) {
             if (!come_near(data, a, slot_a, b, slot_b, contact)) return;
         } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b,
-                                                            data.lanes.template get<Position>(slot_b), contact))
+                                                            data.lanes.template get<Position>(slot_b), contact)) {
+            if constexpr (C::holds_near) working_.value.near.template look<Narrowphase>(data, a, slot_a, b, slot_b);
             return;
+        }
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
         working_.value.found.push_back(contact);
@@ -321,57 +357,42 @@ private:
         });
     }
 
-    /// Two bodies of which none moves are in contact as they were.
-    template <class Data> void keep_those_at_rest(const Data& data) {
-        if constexpr (C::rests) {
-            auto still = [&](const Handle& h) {
-                const auto motion = data.bodies.motion(data.bodies.slot_of_id(h.id));
-                return motion == Motion::resting || motion == Motion::fixed;
-            };
-            for (const auto& contact : contacts)
-                if (still(contact.first) && still(contact.second)) working_.value.found.push_back(contact);
-        }
+    /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is looked at with
+    /// it, but may lie there without any depth.
+    /// \return whether some may be there twice
+    template <class Data> bool keep_those_at_rest(const Data& data) {
+        bool twice = false;
+        if constexpr (C::rests)
+            for (const auto& contact : contacts) {
+                if (!lasts(data.bodies, contact)) continue;
+                const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
+                const auto of_a = data.bodies.motion(a), of_b = data.bodies.motion(b);
+                if (of_a == Motion::awake || of_b == Motion::awake) continue;
+                const bool platform = of_a == Motion::moving || of_b == Motion::moving;
+                if (platform && ((of_a != Motion::resting && of_b != Motion::resting) || detail::goes(data, a) || detail::goes(data, b)))
+                    continue;
+                twice = twice || platform;
+                working_.value.found.push_back(contact);
+            }
+        return twice;
     }
 
-    /// Which contacts are new, which go on, and which have ended. What happened in any part of a step is news of that step.
     void compare(std::vector<Contact<S>>& found, bool later) {
         if (!later) ended.clear();
-        ended.insert(ended.end(), ends_next_.begin(), ends_next_.end());
-        ends_next_.clear();
-        auto old = contacts.cbegin();
-        auto before = [](const Contact<S>& x, const Contact<S>& y) {
-            return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id);
-        };
-        for (auto& contact : found) {
-            for (; old != contacts.cend() && before(*old, contact); ++old) ended.push_back({old->first, old->second});
-            const bool same = old != contacts.cend() && old->first == contact.first && old->second == contact.second;
-            contact.steps = !same ? 0 : later ? old->steps : old->steps + 1;
-            if (old != contacts.cend() && !before(contact, *old)) {
-                if (!same) ended.push_back({old->first, old->second});
-                ++old;
-            }
-        }
-        for (; old != contacts.cend(); ++old) ended.push_back({old->first, old->second});
+        detail::compare_contacts(contacts, found, ended, later);
         contacts.swap(found);
+        somebody_removed_ = false;
     }
 
     friend struct CollisionArchive;
     template <class> friend class SweptCollisions;
 
-    std::vector<ContactEnd> ends_next_;           // of bodies that were removed between two steps
+    bool somebody_removed_ = false;               // since the last step
     bool stale_ = false;                          // what follows from where the bodies are does not any more
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
 
-    /// A cache: a copy of a world begins without it.
-    struct Kept {
-        Working value;
-        Kept() = default;
-        Kept(const Kept&) {}
-        Kept(Kept&&) = default;
-        Kept& operator=(const Kept&) { return *this; }
-        Kept& operator=(Kept&&) = default;
-    } working_;
+    detail::Cache<Working> working_;
 };
 
 } // namespace ansatz

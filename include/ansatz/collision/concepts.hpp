@@ -41,9 +41,6 @@ struct FrictionProbe {
 struct KindProbe {
     template <class> void operator()() const {}
 };
-template <class S> struct ApproachProbe {
-    typename S::Scalar operator()(const auto&) const { return typename S::Scalar(0); }
-};
 struct HashProbe {
     void add(std::uint64_t) {}
     void add_number(const auto&) {}
@@ -101,14 +98,21 @@ concept SolvesContactsIn = Binds<R, S> && KeepsContactsIn<R, S> &&
                            requires(const Bound<R, S>& response, state_of<R, S>& contacts, const typename S::Scalar& h,
                                     const DataProbe& data, std::size_t slot) {
                                { response.parts() } -> std::same_as<int>;
-                               response.solve(contacts, h);
                                { response.find_bouncing(contacts, data) } -> std::same_as<bool>;
-                               response.remember_approaches(contacts, ApproachProbe<S>());
+                               { response.bounce(contacts, h) } -> std::same_as<bool>;
+                               response.solve(contacts, h);
                                response.friction(data, slot, slot);
                                contacts.begin(data, FrictionProbe());
                                contacts.relax(h);
-                               contacts.restore();
+                               contacts.warm_start();
+                               contacts.unload(std::vector<Vector<typename S::Scalar, S::dimension>>());
+                               contacts.calm(std::vector<Vector<typename S::Scalar, S::dimension>>());
+                               contacts.expect_platforms(true);
+                               contacts.note_impacts();
+                               contacts.impacts;
                                contacts.bodies;
+                               contacts.kicks;
+                               contacts.pushed;
                                contacts.all;
                            };
 

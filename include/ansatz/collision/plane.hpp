@@ -45,7 +45,7 @@ struct Plane {
     /// \throws std::invalid_argument for a normal without a direction, and for an offset that is not finite
     void check() const {
         require_finite("Plane", "normal", normal);
-        if (!(normal.value().stableNorm() > 0))
+        if (!(normal.value().cwiseAbs().maxCoeff() > 0))
             refuse_value("Plane", "normal", describe(normal), "it has a direction; the ground's is (0, 1, 0)");
         require_finite("Plane", "offset", offset);
     }

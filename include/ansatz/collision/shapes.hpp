@@ -17,6 +17,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -101,14 +102,25 @@ public:
         kind_.reserve(n);
         place_.reserve(n);
     }
-    /// Gives a body a shape.
+    /// Whether assigning cannot fail where there is room: what owns memory has a destructor.
+    static constexpr bool assigns_in_place =
+        ((std::is_trivially_destructible_v<T> && std::is_trivially_destructible_v<typename T::template In<S>>) && ...);
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const ShapesOf& other) {
+        reserve(other.kind_.size());
+        (std::get<kind_of<T>>(kinds_).reserve(std::get<kind_of<T>>(other.kinds_).owners.size()), ...);
+    }
+    /// Gives a body a shape. Where it fails, the body has the one that it had.
     template <class Kind>
     void set(std::uint32_t id, const Kind& description, const typename Kind::template In<S>& shape) {
         make_room(id);
-        erase(id);
         auto& all = std::get<kind_of<Kind>>(kinds_);
-        all.shapes.push_back(shape);
-        all.descriptions.push_back(description);
+        if (all.owners.size() == all.owners.capacity()) all.reserve(all.owners.size() < 4 ? 8 : 2 * all.owners.size());
+        auto shape_of_its_own = shape; // what may fail, before anything is changed
+        auto description_of_its_own = description;
+        erase(id);
+        all.shapes.push_back(std::move(shape_of_its_own));
+        all.descriptions.push_back(std::move(description_of_its_own));
         all.owners.push_back(id);
         kind_[id] = kind_of<Kind>;
         place_[id] = std::uint32_t(all.shapes.size() - 1);
@@ -125,13 +137,21 @@ private:
         std::vector<typename Kind::template In<S>> shapes;
         std::vector<Kind> descriptions;    // as they were given
         std::vector<std::uint32_t> owners; // the ids of the bodies
+
+        void reserve(std::size_t n) {
+            shapes.reserve(n);
+            descriptions.reserve(n);
+            owners.reserve(n); // last: who has room here has room everywhere
+        }
     };
     template <class Kind> void erase_from(std::uint32_t id) {
         auto& all = std::get<kind_of<Kind>>(kinds_);
         const auto place = place_[id];
-        all.shapes[place] = all.shapes.back();
-        all.descriptions[place] = all.descriptions.back();
         all.owners[place] = all.owners.back();
+        if (place + 1 < all.owners.size()) {
+            all.shapes[place] = std::move(all.shapes.back());
+            all.descriptions[place] = std::move(all.descriptions.back());
+        }
         place_[all.owners[place]] = place;
         all.shapes.pop_back();
         all.descriptions.pop_back();

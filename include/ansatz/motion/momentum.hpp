@@ -56,6 +56,7 @@ template <class Mass, class Velocity> auto momentum(const Mass& mass, const Velo
 template <class Force, class Time> auto impulse(const Force& force, const Time& dt) {
     constexpr bool units = detail::is_in<unit::Force, Force> && detail::is_scalar_in<unit::Time, Time>;
     static_assert(units, "Ansatz: mechanics::impulse takes a force and a time; write e.g. impulse(newtons(0, 5, 0), 0.1 * second)");
+    ansatz::detail::refuse_whole_numbers<Time>();
     if constexpr (units) return force * dt;
 }
 

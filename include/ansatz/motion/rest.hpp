@@ -6,9 +6,16 @@
 ///
 /// Use it in scenes where most things lie still: a resting body costs no law and no stage, ten thousand of them neither. The notes ask
 /// only for a velocity close to zero, which stops a thrown ball at the top of its flight. Here a body must have been slower
-/// than `threshold` for `time`, and nothing may pull at it: at velocity zero its acceleration must be exactly zero. So a
-/// body under gravity falls asleep only when something holds it. Any force, impulse, new position or change of a policy
-/// wakes it. A drift below the threshold counts as rest: it stops after `time`. The notes' own rule is stop_below.hpp.
+/// than `threshold` for `time`, and what pulls at it must be balanced: the acceleration that remains to it at velocity zero may
+/// not exceed `pull`. So a body under gravity falls asleep only when something holds it: a spring, or a contact. Any force, impulse,
+/// new position or change of a policy wakes it. A drift below the threshold counts as rest: it stops after `time`. The notes' own
+/// rule is stop_below.hpp.
+///
+/// **How `pull` is chosen.** What hangs on springs and is slowed comes ever closer to its balance and never reaches it; `pull` says what
+/// is close enough. It must be smaller than the weakest pull that shall move a body from rest (a tenth of it, say): a body under weaker
+/// gravity alone falls asleep in the air. And it must be larger than what rounding leaves of balanced forces, about the largest
+/// acceleration of one of them times 10^-15 (double) or 10^-6 (float). The default is a ten thousandth of the earth's gravity; a sleeper
+/// on a spring stops (pull/omega^2) from its balance, a fortieth of a millimetre at one swing in a second. Zero means nothing at all.
 
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
@@ -17,7 +24,7 @@
 
 namespace ansatz {
 
-/// Slow (|v| < threshold) for `time`, and \f$ \mathbf a(\mathbf x, \mathbf v = 0) = 0 \f$: asleep, with v = 0 exactly.
+/// Slow (|v| < threshold) for `time`, and \f$ |\mathbf a(\mathbf x, \mathbf v = 0)| \le \f$ `pull`: asleep, with v = 0 exactly.
 struct Rest {
     using role = roles::Effect;
     using reads = Columns<Velocity>;
@@ -30,21 +37,27 @@ struct Rest {
     Parameter<unit::Velocity> threshold = 0.05 * metre_per_second;
     /// s, finite, not negative
     Parameter<unit::Time> time = 0.5 * second;
+    /// m/s^2, finite, not negative: the acceleration that may remain
+    Parameter<unit::Acceleration> pull = 1e-3 * metre_per_second_squared;
 
     static constexpr std::string_view name = "Rest";
     static void parameters(auto& self, auto&& visit) {
         visit("threshold", self.threshold);
         visit("time", self.time);
+        visit("pull", self.pull);
     }
     void check() const {
         require_positive("Rest", "threshold", threshold);
         require_not_negative("Rest", "time", time);
+        require_not_negative("Rest", "pull", pull);
     }
 
     template <class S> struct In {
         typename S::Speed threshold;
         typename S::Time time;
-        explicit In(const Rest& rest) : threshold(S::convert(rest.threshold)), time(S::convert(rest.time)) {}
+        typename S::template ScalarOf<unit::Acceleration> pull;
+        explicit In(const Rest& rest)
+            : threshold(S::convert(rest.threshold)), time(S::convert(rest.time)), pull(S::convert(rest.pull)) {}
 
         [[gnu::always_inline]] void apply(typename S::Time& slow_for, const typename S::Velocity& v, const auto& context) const {
             const auto counted = slow_for + context.dt();
@@ -54,6 +67,8 @@ struct Rest {
         bool long_enough(const typename S::Time& slow_for) const {
             return slow_for.value() > typename S::Scalar(0) && slow_for.value() >= time.value() * typename S::Scalar(0.99999);
         }
+        /// Whether what remains of all that pulls at a body lets it rest. A policy of your own may leave this out: then nothing may remain.
+        bool balanced(const typename S::Acceleration& remains) const { return !(robust_norm(remains) > pull); }
     };
 };
 

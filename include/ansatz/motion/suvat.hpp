@@ -301,7 +301,8 @@ template <class Q> constexpr auto acceleration(const Q& q) {
 }
 /// t: the time from start to end.
 template <class Q> constexpr auto time(const Q& q) {
-    static_assert(detail::fits<named::Time, Q>, "Ansatz: suvat::time takes a time; write e.g. suvat::time(2 * second)");
+    static_assert(detail::fits<named::Time, Q>, "Ansatz: suvat::time takes a time; write e.g. suvat::time(2.0 * second)");
+    ansatz::detail::refuse_whole_numbers<Q>();
     return detail::give<named::Time>(q);
 }
 /// @}

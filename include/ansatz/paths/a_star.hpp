@@ -19,7 +19,7 @@
 /// | Reopening  | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                         |
 /// | Successors | `EveryEdge`, on grids `JumpPoints`         | `EveryEdge`                                         |
 /// | Engine     | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                           |
-/// | Weights    | `WeightsOf{map}`                           | the graph's own, else 1 for every edge              |
+/// | Weights    | `WeightsOf{map}`, `UnitWeights`            | the graph's own, else 1 for every edge              |
 /// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
 ///
 /// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
@@ -40,6 +40,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -98,6 +99,7 @@ template <class Graph, class... Policies> class AStar {
     static_assert(detail::CheckedPolicies<Graph, Policies...>::ok);
     using Given = detail::pick<roles::Weights, detail::NotGiven, Policies...>;
     using Index = detail::pick<roles::Index, detail::NotGiven, Policies...>;
+    static_assert(detail::AsksForWeights<Graph, Given>::ok);
     using Natural = CostIn<typename detail::NaturalCost<Graph, Given>::type>;
     using Heuristic = detail::pick<roles::Heuristic, typename detail::DefaultHeuristic<Graph>::type, Policies...>;
     using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
@@ -109,6 +111,14 @@ template <class Graph, class... Policies> class AStar {
     static_assert(leaps || std::is_same_v<Leaps, EveryEdge>,
                   "Ansatz paths: AStar was given successors that it cannot find on this graph; JumpPoints need a grid of "
                   "eight directions on even ground, Grid<Eight<...>, Even>; elsewhere leave them out");
+    static_assert(
+        [] {
+            if constexpr (requires { Heuristic::knows_weights; })
+                return Heuristic::knows_weights || std::is_same_v<Given, detail::NotGiven>;
+            else return true;
+        }(),
+        "Ansatz paths: Checked would judge by the graph's own weights, and the search goes by others; give it the same, "
+        "Checked{heuristic, report, WeightsOf{map}}");
     static_assert(!leaps || std::is_same_v<Given, detail::NotGiven>,
                   "Ansatz paths: AStar with JumpPoints cannot have WeightsOf: they count on every step costing the same");
     using Successors = std::conditional_t<leaps, Leaps, EveryEdge>; // so that one sentence is said and no more
@@ -125,9 +135,11 @@ public:
     /// The heuristic, bound to a goal.
     using Estimate = decltype(std::declval<const Heuristic&>().template bind<Cost>(std::declval<const Graph&>(),
                                                                                    std::declval<const Goal&>()));
+    /// The number of h and f: that of the costs, or a wider one where estimates may be more than any cost (`Weighted`).
+    using Guess = detail::Guess<Cost, std::decay_t<std::invoke_result_t<const Estimate&, const Vertex&>>>;
     /// The open list.
-    using Queue = typename QueuePolicy::template In<Cost, Vertex>;
-    using NodeOf = Node<Vertex, Cost>;                                        ///< f, g, h and parent of a vertex
+    using Queue = typename QueuePolicy::template In<Guess, Vertex>;
+    using NodeOf = Node<Vertex, Cost, Guess>; ///< f, g, h and parent of a vertex
     /// What it keeps while it runs.
     using Work = Search<Graph, Cost, Queue, Reopens, Successors, Given, Index, Estimate>;
     static_assert(
@@ -294,7 +306,9 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
         if (detail::blocked(search_.start, g)) return "there is no path " + way + ": the start is blocked";
         return "there is no path " + way + ": the goal is blocked";
     case Outcome::too_far:
-        return "a path " + way + " costs more than its number holds; take CostIn<std::uint64_t> or CostIn<double>";
+        return "no path " + way +
+               " was found whose cost its number holds, and there were ways that cost more; take CostIn<std::uint64_t> "
+               "or CostIn<double>";
     case Outcome::bad_weight:
         return "the edge from " + name(search_.bad_from) + " to " + name(search_.bad_to) + " weighs " +
                describe(search_.bad_value) + "; a weight is a number and not negative";

@@ -17,6 +17,7 @@
 #include <boost/graph/astar_search.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <type_traits>
@@ -77,6 +78,10 @@ template <class Work, class Distances> struct BoostVisitor : boost::default_asta
                 work->too_far = false;
                 throw BoostStop{};
             }
+        if constexpr (std::integral<typename Work::Cost>)
+            if (edge_passable(e, g) && vertex_passable(typename Work::Vertex(target(e, g)), g) &&
+                !(add(get(distances, source(e, g)), Work::cost_of(weight)) < infinite<typename Work::Cost>))
+                work->too_far = true;
     }
 };
 
@@ -97,7 +102,8 @@ struct BoostAStar {
         const detail::BoostIndex<Work> index{&work};
         const std::size_t n = work.count();
         std::vector<Vertex> parents(n);
-        std::vector<Cost> g(n), f(n);
+        std::vector<Cost> g(n);
+        std::vector<typename Work::Guess> f(n);
         std::vector<boost::default_color_type> colours(n);
         const auto g_map = boost::make_iterator_property_map(g.begin(), index);
         const auto f_map = boost::make_iterator_property_map(f.begin(), index);
@@ -108,15 +114,16 @@ struct BoostAStar {
         work.trouble = Outcome::running;
         try {
             boost::astar_search(
-                work.graph(), work.start, [&](const Vertex& v) { return work.estimate(v); }, visitor, parent_map, g_map,
-                f_map, detail::BoostWeights<Work>{&work}, index, colour_map, std::less<Cost>{},
-                [](Cost a, Cost b) { return detail::add(a, b); }, detail::infinite<Cost>, Cost(0));
+                work.graph(), work.start, [&](const Vertex& v) { return work.estimate(v); }, visitor, parent_map, f_map,
+                g_map, detail::BoostWeights<Work>{&work}, index, colour_map, std::less<>{},
+                [](Cost a, auto b) { return detail::add(decltype(b)(a), b); }, detail::infinite<Cost>, Cost(0));
         } catch (const detail::BoostStop&) { // its documented way to stop early
         }
         if (work.trouble == Outcome::bad_weight) return work.trouble;
         keep(work, parents, g, colours, watcher);
         if (work.goal_known) return Outcome::found;
-        return work.expanded == most ? Outcome::running : Outcome::no_path;
+        if (work.expanded == most) return Outcome::running;
+        return work.too_far ? Outcome::too_far : Outcome::no_path;
     }
 
 private:

@@ -61,6 +61,22 @@ template <class Cost> constexpr Cost times(std::size_t n, Cost cost) {
         return __builtin_mul_overflow(n, cost, &product) ? infinite<Cost> : product;
     } else return Cost(n) * cost;
 }
+/// A weight in the number of a search, no more than the dearest cost there is.
+template <class Cost, class Weight> [[gnu::always_inline]] constexpr Cost cost_of(const Weight& weight) {
+    if constexpr (std::is_integral_v<Cost> && std::is_floating_point_v<Weight>)
+        return weight >= Weight(infinite<Cost>) ? infinite<Cost> : Cost(weight);
+    else return Cost(weight);
+}
+/// A number for estimates that may be more than any cost: of 64 bits where costs are whole.
+template <class Cost>
+using Wide = std::conditional_t<std::integral<Cost>,
+                                std::conditional_t<std::is_signed_v<Cost>, std::int64_t, std::uint64_t>, Cost>;
+/// The number in which a search keeps estimates of this type: that of its costs, or a wider one of the same kind.
+template <class Cost, class Estimated>
+using Guess = std::conditional_t<std::integral<Cost> && std::integral<Estimated> &&
+                                     std::is_signed_v<Cost> == std::is_signed_v<Estimated> &&
+                                     (sizeof(Estimated) > sizeof(Cost)),
+                                 Estimated, Cost>;
 /// factor times cost, rounded down where the cost is a whole number, so that an estimate never grows by rounding.
 template <class Cost> [[gnu::always_inline]] inline Cost scaled(Cost cost, double factor) {
     if constexpr (std::integral<Cost>) {

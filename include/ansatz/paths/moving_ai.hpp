@@ -4,8 +4,11 @@
 /// \file
 /// Readers for the grid maps and scenarios of the MovingAI benchmarks: what path finders are compared on.
 ///
-/// '.', 'G' and 'S' are passable, '@', 'O', 'T' and 'W' are not; a step is one of eight and passes a corner where both
-/// straight neighbours are free: `Grid<>`. What is wrong in a file is refused with its name, line and what was expected.
+/// '.' and 'G' are ground, 'S' is swamp, 'W' is water; '@', 'O' and 'T' are never passable. Who may walk where is a policy of
+/// `MovingAiMap::grid`: `LandOnly`, by which water is a wall, or `GroundByKind`, by which one wades into it from a swamp. Files
+/// do not say which of both their lengths were made by; the maps of most games hold neither swamp nor water. A step is one of
+/// eight and passes a corner where both straight neighbours are free: `Grid<>`. What is wrong in a file is refused with its
+/// name, line and what was expected.
 ///
 /// \see N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", IEEE Trans. Comput. Intell. AI Games 4 (2012).
 
@@ -19,11 +22,31 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ansatz::paths {
+
+/// Which ground is passable: '.', 'G' and 'S', from each to each.
+struct LandOnly {
+    /// Whether one may stand on this tile.
+    static bool passable(char tile) { return tile == '.' || tile == 'G' || tile == 'S'; }
+};
+
+/// Which ground is passable from which, by the kinds of the format: from ground to ground and swamp, from swamp to
+/// everything, from water to water and swamp. A diagonal step is possible where the four straight ones round it are.
+///
+/// Where the map has water beside ground some edges are blocked, which `JumpPoints` refuse.
+struct GroundByKind {
+    /// Whether one may stand on this tile.
+    static bool passable(char tile) { return LandOnly::passable(tile) || tile == 'W'; }
+    /// Whether one may step from one such tile to another beside it: not from dry ground into water, nor out again.
+    static bool passable(char from, char to) { return from == 'S' || to == 'S' || (from == 'W') == (to == 'W'); }
+};
 
 /// A map as its file has it.
 struct MovingAiMap {
@@ -32,15 +55,36 @@ struct MovingAiMap {
     std::size_t width = 0, height = 0; ///< rows
     std::string tiles;                 ///< the letters, row by row
     /// Whether a letter is free ground: '.', 'G' or 'S'.
-    static bool passable(char tile) { return tile == '.' || tile == 'G' || tile == 'S'; }
+    static bool passable(char tile) { return LandOnly::passable(tile); }
     /// As a grid: `map.grid()`, or `map.grid<Grid<Four>>(0.5 * metre)`.
-    template <class Map = Grid<>> Map grid(Quantity<unit::Length> tile = 1.0 * metre) const {
+    /// \tparam Rule `LandOnly`, `GroundByKind`, or one of yours: whether a tile is passable and, if it says so, from which
+    template <class Map = Grid<>, class Rule = LandOnly> Map grid(Quantity<unit::Length> tile = 1.0 * metre) const {
         Map map(width, height, tile);
         std::vector<std::uint8_t> free;
         free.reserve(tiles.size());
-        for (const char t : tiles) free.push_back(passable(t));
+        for (const char t : tiles) free.push_back(Rule::passable(t));
         map.set_passable(free);
+        if constexpr (requires { Rule::passable('.', '.'); })
+            for (std::size_t i = 0; i < tiles.size(); ++i)
+                for (int d = 0; d < Map::neighbours::directions; ++d) part<Rule>(map, i, d);
         return map;
+    }
+
+private:
+    char at(int x, int y) const { return tiles[std::size_t(y) * width + std::size_t(x)]; }
+    /// Blocks a step that the rule does not allow between tiles that are both free.
+    template <class Rule, class Map> void part(Map& map, std::size_t i, int d) const {
+        const int x = int(i % width), y = int(i / width);
+        const int u = x + detail::direction_x[d], v = y + detail::direction_y[d];
+        const Cell from{std::uint16_t(x), std::uint16_t(y)}, to{std::uint16_t(u), std::uint16_t(v)};
+        if (u < 0 || v < 0 || u >= int(width) || v >= int(height) || !map.passable(from, to)) return;
+        const auto step = [&](int a, int b, int p, int q) { return Rule::passable(at(a, b), at(p, q)); };
+        bool allowed = step(x, y, u, v);
+        if (d >= 4) // of the tiles at the corner only those count that are free: whether they must be the grid says
+            for (const auto& [p, q] : {std::pair(u, y), std::pair(x, v)})
+                if (map.passable(Cell{std::uint16_t(p), std::uint16_t(q)}))
+                    allowed = allowed && step(x, y, p, q) && step(p, q, u, v);
+        if (!allowed) map.set_passable(from, to, false);
     }
 };
 
@@ -111,6 +155,13 @@ inline std::string without_folders(const std::string& path) { return path.substr
 template <class Number> bool whole(std::string_view text, Number& number) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
     return read.ec == std::errc{} && read.ptr == text.data() + text.size();
+}
+/// A printed length. By a stream, because libc++ 19 has no from_chars for double; and in the classic locale, because the decimal
+/// point of a file is no matter of where it is read.
+inline bool number(std::string_view text, double& value) {
+    std::istringstream in{std::string(text)};
+    in.imbue(std::locale::classic());
+    return in >> value && in.peek() == std::char_traits<char>::eof();
 }
 /// Half a unit of the last digit of a printed length. A default stream prints six significant digits and drops zeros at
 /// the end; whoever prints more, or with a fixed number of decimals, shows it by his digits. Besides, those who made the
@@ -195,7 +246,7 @@ inline std::vector<Scenario> read_moving_ai_scenarios(std::istream& in, const st
                        "tiles of a map of " + std::to_string(s.width) + " x " + std::to_string(s.height));
         s.start = {std::uint16_t(numbers[4]), std::uint16_t(numbers[5])};
         s.goal = {std::uint16_t(numbers[6]), std::uint16_t(numbers[7])};
-        if (!detail::whole(fields[8], s.length) || !std::isfinite(s.length) || s.length < 0)
+        if (!detail::number(fields[8], s.length) || !std::isfinite(s.length) || s.length < 0)
             lines.fail("the length is \"" + std::string(fields[8]) + "\"", "a number that is finite and not negative");
         s.tolerance = detail::half_unit(fields[8], s.length, fixed);
         scenarios.push_back(std::move(s));

@@ -8,6 +8,8 @@
 /// not what the graph holds. When the stamps have all been used (after two thousand million queries) they are cleared
 /// once.
 
+#include <ansatz/paths/cost.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +20,14 @@
 namespace ansatz::paths {
 
 /// The notes' node structure: parent, g, h and f.
-template <class Vertex, class Cost> struct Node {
-    Cost g{};                        ///< of the cheapest way from the start that is known
-    Cost h{};                        ///< estimated, from here to the goal
-    Vertex parent{};                 ///< the node before this one on that way; the start is its own
-    std::uint32_t stamp = 0;         ///< whether it is open, closed, or of an earlier query
-    Cost f() const { return g + h; } ///< of the cheapest way through here, as far as is known: g + h
+/// \tparam Guess the number of h and f; another than that of g where estimates may be more than any cost
+template <class Vertex, class Cost, class Guess = Cost> struct Node {
+    Cost g{};                ///< of the cheapest way from the start that is known
+    Guess h{};               ///< estimated, from here to the goal
+    Vertex parent{};         ///< the node before this one on that way; the start is its own
+    std::uint32_t stamp = 0; ///< whether it is open, closed, or of an earlier query
+    /// Of the cheapest way through here, as far as is known: g + h, or the end of the number.
+    [[gnu::always_inline]] Guess f() const { return detail::add(Guess(g), h); }
 };
 
 namespace detail {
@@ -49,9 +53,9 @@ private:
 };
 
 /// Nodes of numbered vertices: an array.
-template <class Vertex, class Cost> class NumberedNodes {
+template <class Vertex, class Cost, class Guess = Cost> class NumberedNodes {
 public:
-    using Record = Node<Vertex, Cost>;
+    using Record = Node<Vertex, Cost, Guess>;
     using Slot = std::size_t;
     void grow(std::size_t count) { ///< the graph may have
         if (records_.size() < count) records_.resize(count);
@@ -73,9 +77,9 @@ private:
 };
 
 /// Nodes of vertices without numbers: an open-addressed table. An entry of an earlier query is as good as empty.
-template <class Vertex, class Cost> class HashedNodes {
+template <class Vertex, class Cost, class Guess = Cost> class HashedNodes {
 public:
-    using Record = Node<Vertex, Cost>;
+    using Record = Node<Vertex, Cost, Guess>;
     using Slot = std::size_t;
     HashedNodes() : kept_(64), mask_(63) {}
     void grow(std::size_t) {}

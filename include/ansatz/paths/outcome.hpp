@@ -4,6 +4,8 @@
 /// \file
 /// `Outcome`: how a search stands or ended. A search never throws once it has begun; this is what it answers instead.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <string_view>
 
 namespace ansatz::paths {
@@ -16,7 +18,7 @@ enum class Outcome {
     no_path,    ///< all that can be reached was looked at, and the goal was not among it
     gave_up,    ///< the budget was spent; path() leads to the node that came nearest
     blocked,    ///< the start or the goal is marked impassable; why() says which
-    too_far,    ///< a cost would not fit into its number: take CostIn<std::uint64_t> or CostIn<double>
+    too_far,    ///< no way whose cost fits into its number, and some that does not: take CostIn<std::uint64_t>
     bad_weight, ///< an edge's weight is negative or not a number; why() says which
 };
 

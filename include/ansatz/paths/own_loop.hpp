@@ -41,7 +41,7 @@ struct OwnLoop {
         const auto place = work.place();
         const auto goal = work.goal;
         const std::uint32_t open = work.nodes.stamps().open();
-        Cost nearest_h = work.nearest_h;
+        auto nearest_h = work.nearest_h;
         Counts counts;
         auto end = [&](Outcome outcome) {
             work.nearest_h = nearest_h;
@@ -120,7 +120,7 @@ private:
                 work.too_far = work.too_far || std::integral<Cost>;
                 return;
             }
-            node.h = estimate(q);
+            node.h = typename Work::Guess(estimate(q));
             ++counts.generated;
         } else if (node.stamp != open) {
             if constexpr (!Work::Reopens::updates) return;
@@ -130,7 +130,7 @@ private:
         node.g = g, node.parent = p;
         if (!closed || Work::Reopens::reopens) {
             node.stamp = open;
-            work.queue.push(detail::add(g, node.h), node.h, q);
+            work.queue.push(node.f(), node.h, q);
         }
         if (first) watcher.opened(q, node);
         else if (closed) watcher.reopened(q, node);

@@ -7,6 +7,8 @@
 /// A search is `AStar{graph, policies...}`. Every policy names its role; a role that nobody takes has a default, and
 /// two policies of one role are refused in a sentence. What each role must be able to do stands beside its policies.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <type_traits>
 
 namespace ansatz::paths {

@@ -65,24 +65,15 @@ public:
         if (outcome_ == Outcome::found && !arrived()) here_ = path_[++at_];
         return here_;
     }
-    /// Whether the rule asks for a new search. Looks at the rest of the path, and at nothing while the graph says that
-    /// nothing has changed.
+    /// Whether the rule asks for a new search. Looks at the rest of the path, once for each change of a graph that counts
+    /// its changes; a graph without `version()` is looked at each time.
     bool needs_new_path() const {
+        if (outcome_ == Outcome::not_begun) return false;
         const auto& g = search_->graph();
-        if (outcome_ != Outcome::found) { // a way may have opened
-            if constexpr (requires { g.cheaper_version(); })
-                return outcome_ != Outcome::not_begun && g.cheaper_version() != cheaper_;
-            else return outcome_ != Outcome::not_begun;
-        }
         if constexpr (requires { g.version(); })
             if (g.version() == version_) return false;
-        if (rule_ == Replan::also_when_cheaper) {
-            if constexpr (requires { g.cheaper_version(); }) {
-                if (g.cheaper_version() != cheaper_) return true;
-            } else return true; // the graph cannot tell
-        }
-        for (std::size_t i = at_; i + 1 < path_.size(); ++i)
-            if (step_cost(path_[i], path_[i + 1]) > costs_[i]) return true;
+        if (is_touched()) return true;
+        if constexpr (requires { g.version(); }) version_ = g.version(); // so much is known of it
         return false;
     }
     /// Searches again from here if the rule asks for it. \return whether it did
@@ -93,6 +84,21 @@ public:
     }
 
 private:
+    bool is_touched() const {
+        const auto& g = search_->graph();
+        if (outcome_ != Outcome::found) { // a way may have opened
+            if constexpr (requires { g.cheaper_version(); }) return g.cheaper_version() != cheaper_;
+            else return true;
+        }
+        if (rule_ == Replan::also_when_cheaper) {
+            if constexpr (requires { g.cheaper_version(); }) {
+                if (g.cheaper_version() != cheaper_) return true;
+            } else return true; // the graph cannot tell
+        }
+        for (std::size_t i = at_; i + 1 < path_.size(); ++i)
+            if (step_cost(path_[i], path_[i + 1]) > costs_[i]) return true;
+        return false;
+    }
     Outcome again() {
         search_->find(here_, goal_);
         return take();
@@ -129,7 +135,8 @@ private:
     Vertex here_{};
     std::vector<Vertex> path_;
     std::vector<Cost> costs_; ///< of each step when it was found
-    std::size_t at_ = 0, searches_ = 0, version_ = 0, cheaper_ = 0;
+    std::size_t at_ = 0, searches_ = 0, cheaper_ = 0;
+    mutable std::size_t version_ = 0; ///< of the graph, up to which nothing is known that asks for a search
     Outcome outcome_ = Outcome::not_begun;
 };
 /// The route of a search, `Route{search}`.

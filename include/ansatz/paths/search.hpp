@@ -13,6 +13,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -34,6 +35,8 @@ struct Search {
     using Estimate = Estimate_;     ///< the heuristic, bound to a goal
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
     using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition
+    /// The number of its estimates, and of f: that of the costs, or a wider one (`Weighted`).
+    using Guess = detail::Guess<Cost, std::decay_t<std::invoke_result_t<const Estimate&, const Vertex&>>>;
     /// The property map of the weights.
     using Weights = std::decay_t<decltype(detail::weights_of<Graph, Cost>(std::declval<const Graph&>(),
                                                                           std::declval<const Given&>()))>;
@@ -42,12 +45,13 @@ struct Search {
     /// Whether the vertices have numbers; else they are hashed.
     static constexpr bool numbered = !std::is_same_v<Index, detail::NotGiven> || detail::IsNumbered<Graph>;
     /// The nodes of the vertices: an array or a hash table.
-    using Nodes = std::conditional_t<numbered, detail::NumberedNodes<Vertex, Cost>, detail::HashedNodes<Vertex, Cost>>;
+    using Nodes = std::conditional_t<numbered, detail::NumberedNodes<Vertex, Cost, Guess>,
+                                     detail::HashedNodes<Vertex, Cost, Guess>>;
 
     /// The map that numbers the vertices; where they are hashed there is none.
     static auto index_map_of(const Graph& g, const Index& i) {
         if constexpr (!std::is_same_v<Index, detail::NotGiven>) return i.map;
-        else if constexpr (numbered) return get(boost::vertex_index, g);
+        else if constexpr (numbered) return detail::index_of(g);
         else return detail::NotGiven{};
     }
     /// The type of that map.
@@ -121,8 +125,8 @@ struct Search {
     /// The weights, asked of the graph anew.
     Weights fresh_weights() const { return detail::weights_of<Graph, Cost>(*graph_, given_); }
     /// The node of a vertex that this query has come to, else null.
-    const Node<Vertex, Cost>* seen(const Vertex& v) const {
-        const Node<Vertex, Cost>* at = nullptr;
+    const typename Nodes::Record* seen(const Vertex& v) const {
+        const typename Nodes::Record* at = nullptr;
         if constexpr (numbered) {
             const std::size_t i = const_cast<Search*>(this)->slot(v); // looks a number up, changes nothing
             if (i < nodes.size()) at = &nodes[i];
@@ -144,7 +148,7 @@ struct Search {
         else return 0;
     }
     /// h of a vertex.
-    [[gnu::always_inline]] Cost estimate(const Vertex& v) const { return (*estimate_)(v); }
+    [[gnu::always_inline]] Guess estimate(const Vertex& v) const { return Guess((*estimate_)(v)); }
     /// Takes the heuristic for the goal of this query.
     void bind(Estimate e) { estimate_.emplace(std::move(e)); }
     /// Whether a vertex is the goal that is wanted, or meets it.
@@ -156,9 +160,7 @@ struct Search {
     bool is_goal(const Vertex& v) const { return reaches(v, goal); }
     /// A weight in the number of the search, no more than the dearest cost there is.
     template <class Weight> [[gnu::always_inline]] static Cost cost_of(const Weight& weight) {
-        if constexpr (std::is_integral_v<Cost> && std::is_floating_point_v<Weight>)
-            return weight >= Weight(detail::infinite<Cost>) ? detail::infinite<Cost> : Cost(weight);
-        else return Cost(weight);
+        return detail::cost_of<Cost>(weight);
     }
 
     /// Forgets the last query and sets out for another.
@@ -168,7 +170,7 @@ struct Search {
         queue.begin(*graph_);
         start = from, goal = to;
         goal_known = too_far = false;
-        goal_cost = detail::infinite<Cost>, nearest_h = detail::infinite<Cost>;
+        goal_cost = detail::infinite<Cost>, nearest_h = detail::infinite<Guess>;
         nearest = goal_vertex = from;
         expanded = reopened = 0, generated = 1;
     }
@@ -199,7 +201,8 @@ struct Search {
         bad_to{};      ///< where it ends
     Goal goal{};       ///< of this query
     /// The goal's g so far.
-    Cost goal_cost{}, nearest_h{}; ///< h of `nearest`
+    Cost goal_cost{};
+    Guess nearest_h{};             ///< h of `nearest`
     double bad_value = 0;          ///< the weight that was refused
     /// Whether the goal has been reached.
     bool goal_known = false, too_far = false; ///< whether a cost was more than its number holds

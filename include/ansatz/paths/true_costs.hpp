@@ -30,9 +30,9 @@ template <class Graph, class Cost> struct EdgeTable {
     std::vector<std::size_t> first;
     std::vector<Half> halves;
 
-    template <class Use> static void each(const Graph& g, Use&& use) {
-        const auto index = get(boost::vertex_index, g);
-        const auto weights = weights_of<Graph, Cost>(g, NotGiven{});
+    template <class Given, class Use> static void each(const Graph& g, const Given& given, Use&& use) {
+        const auto index = index_of(g);
+        const auto weights = weights_of<Graph, Cost>(g, given);
         const auto all = vertices(g);
         for (auto v = all.first; v != all.second; ++v) {
             if (blocked(VertexOf<Graph>(*v), g)) continue;
@@ -41,16 +41,16 @@ template <class Graph, class Cost> struct EdgeTable {
                 const auto q = target(*e, g);
                 const auto weight = get(weights, *e);
                 if (edge_passable(*e, g) && !blocked(VertexOf<Graph>(q), g) && weight >= decltype(weight)(0))
-                    use(std::size_t(get(index, *v)), std::size_t(get(index, q)), Cost(weight));
+                    use(std::size_t(get(index, *v)), std::size_t(get(index, q)), cost_of<Cost>(weight));
             }
         }
     }
-    EdgeTable(const Graph& g, bool turned) : first(num_vertices(g) + 1) {
-        each(g, [&](std::size_t p, std::size_t q, Cost) { ++first[(turned ? q : p) + 1]; });
+    template <class Given> EdgeTable(const Graph& g, const Given& given, bool turned) : first(num_vertices(g) + 1) {
+        each(g, given, [&](std::size_t p, std::size_t q, Cost) { ++first[(turned ? q : p) + 1]; });
         for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
         halves.resize(first.back());
         auto next = first;
-        each(g, [&](std::size_t p, std::size_t q, Cost w) { halves[next[turned ? q : p]++] = {turned ? p : q, w}; });
+        each(g, given, [&](std::size_t p, std::size_t q, Cost w) { halves[next[turned ? q : p]++] = {turned ? p : q, w}; });
     }
 };
 } // namespace detail
@@ -59,15 +59,18 @@ template <class Graph, class Cost> struct EdgeTable {
 /// By Dijkstra's algorithm on all of the graph.
 /// \tparam Cost the number to calculate in
 /// \tparam Graph numbered, and a VertexListGraph
-template <class Cost = double, class Graph>
-std::vector<Cost> true_costs(const Graph& g, const VertexOf<Graph>& one, Toward toward = Toward::to_it) {
+/// \param given  `WeightsOf{map}`, where the search has one
+template <class Cost = double, class Graph, class Given = detail::NotGiven>
+std::vector<Cost> true_costs(const Graph& g, const VertexOf<Graph>& one, Toward toward = Toward::to_it,
+                             const Given& given = {}) {
+    static_assert(detail::AsksForWeights<Graph, Given>::ok);
     static_assert(detail::IsNumbered<Graph>,
                   "Ansatz paths: true_costs needs a graph whose vertices are numbered and listed");
     std::vector<Cost> costs(num_vertices(g), detail::infinite<Cost>);
     if (detail::blocked(one, g)) return costs;
-    const detail::EdgeTable<Graph, Cost> edges(g, toward == Toward::to_it);
+    const detail::EdgeTable<Graph, Cost> edges(g, given, toward == Toward::to_it);
     typename Heap::In<Cost, std::size_t> queue{Heap{}};
-    const std::size_t start = get(get(boost::vertex_index, g), one);
+    const std::size_t start = get(detail::index_of(g), one);
     costs[start] = Cost(0);
     queue.push(Cost(0), Cost(0), start);
     std::vector<bool> done(costs.size());

@@ -7,6 +7,8 @@
 /// Derive from Visitor and write again what you want to see; what is not written again costs nothing. Every call gets the
 /// vertex and its node, whose f, g, h and parent are those after the step.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <vector>
 
 namespace ansatz::paths {

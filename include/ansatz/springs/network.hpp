@@ -13,6 +13,7 @@
 #include <ansatz/world/space.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -159,14 +160,14 @@ public:
         }
         require_not_negative(where, "stiffness", spring.stiffness);
         require_not_negative(where, "damping", spring.damping);
-        in.link.stiffness = S::convert(spring.stiffness).value();
+        in.link.stiffness = S::convert("stiffness", spring.stiffness).value();
         if constexpr (Damped)
-            in.link.damping = S::convert(spring.damping).value();
+            in.link.damping = S::convert("damping", spring.damping).value();
         else if (spring.damping.value() != 0)
             refuse_value(where, "damping", describe(spring.damping), "the springs of this world are Undamped");
         if (spring.rest_length) {
             require_not_negative(where, "rest length", *spring.rest_length);
-            in.link.rest_length = S::convert(*spring.rest_length).value();
+            in.link.rest_length = S::convert("rest length", *spring.rest_length).value();
         } else {
             const auto distance = norm(to);
             if (!is_finite(distance)) refuse_value(where, "rest length", describe(distance), "give it, since the ends are infinitely far apart");
@@ -179,11 +180,16 @@ public:
     /// Room for so many. That for notes is made when a step begins: who reads what broke may add springs as he goes.
     void reserve(std::size_t n) {
         ids_.reserve(n);
-        links_.reserve(n);
         anchors_.reserve(n);
         pairs_.reserve(n);
         hung_.reserve(n);
         if constexpr (Breaks) limits_.reserve(n);
+        links_.reserve(n); // last: who has room here has room everywhere
+    }
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const SpringNetwork& other) {
+        if constexpr (Breaks) broken_.reserve(other.broken_.size());
+        reserve(other.ids());
     }
     /// Adds one. With room for it, it cannot fail.
     Handle_ insert(const Admitted& in) {
@@ -254,7 +260,21 @@ public:
     }
     /// Room for the notes of a step.
     void reserve_notes() {
+        ids_.reserve_notes();
+    }
+    /// Room for all that may break in a step.
+    void reserve_notes_of_step() {
         if constexpr (Breaks) broken_.reserve(std::max(ids(), links_.capacity()));
+    }
+    /// Whether it does nothing where its ends are now: a rope that hangs slack.
+    /// \param at a function of a body's id: where it is
+    template <class At> bool is_slack([[maybe_unused]] std::uint32_t id, [[maybe_unused]] const At& at) const {
+        if constexpr (std::same_as<E, Rope>) {
+            const Link& link = links_[id];
+            const typename S::Position to = (link.b == no_body ? anchors_[id] : at(link.b)) - at(link.a);
+            return !(robust_norm(to).value() > link.rest_length);
+        } else
+            return false;
     }
 
     /// Adds everything to a hash.
@@ -293,6 +313,8 @@ private:
         // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it back.
         if (!(Scalar(limit.force.value()) > Scalar(0))) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
         if (!(Scalar(limit.strain) > Scalar(0))) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
+        static_cast<void>(S::convert("break force", limit.force)); // one that is finite is none that never breaks
+        static_cast<void>(S::convert("break strain", Quantity<unit::Dimensionless>::from_value(limit.strain)));
         if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
             refuse_value(where, "break strain", describe(limit.strain), "a spring of rest length 0 has no strain; give a force");
         if (limit.force < in.limit.force) in.limit.force = limit.force;

@@ -39,7 +39,7 @@ struct After : GuardBase {
 
 /// The source of the transition has been active for this time, s; also with `&&`, as a dwell time beside another guard.
 /// \throws std::invalid_argument for a negative or non-finite time (in a constant expression it does not compile)
-constexpr After after(Quantity<unit::Time> time) {
+constexpr After after(Parameter<unit::Time> time) {
     detail::check_dwell("after", time);
     return After(time);
 }
@@ -91,7 +91,7 @@ template <AnyGuard G> struct HeldFor : GuardBase {
 
 /// The guard has held at every update for this time, s.
 /// \throws std::invalid_argument for a negative or non-finite time
-template <AnyGuard G> constexpr HeldFor<G> held_for(G guard, Quantity<unit::Time> time) {
+template <AnyGuard G> constexpr HeldFor<G> held_for(G guard, Parameter<unit::Time> time) {
     detail::check_dwell("held_for", time);
     return {guard, time};
 }

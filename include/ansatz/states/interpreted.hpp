@@ -72,39 +72,19 @@ public:
         forget();
         const auto& c = *chart_;
         for_memories(context, true);
-        if (c.parallel_)
-            regions_.start(*this, context);
-        else
-            enter_initial(context, 0);
+        if (c.parallel_) regions_.start(*this, context);
+        else enter_initial(context, 0);
         settle(context);
     }
     /// An event. Within an action of this machine it waits until the present transition is complete.
     bool handle(Context& context, EventId event) {
-        if (busy_) [[unlikely]] return queue_.raise(event);
-        const auto& c = *chart_;
-        if (!c.parallel_ && index(event) < c.columns_ - 2 && quick_) { // nothing can be raised, watched or timed: one load
-            const std::uint32_t at = c.cells_[leaf_ * c.columns_ + index(event)];
-            if (at != states::detail::no_candidate) {
-                const auto& t = c.transitions_[c.candidates_[at]];
-                if (t.plain) {
-                    leaf_ = t.lands;
-                    return true;
-                }
-            }
-        }
-        const Busy busy(busy_);
-        if (!column(context, event)) {
-            unhandled(event);
-            return false;
-        }
-        settle(context);
-        return true;
+        return handle_as(context, event, [&] { return index(event) + 1 < event_count() ? std::optional(name(event)) : std::nullopt; });
     }
     /// The same by name.
-    bool handle(Context& context, std::string_view name) { return handle(context, event(name)); }
+    bool handle(Context& context, std::string_view name) { return handle_as(context, event(name), [name] { return std::optional(name); }); }
     /// One update of the fixed clock.
     /// \param dt  s
-    bool update(Context& context, Quantity<unit::Time> dt) {
+    bool update(Context& context, Parameter<unit::Time> dt) {
         if (!(dt.value() >= 0 && dt.value() <= std::numeric_limits<double>::max())) states::refuse_dt(dt);
         if (!started()) states::refuse_not_started();
         if (busy_) refuse(Refusal::invalid_argument, "Machine::update: called from an action of the same machine; raise an event instead");
@@ -122,7 +102,7 @@ public:
         return took;
     }
     /// The same where nobody counts time.
-    bool update(Context& context) { return update(context, {}); }
+    bool update(Context& context) { return update(context, Quantity<unit::Time>{}); }
 
     /// Another chart, between two updates. The machine stays in the states of the same names, with what they hold; where an
     /// active state is gone, it goes to what is left around it and enters the initial states there. Histories and times stay
@@ -205,10 +185,8 @@ private:
         Busy(const Busy&) = delete;
     };
     static Opts make_options([[maybe_unused]] O... options) {
-        if constexpr (sizeof...(O) > 0)
-            return Opts(options...);
-        else
-            return {};
+        if constexpr (sizeof...(O) > 0) return Opts(options...);
+        else return {};
     }
     bool only_histories(std::size_t s) const { return chart_->states_[s].kind != states::Kind::parallel && chart_->states_[s].initial.count == 0 && !states::is_history(chart_->states_[s].kind); }
 
@@ -234,6 +212,28 @@ private:
     }
 
     // ------------------------------------------------------------ one step
+    // An event, and how it is called if it must be refused.
+    [[gnu::always_inline]] bool handle_as(Context& context, EventId event, auto&& called) {
+        if (busy_) [[unlikely]] return queue_.raise(event);
+        const auto& c = *chart_;
+        if (!c.parallel_ && index(event) < c.columns_ - 2 && quick_) { // nothing can be raised, watched or timed: one load
+            const std::uint32_t at = c.cells_[leaf_ * c.columns_ + index(event)];
+            if (at != states::detail::no_candidate) {
+                const auto& t = c.transitions_[c.candidates_[at]];
+                if (t.plain) {
+                    leaf_ = t.lands;
+                    return true;
+                }
+            }
+        }
+        const Busy busy(busy_);
+        if (!column(context, event)) {
+            unhandled(event, called);
+            return false;
+        }
+        settle(context);
+        return true;
+    }
     bool column(Context& context, EventId event) {
         const auto& c = *chart_;
         return choose(context, std::min<std::size_t>(index(event), c.columns_ - 3));
@@ -372,9 +372,9 @@ private:
         stopped_ = true;
         while (!queue_.empty()) queue_.take();
     }
-    void unhandled(EventId event) {
+    void unhandled(EventId event, [[maybe_unused]] auto&& called) {
         if (!started()) states::refuse_not_started();
-        if constexpr (Opts::refuses) states::refuse_event(chart_->name(event), active_name());
+        if constexpr (Opts::refuses) states::refuse_event(called(), active_name());
         tell(Happening::What::unhandled, index(active()), 0xffff, event);
     }
     void tell(Happening::What what, std::size_t state, std::size_t transition = 0xffff, EventId event = EventId::none) {

@@ -21,7 +21,9 @@
 #include <ansatz/world/error.hpp>
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace ansatz {
 
@@ -127,10 +129,14 @@ template <class... O> struct Options : O... {
 };
 
 /// Throws std::invalid_argument: nobody handles an event in a state; both by name.
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_event(std::string_view event, std::string_view state) {
+/// \param event  as the caller gave it; none if it was a number that has no name of its own
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_event(std::optional<std::string_view> event,
+                                                                std::string_view state) {
     refuse(Refusal::invalid_argument,
-           "Machine::handle: nobody handles the event \"" + std::string(event) + "\" in the state \"" +
-               std::string(state) +
+           "Machine::handle: nobody handles " +
+               (event ? "the event \"" + std::string(*event) + "\""
+                      : std::string("an event that no transition of the machine names,")) +
+               " in the state \"" + std::string(state) +
                "\"; add a transition, or choose IgnoreUnhandled, CountUnhandled or LogUnhandled<>");
 }
 /// Throws std::invalid_argument: the machine was not started.

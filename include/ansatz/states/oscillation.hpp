@@ -32,7 +32,7 @@ public:
     /// \param turns   more than this many transitions between two states, 1 to 31
     /// \param within  in this time, finite and greater than 0 s
     /// \throws std::invalid_argument for others
-    explicit OscillationReport(std::uint32_t turns = 4, Quantity<unit::Time> within = 1.0 * second)
+    explicit OscillationReport(std::uint32_t turns = 4, Parameter<unit::Time> within = 1.0 * second)
         : turns_(turns), within_(within) {
         if (turns < 1 || turns >= most_turns)
             refuse_value("OscillationReport", "turns", std::to_string(turns), "it is 1 to 31");

@@ -56,25 +56,19 @@ public:
     /// \return whether a transition was taken (true for one that waits)
     /// \throws std::invalid_argument before start; with RefuseUnhandled, for an event that nobody handles
     [[gnu::always_inline]] bool handle(Context& context, EventId event) {
-        if constexpr (can_raise)
-            if (busy_) [[unlikely]] return queue_.raise(event);
-        const Busy busy(*this);
-        if (!state_.on_event(*this, context, event)) {
-            unhandled(event);
-            return false;
-        }
-        settle(context);
-        return true;
+        return handle_as(context, event, [event] { return index(event) + 1 < M::event_count ? std::optional(name(event)) : std::nullopt; });
     }
     /// The same by name: for consoles and tests, since the name is looked up each time.
-    bool handle(Context& context, std::string_view name) { return handle(context, event(name)); }
+    bool handle(Context& context, std::string_view name) {
+        return handle_as(context, event(name), [name] { return std::optional(name); });
+    }
 
     /// One update of the fixed clock: guards that remember look, then the conditions of the active states are asked, inner
     /// states first, and the first that holds is taken (one an update); then what the active states do, outer states first.
     /// \param dt  s; may be left out where no guard and no state counts time
     /// \return whether a condition led to a transition
     /// \throws std::invalid_argument before start, and for a negative or non-finite dt, before anything changes
-    bool update(Context& context, Quantity<unit::Time> dt) {
+    bool update(Context& context, Parameter<unit::Time> dt) {
         if (!(dt.value() >= 0 && dt.value() <= std::numeric_limits<double>::max())) refuse_dt(dt);
         if (!started()) refuse_not_started();
         if constexpr (can_raise)
@@ -324,6 +318,18 @@ private:
         [&]<std::size_t... I>(std::index_sequence<I...>) { (one.template operator()<chain.at[chain.size - 1 - I]>(), ...); }(std::make_index_sequence<chain.size>{});
     }
 
+    // An event, and how it is called if it must be refused.
+    [[gnu::always_inline]] bool handle_as(Context& context, EventId event, auto&& called) {
+        if constexpr (can_raise)
+            if (busy_) [[unlikely]] return queue_.raise(event);
+        const Busy busy(*this);
+        if (!state_.on_event(*this, context, event)) {
+            unhandled(event, called);
+            return false;
+        }
+        settle(context);
+        return true;
+    }
     [[gnu::always_inline]] void settle(Context& context) {
         if constexpr (loops) {
             if constexpr (!M::has_automatic)
@@ -349,9 +355,9 @@ private:
     void tell_unhandled([[maybe_unused]] EventId event) {
         if constexpr (Opts::watched) tell(Happening::What::unhandled, state_.leaf(), 0xffff, event);
     }
-    void unhandled(EventId event) {
+    void unhandled(EventId event, [[maybe_unused]] auto&& called) {
         if (!started()) refuse_not_started();
-        if constexpr (Opts::refuses) refuse_event(M::event_name(index(event) < M::event_count ? index(event) : M::event_count - 1), active_name());
+        if constexpr (Opts::refuses) refuse_event(called(), active_name());
         tell_unhandled(event);
     }
 

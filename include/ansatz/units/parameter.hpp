@@ -16,12 +16,6 @@
 namespace ansatz {
 namespace detail {
 
-/// Marks every Parameter, for the operators that must see the quantity in it.
-struct ParameterTag {};
-
-template <class T>
-concept AnyParameter = std::is_class_v<T> && std::is_base_of_v<ParameterTag, T>;
-
 /// Raises the sentence for a wrong unit. The symbols are template arguments so that the compiler
 /// prints them: Boost's types alone are a page each.
 template <SymbolText Given, SymbolText Wanted>
@@ -69,6 +63,13 @@ struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
     template <class Other>
         requires(!std::is_same_v<Other, Value>)
     constexpr Parameter(const boost::units::quantity<Unit, Other>& q) : Base(make(q)) {
+        if constexpr (std::is_same_v<Unit, unit::Time>) detail::refuse_whole_numbers<boost::units::quantity<Unit, Other>>();
+    }
+    /// A time in whole numbers: a mistake, because `1 / 60 * second` is 0 s.
+    template <class Q>
+        requires(std::is_same_v<Q, detail::WholeSeconds> && std::is_same_v<Unit, unit::Time>)
+    constexpr Parameter(const Q& q) : Base(q) {
+        detail::refuse_whole_numbers<Q>();
     }
     /// A bare number: right where nothing has a dimension, a mistake elsewhere.
     template <class Number>
@@ -123,23 +124,3 @@ template <class Unit, int Dim = 3, class Scalar = double>
 using VectorParameter = Parameter<Unit, Vector<Scalar, Dim>>;
 
 } // namespace ansatz
-
-namespace boost::units {
-
-// Boost takes anything that is not its quantity for a plain number, a class derived from it too:
-// `parameter * metre` would be a quantity of parameters. Without a result type these drop out, and
-// the operators for quantities take over.
-template <class System, class Dim, class X>
-    requires ansatz::detail::AnyParameter<X>
-struct multiply_typeof_helper<X, unit<Dim, System>> {};
-template <class System, class Dim, class X>
-    requires ansatz::detail::AnyParameter<X>
-struct multiply_typeof_helper<unit<Dim, System>, X> {};
-template <class System, class Dim, class X>
-    requires ansatz::detail::AnyParameter<X>
-struct divide_typeof_helper<X, unit<Dim, System>> {};
-template <class System, class Dim, class X>
-    requires ansatz::detail::AnyParameter<X>
-struct divide_typeof_helper<unit<Dim, System>, X> {};
-
-} // namespace boost::units

@@ -8,6 +8,8 @@
 /// of a world are lanes of raw SI numbers, and a quantity is what one body's values become while a
 /// law looks at them.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <Eigen/Core>
 
 #include <boost/units/quantity.hpp>

@@ -111,9 +111,60 @@ inline constexpr unit::Viscosity    pascal_second{};
 inline constexpr unit::PlaneAngle   radian{};
 ///@}
 
+namespace detail {
+
+/// Marks a class derived from a quantity, for the operators that must see the quantity in it.
+struct ParameterTag {};
+
+template <class T>
+concept AnyParameter = std::is_class_v<T> && std::is_base_of_v<ParameterTag, T>;
+
+/// A whole number times `second`: `1 / 60 * second` is 0 s, because the division comes first. By this type a door that takes a
+/// time knows it and refuses it in a sentence; in sums and products it is a quantity like any other.
+struct WholeSeconds : Quantity<unit::Time>, ParameterTag {
+    static constexpr WholeSeconds from_value(double seconds) { return WholeSeconds(Quantity<unit::Time>::from_value(seconds)); }
+
+private:
+    constexpr explicit WholeSeconds(const Quantity<unit::Time>& q) : Quantity<unit::Time>(q) {}
+};
+template <class Unit> struct WholeNumberOf {
+    using type = Quantity<Unit>;
+};
+template <> struct WholeNumberOf<unit::Time> {
+    using type = WholeSeconds;
+};
+
+/// Whether a time was given in whole numbers: as `1 / 60 * second`, or as a quantity of integers.
+template <class Q> inline constexpr bool in_whole_numbers = std::is_same_v<Q, WholeSeconds>;
+template <class Unit, class Y> inline constexpr bool in_whole_numbers<boost::units::quantity<Unit, Y>> = std::is_integral_v<Y>;
+
+/// The sentence about it, in a place of its own: the same at every door.
+template <class Q> constexpr void refuse_whole_numbers() {
+    constexpr bool has_a_fraction = !in_whole_numbers<Q>;
+    static_assert(has_a_fraction, "Ansatz: a time as a whole number; 1 / 60 is 0 in whole numbers. Write a number with a point, e.g. "
+                                  "1.0 / 60 * second");
+}
+
+} // namespace detail
 } // namespace ansatz
 
 namespace boost::units {
+
+// Boost takes anything that is not its quantity for a plain number, a class derived from it too:
+// `parameter * metre` would be a quantity of parameters. Without a result type these drop out, and
+// the operators for quantities take over.
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct multiply_typeof_helper<X, unit<Dim, System>> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct multiply_typeof_helper<unit<Dim, System>, X> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct divide_typeof_helper<X, unit<Dim, System>> {};
+template <class System, class Dim, class X>
+    requires ansatz::detail::AnyParameter<X>
+struct divide_typeof_helper<unit<Dim, System>, X> {};
 
 // A whole number times a unit is a quantity of double: with Boost's own rule `1 * metre / 2` would
 // be a truncating division. The parameter lists repeat Boost's order (System, Dim), because a
@@ -121,12 +172,12 @@ namespace boost::units {
 template <class System, class Dim, class X>
     requires std::is_integral_v<X>
 struct multiply_typeof_helper<X, unit<Dim, System>> {
-    using type = quantity<unit<Dim, System>, double>;
+    using type = typename ansatz::detail::WholeNumberOf<unit<Dim, System>>::type;
 };
 template <class System, class Dim, class X>
     requires std::is_integral_v<X>
 struct multiply_typeof_helper<unit<Dim, System>, X> {
-    using type = quantity<unit<Dim, System>, double>;
+    using type = typename ansatz::detail::WholeNumberOf<unit<Dim, System>>::type;
 };
 template <class System, class Dim, class X>
     requires std::is_integral_v<X>

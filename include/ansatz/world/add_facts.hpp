@@ -6,6 +6,7 @@
 // not in the umbrella: it is a part of door.hpp, which includes it
 
 #include <ansatz/world/composition.hpp>
+#include <ansatz/world/held_parameters.hpp>
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/user_data.hpp>
 
@@ -51,7 +52,7 @@ template <class First, class... Rest> auto given_shape([[maybe_unused]] const Fi
 /// The same in the scalar of the space; refused where its numbers are not acceptable.
 template <class S, class T> auto shape_in([[maybe_unused]] const T& description) {
     if constexpr (ShapeDescription<T>) {
-        if constexpr (requires { description.check(); }) description.check();
+        check_in<S>(description);
         return typename T::template In<S>(description);
     } else
         return Absent{};

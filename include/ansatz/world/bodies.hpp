@@ -111,6 +111,16 @@ public:
         free_.reserve(n);
     }
 
+    /// Room for every id to be given back, so that `erase` cannot fail; a copied vector has no more room than it needs.
+    void reserve_notes() { free_.reserve(slot_of_.size()); }
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const Bodies& other) {
+        id_at_.reserve(other.id_at_.size());
+        slot_of_.reserve(other.slot_of_.size());
+        generation_.reserve(other.generation_.size());
+        free_.reserve(other.free_.size());
+    }
+
     /// The id that the next `push_back` gives out.
     std::uint32_t next_id() const { return free_.empty() ? std::uint32_t(slot_of_.size()) : free_.back(); }
 
@@ -123,7 +133,7 @@ public:
         }
     }
 
-    /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs.
+    /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs. With room for it, it cannot fail.
     Handle push_back() {
         std::uint32_t id;
         if (free_.empty()) {

@@ -36,6 +36,13 @@ public:
         ++tick_;
     }
 
+    /// Adds to a hash all that it goes on from.
+    template <class Hash> void add_to(Hash& hash) const {
+        hash.add(tick_);
+        hash.add(steps_);
+        hash.add_number(start_.value());
+        hash.add_number(dt_.value());
+    }
     /// The same tick and the same time.
     friend bool operator==(const StepClock& a, const StepClock& b) {
         return a.start_ == b.start_ && a.dt_ == b.dt_ && a.steps_ == b.steps_ && a.tick_ == b.tick_;

@@ -31,22 +31,33 @@ void Step<C, Policies>::in_substeps() {
     const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
     SubstepBodies<C, decltype(acceleration)> bodies(data_, acceleration);
     auto& before = data_.collisions.before_solving();
-    bodies.place(contacts.bodies);
+    bodies.place(contacts.bodies, contacts.kicks);
+    contacts.expect_platforms(data_.bodies.count(Motion::moving) > 0);
     contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
-    const bool bounces = response.find_bouncing(contacts, data_);
+    bool bounces = response.find_bouncing(contacts, data_);
     const auto dt = S::Time::from_value(h);
     for (int part = 0; part < response.parts(); ++part) {
         context_ = Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)), TimeStep<S>(dt, last));
         bound_.prepare(context_);
         if constexpr (C::history) complete_starts();
         if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
-        if (bounces && part == 0) {
-            bodies.gather(contacts.bodies, before, leads, dt, last);
-            response.remember_approaches(contacts, [&](const auto& c) { return pull_along(c); });
-        }
-        bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last);
+        bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
+        if constexpr (C::rests)
+            if (wake_the_hit(contacts, h)) { // others stand in other slots now
+                bodies.place(contacts.bodies, contacts.kicks);
+                const auto met = std::move(contacts.impacts.pairs);
+                contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
+                bounces = response.find_bouncing(contacts, data_);
+                contacts.impacts.keep_met(met);
+                if constexpr (C::history) complete_starts();
+                bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
+            }
+        const bool struck = bounces && response.bounce(contacts, h);
+        if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, -1 / h, last);
+        contacts.warm_start();
+        if (part == 0) contacts.unload(before);
         response.solve(contacts, h);
-        bodies.scatter(contacts.bodies, before, last);
+        bodies.scatter(contacts.bodies, before, last, &contacts.pushed);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
         last = dt;
         part + 1 < response.parts() ? integrate<Columns<>, Later>() : integrate<Transient, Later>();
@@ -55,33 +66,51 @@ void Step<C, Policies>::in_substeps() {
             refresh_coupled(data_, policies_, after());
         }
         bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
+        if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
         contacts.relax(h);
+        contacts.calm(before);
         bodies.scatter(contacts.bodies, before, last);
     }
-    if (bounces) {
-        bodies.gather(contacts.bodies, before, leads, dt, last);
-        contacts.restore();
-        bodies.scatter(contacts.bodies, before, last);
-    }
+    if (bounces) contacts.note_impacts();
     data_.collisions.parts = response.parts();
     context_ = whole;
     if constexpr (C::coupled) data_.coupled.current = false;
 }
 
-/// N . (a_a - a_b) of a contact.
+/// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and sleep on: who will be
+/// hit in this part of the step wakes before, or behind the part in which another was pushed into it.
+/// \param h s, the part
+/// \return whether somebody was woken
 template <class C, class Policies>
-typename Step<C, Policies>::Scalar Step<C, Policies>::pull_along(const auto& contact) const {
-    Scalar sum(0);
-    if (contact.slot_a < data_.bodies.end(Motion::awake)) sum += dot(acceleration(contact.slot_a, data_.load(contact.slot_a)).value(), contact.normal);
-    if (contact.slot_b < data_.bodies.end(Motion::awake)) sum -= dot(acceleration(contact.slot_b, data_.load(contact.slot_b)).value(), contact.normal);
-    return sum;
+bool Step<C, Policies>::wake_the_hit(auto& contacts, Scalar h) {
+    if (data_.bodies.count(Motion::resting) == 0) return false;
+    auto& hit = data_.sleep.value.sleepers;
+    hit.clear();
+    const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
+    contacts.each_acting([&](const auto& c) {
+        const bool a_rests = rests(Slot(c.slot_a));
+        if (!a_rests && !rests(Slot(c.slot_b))) return;
+        const Scalar way = Scalar(1.25) * h * contacts.along(c); // who is woken in vain lies on
+        if (!(c.impulse > Scalar(0)) && !(contacts.apart(c) + way < Scalar(0))) return;
+        if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
+    });
+    for (const auto id : hit)
+        if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
+    if (hit.empty()) return false;
+    wake_neighbours();
+    return true;
 }
 
 /// Who lies together with somebody that was woken between two steps wakes before anything moves.
 template <class C, class Policies>
 void Step<C, Policies>::wake_neighbours() {
     const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
-    ContactStep<C, Policies, decltype(acceleration)>(data_, policies_, context_.dt(), acceleration).wake([&](Slot slot) { wake_resting(data_, slot); }, false);
+    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
+    const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
+    do {
+        if (data_.bodies.count(Motion::resting) == 0) return;
+        if constexpr (C::collides) contacts.wake(wake, false);
+    } while (detail::wake_through_elements(data_, [&](Slot slot) { return contacts.disturbs(slot, false); }, wake));
 }
 
 /// Bodies that would have passed each other are kept where they touched, with the velocity that they had there: what the laws did to
@@ -142,6 +171,7 @@ void Step<C, Policies>::collide(bool later) {
     if constexpr (C::sweeps) hold_back();
     const auto next = context_.later(1.0);
     const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return acceleration_at(slot, row, next); };
+    if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
     data_.collisions.detect(
         data_, policies_, [&](Slot slot) { return C::substeps ? acceleration(slot, data_.load(slot, context_.dt())) : bound_.laws.acceleration(data_.load(slot), next); }, later);
     ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
@@ -161,23 +191,50 @@ void Step<C, Policies>::collide(bool later) {
     if constexpr (C::coupled) data_.coupled.current = false;
 }
 
-/// Where bodies collide, islands rest: bodies that touch each other fall asleep together.
+/// Where bodies collide or hang together, islands rest: those that touch each other fall asleep together.
 template <class C, class Policies>
 void Step<C, Policies>::put_islands_to_rest() {
-    effects_only<Columns<>>(typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)), context_.dt());
+    if constexpr (C::collides)
+        effects_only<Columns<>>(typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)), context_.dt());
     const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
+    auto& scratch = data_.sleep.value;
+    if constexpr (pull_varies) {
+        scratch.held.assign(data_.bodies.size(), 0);
+        if constexpr (C::collides)
+            for (const auto& contact : data_.collisions.contacts)
+                for (const auto& body : {contact.first, contact.second}) scratch.held[data_.bodies.slot_of_id(body.id)] = 1;
+        begin_anew(rest, [&](std::size_t slot) { return scratch.held[slot] != 0; });
+    }
     const auto* time = data_.lanes.template lane<RestTime>();
-    auto& scratch = data_.collisions.sleep_scratch();
     find_sleepers(
         data_, scratch, [&](std::size_t slot) { return rest.long_enough(S::Time::from_value(time[slot])); },
-        [&](Slot slot) { return pull_at_rest(slot, after()); });
+        [&](Slot slot) { return pull_at_rest(slot, after()); }, [&](const auto& add) { add_pushes(add); },
+        [&](const auto& remains) { return balanced(rest, remains); });
     for (const auto id : scratch.sleepers) put_to_rest(data_.bodies.slot_of_id(id));
     if constexpr (C::coupled)
         if (!scratch.sleepers.empty()) {
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, after());
         }
-    for (const auto id : scratch.sleepers) data_.collisions.slept(id, pull_at_rest(data_.bodies.slot_of_id(id), after()));
+    if constexpr (C::collides)
+        for (const auto id : scratch.sleepers) data_.collisions.slept(id, pull_at_rest(data_.bodies.slot_of_id(id), after()));
+}
+
+/// What contacts did in the last substep, per time: friction, too.
+template <class C, class Policies>
+void Step<C, Policies>::add_pushes([[maybe_unused]] const auto& add) const {
+    if constexpr (C::substeps) {
+        using R = typename detail::FirstOf<typename C::template responses<Level::substeps>>::type;
+        const Scalar per_time = Scalar(data_.collisions.parts) / context_.dt().value();
+        for (const auto& c : std::as_const(data_).template state<R>().all) {
+            auto impulse = (c.impulse * c.normal).eval();
+            if constexpr (R::rubs) impulse += c.rubbing;
+            for (const auto& [id, sign] : {std::pair(c.a, Scalar(1)), std::pair(c.b, Scalar(-1))}) {
+                const auto slot = data_.bodies.slot_of_id(id);
+                add(slot, S::Acceleration::from_value((sign * per_time * data_.lanes.template get<InverseMass>(slot).value()) * impulse));
+            }
+        }
+    }
 }
 
 } // namespace ansatz

@@ -102,6 +102,9 @@ template <Place At, bool Collides = false> struct EffectAt {
     template <class P> struct Is : std::bool_constant<here<P>()> {};
 };
 
+/// Whether a response answers all contacts of a step together.
+template <class R> inline constexpr bool answers_as_one = requires { requires R::as_one; };
+
 /// An effect that also acts on bodies that are `moving`; the others act on awake bodies only.
 template <class P> struct IsOnPlatforms : std::bool_constant<EffectAt<Place::before_forces>::here<P>() && requires { requires P::on_platforms; }> {};
 
@@ -185,6 +188,9 @@ template <class... P> struct Composition {
     static constexpr bool anticipates = acts_next; ///< whether bodies are looked at that do not touch yet
     static constexpr bool sweeps = requires { requires Narrowphase::sweeps; }; ///< whether bodies are followed through the step
     static constexpr bool parts = responses<Level::positions>::size > 0; ///< whether bodies that meet are moved apart
+    static constexpr bool as_one = []<class... R>(Types<R...>) { return (detail::answers_as_one<R> || ...); }(typename detail::Joined<responses<Level::velocities>, responses<Level::positions>, Types<>>::type{}); ///< whether a response answers all contacts together
+    /// Whether those that touch, and all but touch, are parted as one: what lies on each other is found before it intersects.
+    static constexpr bool holds_near = !anticipates && []<class... R>(Types<R...>) { return (detail::answers_as_one<R> || ...); }(responses<Level::positions>{});
 
     using Laws = typename detail::LawsFrom<S, laws>::type; ///< the sum of the laws, bound to the space
     /// The effects at a place of the step.
@@ -203,6 +209,8 @@ template <class... P> struct Composition {
     using breakers = detail::filter<detail::BreaksIn<S>::template Is, P...>; ///< the forces between bodies that can break
     static constexpr bool breaks = breakers::size > 0; ///< whether one of them can
     static constexpr bool rests = resters::size > 0; ///< whether bodies can fall asleep
+    /// Whether those that touch, or hang together, do so together.
+    static constexpr bool islands = rests && (collides || element_keepers::size > 0);
     /// The history of positions instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
 

@@ -11,7 +11,9 @@
 
 #include <ansatz/world/data.hpp>
 
+#include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace ansatz {
@@ -53,7 +55,8 @@ public:
         bool more = data_.bodies.count(Motion::resting) > 0;
         while (more) {
             more = false;
-            for (const auto& contact : data_.collisions.contacts)
+            for (const auto& contact : data_.collisions.contacts) {
+                if (!data_.collisions.lasts(data_.bodies, contact)) continue;
                 for (const auto& [one, other] : {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
                     const auto sleeper = data_.bodies.slot_of_id(one.id);
                     if (data_.bodies.motion(sleeper) != Motion::resting || !disturbs(data_.bodies.slot_of_id(other.id), first && contact.begins())) continue;
@@ -61,13 +64,22 @@ public:
                     wake(sleeper);
                     more = true;
                 }
+            }
             first = false;
         }
+    }
+
+    /// Whether a body wakes one that rests in contact with it, or hangs together with it.
+    bool disturbs(Slot slot, bool begins) const {
+        const auto motion = data_.bodies.motion(slot);
+        if (motion == Motion::moving) return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
+        return motion == Motion::awake && (begins || data_.lanes.template get<RestTime>(slot) == typename S::Time());
     }
 
     /// Answers every contact by one response.
     template <class R> void respond() {
         const detail::Bound<R, S> response(std::get<R>(policies_));
+        if constexpr (detail::answers_as_one<R>) return respond_as_one<R>(response);
         for (int sweep = 0, sweeps = sweeps_of(response); sweep < sweeps; ++sweep)
             for (const auto& contact : data_.collisions.contacts)
                 if (!data_.collisions.is_sensor(contact.first.id) && !data_.collisions.is_sensor(contact.second.id)) answer<R>(response, contact);
@@ -84,11 +96,61 @@ private:
         if constexpr (requires { response.sweeps; }) return response.sweeps;
         return 1;
     }
-    /// Whether a body wakes one that rests in contact with it.
-    bool disturbs(Slot slot, bool begins) const {
-        const auto motion = data_.bodies.motion(slot);
-        if (motion == Motion::moving) return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
-        return motion == Motion::awake && (begins || data_.lanes.template get<RestTime>(slot) == typename S::Time());
+    /// All contacts together, and those that all but touch.
+    template <class R> void respond_as_one(const detail::Bound<R, S>& response) {
+        constexpr bool moves = detail::contains<Position, writes_of<R>>;
+        auto& pushes = data_.collisions.pushes();
+        pushes.clear(data_.bodies.size());
+        for (const auto& contact : data_.collisions.contacts) add<R, true>(response, contact);
+        if constexpr (C::holds_near) {
+            auto found = data_.collisions.contacts.cbegin(); // who was stopped on his way is in contact, and near, too
+            const auto ids = [](const auto& c) { return std::pair(c.first.id, c.second.id); };
+            for (const auto& contact : data_.collisions.near().all) {
+                while (found != data_.collisions.contacts.cend() && ids(*found) < ids(contact)) ++found;
+                if (found == data_.collisions.contacts.cend() || ids(*found) != ids(contact)) add<R, false>(response, contact);
+            }
+        }
+        if (pushes.pushes.empty()) return;
+        pushes.arrange();
+        response.answer(pushes, dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, [&](const auto& push) {
+            const auto of = [&](std::uint32_t n) { return pull_at(pushes.bodies[n].slot, pushes.bodies[n].weight > Scalar(0)); };
+            return dot(of(push.a) - of(push.b), push.normal);
+        });
+        for (const auto& body : pushes.bodies) {
+            if (!(body.weight > Scalar(0)) || body.u == body.was) continue;
+            if constexpr (moves) displace(body.slot, S::Position::from_value(body.u));
+            else data_.set_velocity(body.slot, S::Velocity::from_value(body.u));
+        }
+    }
+    template <class R, bool Touches> void add(const detail::Bound<R, S>& response, const auto& contact) {
+        constexpr bool moves = detail::contains<Position, writes_of<R>>;
+        if (data_.collisions.is_sensor(contact.first.id) || data_.collisions.is_sensor(contact.second.id)) return;
+        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id), slot_b = data_.bodies.slot_of_id(contact.second.id);
+        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake, free_b = data_.bodies.motion(slot_b) == Motion::awake;
+        const auto a = load<R>(slot_a, free_a), b = load<R>(slot_b, free_b);
+        const auto weight = [](const auto& body) { return body.template get<InverseMass>().value(); };
+        if (!(weight(a) + weight(b) > Scalar(0))) return;
+        auto now = contact;
+        if constexpr (moves && C::template responses<Level::positions>::size > 1) // another one may have moved them
+            if (!C::Narrowphase::template collide_bodies<S>(data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a), contact.second.id,
+                                                            data_.lanes.template get<Position>(slot_b), now))
+                return;
+        auto& pushes = data_.collisions.pushes();
+        using Pushes = std::remove_cvref_t<decltype(pushes)>;
+        const auto u = [](const auto& body) {
+            if constexpr (moves) return typename Pushes::Raw(Pushes::Raw::Zero());
+            else return typename Pushes::Raw(body.template get<Velocity>().value());
+        };
+        typename Pushes::Push push{};
+        push.a = pushes.body(slot_a, weight(a), [&] { return u(a); });
+        push.b = pushes.body(slot_b, weight(b), [&] { return u(b); });
+        push.which = std::uint32_t(pushes.pushes.size());
+        push.normal = now.normal;
+        push.point = now.point.value();
+        push.depth = now.depth.value();
+        push.touches = Touches || !(push.depth < Scalar(0));
+        response.note(push, a, b);
+        pushes.pushes.push_back(push);
     }
 
     template <class R> void answer(const detail::Bound<R, S>& response, const auto& contact) {

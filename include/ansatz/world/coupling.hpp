@@ -108,6 +108,18 @@ template <class C> void remember_sums(WorldData<C>& data) {
         for (int k = 0; k < C::S::dimension; ++k)
             before[slot * std::size_t(C::S::dimension) + std::size_t(k)] = data.lanes.template lane<CoupledForce>(k)[slot];
 }
+/// Where the sums cannot be finished (a force throws, there is no memory), the column holds again what was before the change
+/// that waits to be made good; without one, it is summed anew whenever it is asked for.
+template <class C> struct KeepSums {
+    WorldData<C>* data;
+    ~KeepSums() {
+        if (!data) return;
+        const auto& before = data->coupled.before;
+        for (std::size_t slot = 0; slot < data->bodies.size(); ++slot)
+            for (int k = 0; k < C::S::dimension; ++k)
+                data->lanes.template lane<CoupledForce>(k)[slot] = before[slot * std::size_t(C::S::dimension) + std::size_t(k)];
+    }
+};
 } // namespace detail
 
 /// Sums the forces between bodies for the state as it stands, unless they are known already.
@@ -117,9 +129,11 @@ void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const
         if (data.coupled.known_for(context.dt())) return;
         auto sum = [&] {
             if (data.coupled.changed) detail::remember_sums(data);
+            detail::KeepSums<C> keep{C::history && data.coupled.changed ? &data : nullptr};
             if constexpr (C::collides && !C::substeps) data.collisions.refresh_between_steps(data, policies);
             derive_velocities(data, context.dt().previous);
             sum_coupled(data, policies, context);
+            keep.data = nullptr;
         };
         sum();
         // Where a force reads the velocity that a history holds, a history made good changes the force, though less each

@@ -8,10 +8,12 @@
 /// step.hpp, the door with its checks in world.hpp.
 
 #include <ansatz/world/bodies.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/clock.hpp>
 #include <ansatz/world/composition.hpp>
 #include <ansatz/world/context.hpp>
 #include <ansatz/world/events.hpp>
+#include <ansatz/world/islands.hpp>
 #include <ansatz/world/lanes.hpp>
 
 #include <cstdint>
@@ -21,11 +23,12 @@ namespace ansatz {
 
 /// What could go wrong inside a step and does not stop it; poll it with World::status.
 struct Status {
+    bool lost = false; ///< a step was broken off by an exception: the world is half of it, and takes nothing but another world
     std::uint64_t unsolved = 0;  ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
     /// Nothing went wrong.
-    bool ok() const { return unsolved == 0 && not_finite == 0; }
+    bool ok() const { return !lost && unsolved == 0 && not_finite == 0; }
 };
 
 namespace detail {
@@ -39,6 +42,10 @@ struct Starts {
     void reserve(std::size_t n) {
         state.reserve(n);
         list.reserve(n);
+    }
+    void make_room_for(const Starts& other) {
+        state.reserve(other.state.size());
+        list.reserve(other.list.size());
     }
     bool waiting(std::uint32_t id) const { return id < state.size() && state[id] == waits; }
     void wait(std::uint32_t id) {
@@ -62,6 +69,10 @@ template <class S> struct CoupledSums {
     typename S::Time dt{}, previous{};
 
     bool known_for(const TimeStep<S>& step) const { return current && dt.value() == step.value() && previous.value() == step.previous.value(); }
+    void make_room_for(const CoupledSums& other) {
+        before.reserve(other.before.size());
+        platforms.reserve(other.platforms.size());
+    }
     void know(const TimeStep<S>& step) {
         current = true;
         dt = step;
@@ -82,15 +93,21 @@ template <class S> struct States<S, Types<>> {
 };
 inline constexpr Absent absent{};
 
-/// A cache: a copy of a world begins without it, and comes to the same bits.
-template <class T> struct Cache {
-    T value{};
-    Cache() = default;
-    Cache(const Cache&) {}
-    Cache(Cache&&) = default;
-    Cache& operator=(const Cache&) { return *this; }
-    Cache& operator=(Cache&&) = default;
-};
+/// Whether assigning what a policy keeps cannot fail once there is room: it says so, or owns nothing, for what owns memory has a
+/// destructor.
+template <class T> inline constexpr bool makes_room = requires(T& to, const T& from) { to.make_room_for(from); };
+template <class List> inline constexpr bool all_make_room = true;
+template <class... T> inline constexpr bool all_make_room<std::tuple<T...>> = ((makes_room<T> || std::is_trivially_destructible_v<T>) && ...);
+template <class S, class List> inline constexpr bool states_make_room = true;
+template <class S, class... P> inline constexpr bool states_make_room<S, Types<P...>> = all_make_room<std::tuple<state_of<P, S>...>>;
+template <class T> constexpr bool assigns_in_place() {
+    if constexpr (requires { T::assigns_in_place; }) return T::assigns_in_place;
+    return true;
+}
+template <class T> void make_room_for(T& to, const T& from) {
+    if constexpr (makes_room<T>) to.make_room_for(from);
+}
+
 template <class List> struct ControlOf { // nothing decides, or something that is refused with a sentence
     using type = Cache<Absent>;
 };
@@ -140,6 +157,8 @@ template <class C> struct WorldData {
     [[no_unique_address]] typename detail::CollisionsOf<C, C::collides>::type collisions;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
+    /// Room for finding out who falls asleep.
+    [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<S>>, detail::Absent> sleep;
     /// What decides how a step is taken keeps its numbers here.
     [[no_unique_address]] typename detail::ControlOf<typename C::controls>::type control;
     std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
@@ -165,24 +184,50 @@ template <class C> struct WorldData {
         if constexpr (C::collides) collisions.reserve(n);
         reserve_notes(n);
     }
-    /// Room for what a step may note about each body. A copied vector has no more room than it needs, so the first step of
-    /// a copy makes it, and no later one.
+    /// Whether a copy can be assigned in the room that is there: nothing in it owns memory that is not asked for here.
+    static constexpr bool assigns_in_place = std::is_trivially_destructible_v<Scalar> && detail::states_make_room<S, typename C::keepers> &&
+                                             detail::assigns_in_place<typename detail::CollisionsOf<C, C::collides>::type>();
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const WorldData& other) {
+        lanes.reserve(other.lanes.size());
+        bodies.make_room_for(other.bodies);
+        detail::make_room_for(starts, other.starts);
+        detail::make_room_for(events, other.events);
+        detail::make_room_for(coupled, other.coupled);
+        detail::make_room_for(collisions, other.collisions);
+        [&]<class... P>(Types<P...>) { (detail::make_room_for(state<P>(), other.template state<P>()), ...); }(typename C::keepers{});
+    }
+    /// Room for what a step, or anything that is done to the world between steps, may note about each body. A copied vector has
+    /// no more room than it needs, so the first of them makes it, and no later one.
     void reserve_notes([[maybe_unused]] std::size_t n) {
+        bodies.reserve_notes();
         if constexpr (C::history) starts.reserve(n);
         if constexpr (C::rests) events.reserve(n);
+        if constexpr (C::islands) sleep.value.reserve(n);
         if constexpr (C::coupled) coupled.platforms.reserve(bodies.count(Motion::moving) * std::size_t(S::dimension));
         if constexpr (C::coupled && C::history) coupled.before.reserve(n * std::size_t(S::dimension));
         states.for_each([](auto& state) { state.reserve_notes(); });
     }
 
+    /// Room for what only a step notes, such as what breaks in it: who reads those of the last step may do what he likes meanwhile.
+    void reserve_notes_of_step() {
+        states.for_each([](auto& state) {
+            if constexpr (requires { state.reserve_notes_of_step(); }) state.reserve_notes_of_step();
+        });
+    }
+
     /// From one range of bodies to another.
     Slot move(Slot slot, Motion to) {
-        slot = bodies.move(slot, to, [&](std::size_t i, std::size_t j) { swap(i, j); });
+        return bodies.move(slot, to, [&](std::size_t i, std::size_t j) { swap(i, j); });
+    }
+    /// Room for a body that is about to be added, in the notes too; `id` is the one that it gets.
+    void make_room(std::uint32_t id, [[maybe_unused]] bool moves) {
+        reserve_notes(std::size_t(id) + 1 > bodies.ids() ? std::size_t(id) + 1 : bodies.ids());
+        if constexpr (C::collides) collisions.make_room(id);
         if constexpr (C::coupled) { // here, so that no step needs to
-            const auto needed = bodies.count(Motion::moving) * std::size_t(S::dimension);
+            const auto needed = (bodies.count(Motion::moving) + moves) * std::size_t(S::dimension);
             if (coupled.platforms.capacity() < needed) coupled.platforms.reserve(2 * needed);
         }
-        return slot;
     }
     /// Removes a body; the others keep their order, but for one or a few.
     void erase(Slot slot) {

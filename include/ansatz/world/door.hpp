@@ -7,77 +7,15 @@
 // not in the umbrella: it is the second half of world.hpp, which includes it
 
 #include <ansatz/world/add_facts.hpp>
+#include <ansatz/world/checked_value.hpp>
 #include <ansatz/world/column_range.hpp>
 #include <ansatz/world/hash.hpp>
+#include <ansatz/world/hash_collisions.hpp>
+#include <ansatz/world/sleep.hpp>
+#include <ansatz/world/smallest_step.hpp>
 #include <ansatz/world/world.hpp>
 
 namespace ansatz {
-
-namespace detail {
-
-// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function that
-// is called last of all, and whatever follows from the mistake would be read before the sentence.
-
-template <class Unit, class Q> inline constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
-template <class Unit, class Q> inline constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
-template <class Q> constexpr int dimension_of = [] {
-    if constexpr (vector_valued<stripped<Q>>) return int(stripped<Q>::value_type::RowsAtCompileTime);
-    return 1;
-}();
-
-/// A vector from outside, in the world's scalar.
-template <class S, class Unit, class Q>
-typename S::template VectorOf<Unit> finite_vector([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
-    constexpr bool fits = fits_vector<Unit, Q>;
-    static_assert(fits, "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
-                        "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
-    constexpr bool same_dimension = !fits || dimension_of<Q> == S::dimension;
-    static_assert(same_dimension, "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes "
-                                  "metres(x, y), one of three dimensions metres(x, y, z)");
-    typename S::template VectorOf<Unit> result;
-    if constexpr (fits && same_dimension) {
-        result = scalar_cast<typename S::Scalar>(q);
-        if (!is_finite(result)) refuse_value(where, what, describe(q), "every component is a finite number that the world's scalar can hold");
-    }
-    return result;
-}
-
-/// A scalar from outside, in the world's scalar.
-template <class S, class Unit, class Q>
-typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
-    constexpr bool fits = fits_scalar<Unit, Q>;
-    static_assert(fits, "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, e.g. 1.0 / 60 * second");
-    typename S::template ScalarOf<Unit> result{};
-    if constexpr (fits) {
-        result = scalar_cast<typename S::Scalar>(q);
-        if (!is_finite(result)) refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
-    }
-    return result;
-}
-
-/// A value from outside for a column, in the world's scalar and within the column's bounds.
-template <class S, class C, class Q> value_of<C, S> value_for(std::string_view where, const Q& q) {
-    if constexpr (C::shape == Shape::vector)
-        return finite_vector<S, typename C::Unit>(where, C::name, q);
-    else {
-        const auto value = finite_scalar<S, typename C::Unit>(where, C::name, q);
-        if (!in_range<C>(value.value())) refuse_value(where, C::name, describe(q), "it is " + range_of<C>());
-        return value;
-    }
-}
-
-/// 1/m of a mass from outside.
-template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_view where, const Q& m) {
-    using Scalar = typename S::Scalar;
-    const auto given = scalar_cast<Scalar>(m);
-    const auto inverse = Scalar(1) / given;
-    if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
-        refuse_value(where, "mass", describe(m),
-                     "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
-    return inverse;
-}
-
-} // namespace detail
 
 template <class... P>
 template <class Row_, class Property>
@@ -97,9 +35,17 @@ void World<P...>::take(Row_& row, const Property& property) {
 template <class... P> void World<P...>::wake_contacts([[maybe_unused]] std::uint32_t id) {
     if constexpr (composition::rests && composition::collides)
         for (const auto& contact : data_.collisions.contacts) {
+            if (!data_.collisions.lasts(data_.bodies, contact)) continue;
             if (contact.first.id == id) wake_slot(data_.bodies.slot_of_id(contact.second.id));
             if (contact.second.id == id) wake_slot(data_.bodies.slot_of_id(contact.first.id));
         }
+    if constexpr (composition::islands)
+        if (count(Motion::resting) > 0) // and who hangs on it
+            detail::for_each_element(data_, [&](const auto& state, std::uint32_t element) {
+                bool holds = false;
+                state.for_each_body(element, [&](std::uint32_t body) { holds = holds || body == id; });
+                if (holds) wake_ends(state, element);
+            });
 }
 
 /// What moves wakes by itself whom it hits; what stands still and was put where somebody sleeps does so here.
@@ -112,14 +58,6 @@ template <class... P> void World<P...>::wake_pierced([[maybe_unused]] std::uint3
             wake_slot(Slot(slot)); // the first of the sleepers, who was looked at, takes this place
         }
     }
-}
-
-template <class... P> void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
-    if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
-}
-
-template <class... P> void World<P...>::grow() {
-    if (size() + 1 > capacity_) reserve(std::max<std::size_t>(8, 2 * capacity_));
 }
 
 template <class... P>
@@ -135,10 +73,15 @@ Handle World<P...>::add(const Property&... property) {
         auto datum = detail::given_datum<Datum>(property...); // copied now, because a copy may throw
         const auto description = detail::given_shape(property...);
         const auto shape = detail::shape_in<S>(description);
+        get_ready("World::add");
         grow();
+        const auto id = data_.bodies.next_id();
+        if constexpr (has_datum) user_.make_room(id);
+        data_.make_room(id, Facts::is_moving);
         forces_change();
-        if constexpr (has_datum) user_.make_room(data_.bodies.next_id());
-        if constexpr (composition::collides) data_.collisions.make_room(data_.bodies.next_id());
+        if constexpr (has_datum) user_.at(id) = std::move(datum);
+        if constexpr (composition::collides && ShapeDescription<std::decay_t<decltype(description)>>) data_.collisions.shapes.set(id, description, shape);
+        // From here on nothing fails.
         Slot slot = Slot(size());
         data_.lanes.push_back();
         body = data_.bodies.push_back();
@@ -155,12 +98,8 @@ Handle World<P...>::add(const Property&... property) {
             data_.stop(slot);
         else
             data_.set_velocity(slot, row.template get<ansatz::Velocity>());
-        if constexpr (has_datum) user_.at(body.id) = std::move(datum);
-        if constexpr (composition::collides) {
-            if constexpr (ShapeDescription<std::decay_t<decltype(description)>>) data_.collisions.shapes.set(body.id, description, shape);
-            data_.collisions.set_sensor(body.id, (std::same_as<Property, Sensor> || ...));
-            if constexpr (Facts::is_fixed || Facts::is_moving) wake_pierced(body.id);
-        }
+        if constexpr (composition::collides) data_.collisions.set_sensor(body.id, (std::same_as<Property, Sensor> || ...));
+        if constexpr (Facts::is_fixed || Facts::is_moving) wake_pierced(body.id);
     }
     return body;
 }
@@ -168,13 +107,15 @@ Handle World<P...>::add(const Property&... property) {
 template <class... P>
 template <class Q>
 void World<P...>::set_position(Handle body, const Q& x) {
-    const auto slot = data_.bodies.slot(body, "World::set_position");
+    auto slot = data_.bodies.slot(body, "World::set_position");
+    get_ready("World::set_position");
     const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
     settle();
     const auto v = velocity_at(slot);
     const auto kind = data_.bodies.motion(slot);
     column_changes<ansatz::Position>();
     wake_contacts(body.id);
+    slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
     data_.lanes.template set<ansatz::Position>(slot, where);
     if constexpr (composition::history) {
         if (kind == Motion::fixed || kind == Motion::resting)
@@ -191,6 +132,7 @@ template <class... P>
 template <class Q>
 void World<P...>::set_velocity(Handle body, const Q& v) {
     const auto slot = data_.bodies.slot(body, "World::set_velocity");
+    get_ready("World::set_velocity");
     const auto value = detail::finite_vector<S, unit::Velocity>("World::set_velocity", "velocity", v);
     if (data_.bodies.motion(slot) == Motion::fixed)
         refuse_value("World::set_velocity", "the body", "fixed", "a platform that moves is added as `moving`");
@@ -204,13 +146,16 @@ template <class Q>
 void World<P...>::set_mass(Handle body, const Q& m) {
     need_mass();
     const auto slot = data_.bodies.slot(body, "World::set_mass");
+    get_ready("World::set_mass");
     const auto inverse = detail::inverse_of_mass<S>("World::set_mass", m);
     const auto kind = data_.bodies.motion(slot);
     if (kind == Motion::fixed || kind == Motion::moving)
         refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
     hold_velocity(slot);
-    if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
-    column_changes<ansatz::InverseMass>();
+    if constexpr (composition::history)
+        column_changes<ansatz::Velocity, ansatz::InverseMass>(); // forces see the velocity that is held now
+    else
+        column_changes<ansatz::InverseMass>();
     data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
     wake_slot(slot);
 }
@@ -220,6 +165,7 @@ template <class Q>
 void World<P...>::apply_impulse(Handle body, const Q& j) {
     need_mass();
     const auto slot = data_.bodies.slot(body, "World::apply_impulse");
+    get_ready("World::apply_impulse");
     const auto impulse = detail::finite_vector<S, unit::Momentum>("World::apply_impulse", "impulse", j);
     const auto inverse = data_.lanes.template get<ansatz::InverseMass>(slot);
     if (!(inverse.value() > Scalar(0))) return;
@@ -237,12 +183,14 @@ void World<P...>::apply_force(Handle body, const Q& f) {
     static_assert(composition::template stores<AppliedForce>,
                   "Ansatz: this world takes no forces from outside; add AppliedForces{} to its policies");
     const auto slot = data_.bodies.slot(body, "World::apply_force");
+    get_ready("World::apply_force");
     const auto force = detail::finite_vector<S, unit::Force>("World::apply_force", "force", f);
     if (!(data_.lanes.template get<ansatz::InverseMass>(slot).value() > Scalar(0))) return;
     const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
     if (!is_finite(total)) refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
     // The velocity now is what it was before the force; the history begins anew with both.
     hold_velocity(slot);
+    if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
     column_changes<AppliedForce>();
     data_.lanes.template set<AppliedForce>(slot, total);
     wake_slot(slot);
@@ -257,11 +205,17 @@ void World<P...>::write(Handle body, const Q& value) {
     static_assert(!std::same_as<C, ansatz::InverseMass>, "Ansatz: a mass is changed by set_mass, which holds it to be positive");
     static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> && !std::same_as<C, DrawnPosition>,
                   "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place by set_position");
-    const auto slot = data_.bodies.slot(body, "World::write");
+    auto slot = data_.bodies.slot(body, "World::write");
+    get_ready("World::write");
     const auto checked_value = detail::value_for<S, C>("World::write", value);
-    hold_velocity(slot);
+    // What no force reads leaves the velocity what it is, to the bit.
+    if constexpr (detail::contains<C, typename composition::Laws::needs> || composition::template couplings_read<C>) {
+        hold_velocity(slot);
+        if constexpr (composition::history) column_changes<ansatz::Velocity>();
+    }
     column_changes<C>();
     if constexpr (composition::template collisions_read<C>) wake_contacts(body.id); // who lies on it may fall, or bounce
+    slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
     data_.lanes.template set<C>(slot, checked_value);
     wake_slot(slot);
     if constexpr (composition::template collisions_read<C>) wake_pierced(body.id);
@@ -273,6 +227,7 @@ void World<P...>::set(const Policy& policy) {
     constexpr bool there = (std::same_as<Policy, P> || ...);
     static_assert(there, "Ansatz: set: this world has no such policy; see the list in its type");
     if constexpr (there) {
+        get_ready("World::set");
         auto changed = policies_;
         std::get<Policy>(changed) = policy;
         auto bound = BoundPolicies<composition>::from(checked(changed));
@@ -304,6 +259,7 @@ auto World<P...>::query() const {
 template <class... P>
 template <class T>
 void World<P...>::step(const T& dt) {
+    detail::refuse_whole_numbers<T>();
     const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
     if constexpr (detail::fits_scalar<unit::Time, T>) {
         if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
@@ -313,8 +269,14 @@ void World<P...>::step(const T& dt) {
             if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
             return;
         }
-        data_.reserve_notes(data_.bodies.ids());
-        if constexpr (composition::acts_next) step_of(h).look_around();
+        get_ready("World::step");
+        data_.reserve_notes_of_step();
+        detail::refuse_short_step(data_, policies_, h, dt);
+        if constexpr (composition::acts_next) {
+            lost_ = true; // until everybody has been looked at
+            step_of(h).look_around();
+            lost_ = false;
+        }
         const auto whole = scalar_cast<typename S::ClockScalar>(dt);
         if constexpr (composition::controlled) {
             constexpr bool understood = StepControlFor<std::decay_t<decltype(control())>, World>;
@@ -322,6 +284,7 @@ void World<P...>::step(const T& dt) {
                                       "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
             if constexpr (understood) {
                 const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
+                lost_ = true; // until it is taken
                 Step<composition, Policies>::begin(data_);
                 const auto part = whole / typename S::ClockScalar(parts);
                 if (parts == 1)
@@ -333,9 +296,11 @@ void World<P...>::step(const T& dt) {
                 }
             }
         } else {
+            lost_ = true; // until it is taken
             Step<composition, Policies>::begin(data_);
             take_step<typename composition::transient>(whole);
         }
+        lost_ = false;
     }
 }
 
@@ -358,11 +323,11 @@ template <class... P> std::uint64_t World<P...>::hash() const {
             return settled.hash();
         }
     StateHash hash;
-    hash.add(data_.clock.tick());
-    hash.add_number(data_.clock.now().value());
-    hash.add_number(data_.clock.last().value());
+    data_.clock.add_to(hash);
+    hash.add(data_.unsolved);
     data_.bodies.add_free_to(hash);
     data_.states.for_each([&](const auto& state) { state.add_to(hash); });
+    if constexpr (composition::collides) detail::add_collisions_to<composition>(hash, data_);
     for_each([&](Handle h) {
         const auto slot = data_.bodies.slot_of_id(h.id);
         hash.add(h.id);

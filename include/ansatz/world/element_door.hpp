@@ -10,6 +10,10 @@
 
 namespace ansatz {
 
+template <class... P> void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
+    if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
+}
+
 template <class... P>
 template <Element E, class... Option>
 ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
@@ -17,6 +21,7 @@ ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
     using Keeper = typename detail::KeeperOf<E, P...>::type;
     ElementHandle<E> handle;
     if constexpr (!std::is_void_v<Keeper>) {
+        get_ready("World::add");
         auto& state = data_.template state<Keeper>();
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
         const auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
@@ -34,6 +39,7 @@ void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... opti
     need_element<E>();
     using Keeper = typename detail::KeeperOf<E, P...>::type;
     if constexpr (!std::is_void_v<Keeper>) {
+        get_ready("World::set");
         auto& state = data_.template state<Keeper>();
         const auto id = state.id(which, "World::set");
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
@@ -51,6 +57,7 @@ void World<P...>::remove(ElementHandle<E> which) {
     need_element<E>();
     using Keeper = typename detail::KeeperOf<E, P...>::type;
     if constexpr (!std::is_void_v<Keeper>) {
+        get_ready("World::remove");
         auto& state = data_.template state<Keeper>();
         const auto id = state.id(which, "World::remove");
         forces_change();

@@ -59,6 +59,8 @@ public:
         alive_.reserve(n);
         free_.reserve(n);
     }
+    /// Room for every id to be given back, so that `give_back` cannot fail; a copied vector has no more room than it needs.
+    void reserve_notes() { free_.reserve(generation_.size()); }
     /// The id that `take` gives out next.
     std::uint32_t next() const { return free_.empty() ? std::uint32_t(generation_.size()) : free_.back(); }
     /// A new element.

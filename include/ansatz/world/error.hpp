@@ -13,6 +13,8 @@
 ///
 /// A build without exceptions (`-fno-exceptions`) defines `ansatz::refuse` itself; there the library only declares it.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -27,10 +27,17 @@ public:
     /// Those of the last step, and of calls since.
     std::span<const Event> now() const { return now_; }
 
-    /// Between two steps a body can wake once; within a step it can wake and fall asleep.
+    /// Between two steps a body can wake once; within a step it can wake and fall asleep. Those that were removed since have
+    /// left their events.
     void reserve(std::size_t bodies) {
         now_.reserve(3 * bodies);
         next_.reserve(3 * bodies);
+        if (next_.capacity() - next_.size() < bodies) next_.reserve(2 * next_.capacity());
+    }
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const Events& other) {
+        now_.reserve(other.now_.size());
+        next_.reserve(other.next_.size());
     }
     /// Between steps: shown together with those of the next step.
     void between_steps(Event e) { next_.push_back(e); }

@@ -22,13 +22,17 @@ namespace ansatz {
 /// Real time in, whole steps of one length out.
 class FixedStep {
 public:
-    /// \param dt       length of a step, finite and greater than zero
+    /// \param dt       length of a step, finite and greater than zero; at least 0.25 ns, or with a shorter clamp a billionth of that
     /// \param longest  time beyond which a frame's arrears are dropped, at least dt; a quarter of a second by default
     /// \throws std::invalid_argument for other values
-    explicit FixedStep(Quantity<unit::Time> dt, Quantity<unit::Time> longest = 0.25 * second) : dt_(dt) {
+    explicit FixedStep(Parameter<unit::Time> dt, Parameter<unit::Time> longest = 0.25 * second) : dt_(dt) {
         if (!is_finite(dt) || !(dt.value() > 0)) refuse_value("FixedStep", "dt", describe(dt), "a step is finite and greater than 0 s");
         if (!is_finite(longest) || longest.value() < dt.value())
             refuse_value("FixedStep", "longest", describe(longest), "the clamp is finite and at least one step, " + describe(dt));
+        const auto usual = std::min(longest.value(), 0.25) * second; // a longer clamp is one that shall not act
+        if (!(usual.value() / dt.value() <= most_in_a_frame))
+            refuse_value("FixedStep", "dt", describe(dt),
+                         "a frame of " + describe(usual) + " would not end; a step is at least " + describe(usual / most_in_a_frame) + ", or the clamp is shorter");
         // The clamp is a whole number of steps, so that it cannot lose part of one; 0.25 s is 15 steps of 1/60 s, although
         // 0.25 / (1/60) may round below 15.
         most_ = std::uint64_t(std::min(std::floor(longest.value() / dt.value() * (1 + 1e-12)), 0x1p53));
@@ -50,10 +54,10 @@ public:
 
     /// Adds a frame's time and takes the steps that it pays for.
     /// \param world any object with `step(dt)`
-    /// \param frame_time finite and not negative
+    /// \param frame_time finite and not negative; at most a billion steps, where the clamp lets more pass
     /// \return how many steps were taken
     /// \throws std::invalid_argument before anything is changed
-    template <class World_> std::uint64_t advance(World_& world, Quantity<unit::Time> frame_time) {
+    template <class World_> std::uint64_t advance(World_& world, Parameter<unit::Time> frame_time) {
         return advance(world, frame_time, [](World_&) {});
     }
     /// The same, calling `before_step(world)` before each step: the place for forces from outside, which act during one step,
@@ -61,7 +65,7 @@ public:
     /// step, of which the world keeps the last step's only.
     /// \return how many steps were taken
     template <class World_, class BeforeStep>
-    std::uint64_t advance(World_& world, Quantity<unit::Time> frame_time, BeforeStep&& before_step) {
+    std::uint64_t advance(World_& world, Parameter<unit::Time> frame_time, BeforeStep&& before_step) {
         if (!is_finite(frame_time) || frame_time.value() < 0)
             refuse_value("FixedStep::advance", "frame_time", describe(frame_time), "a frame's time is finite and not negative");
         // Counted in steps: the fraction of a step that is left never mixes with large sums.
@@ -71,6 +75,8 @@ public:
         if (std::abs(owed - nearest) <= 1e-12 * (1 + nearest)) owed = nearest;
         const double whole = std::floor(owed);
         const auto steps = std::uint64_t(std::min(whole, double(most_)));
+        if (!(double(steps) <= most_in_a_frame))
+            refuse_value("FixedStep::advance", "frame_time", describe(frame_time), "a frame of so many steps would not end; it is at most " + describe(most_in_a_frame * dt_));
         for (std::uint64_t i = 0; i < steps; ++i) {
             before_step(world);
             world.step(dt_); // a world that refuses dt does so here, before this clock has changed
@@ -88,6 +94,8 @@ public:
     }
 
 private:
+    static constexpr double most_in_a_frame = 1e9; // minutes of computing, at the least
+
     Quantity<unit::Time> dt_;
     Quantity<unit::Time> dropped_{};
     double left_ = 0; // in steps, below 1

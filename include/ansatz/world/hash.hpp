@@ -5,6 +5,8 @@
 /// `StateHash`: a 64-bit hash of numbers by value, the same in every build and on every machine with IEEE 754 numbers.
 /// For comparing states of worlds; not for security, and not for hash tables of untrusted keys.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <bit>
 #include <concepts>
 #include <cstdint>

@@ -124,10 +124,9 @@ public:
     Lanes(const Lanes& other) { *this = other; }
     /// Takes the values; the other is empty.
     Lanes(Lanes&& other) noexcept { *this = std::move(other); }
-    /// Copies the bodies; allocates only where they do not fit into what is there already.
+    /// Copies the bodies; allocates only where they do not fit into what is there already, and before anything is changed.
     Lanes& operator=(const Lanes& other) {
         if (this == &other) return *this;
-        size_ = 0;
         reserve(other.size_);
         size_ = other.size_;
         for (std::size_t k = 0; k < width; ++k) std::copy_n(other.lane_at(k), size_, lane_at(k));

@@ -102,6 +102,7 @@ template <class... P> void World<P...>::forces_change() {
 
 template <class... P> Status World<P...>::status() const {
     Status s;
+    s.lost = lost_;
     s.unsolved = data_.unsolved;
     for_each([&](Handle h) {
         const auto body = row(h);

@@ -8,6 +8,8 @@
 /// never matters: the world finds each by its role. Use these tags when you write a policy of your own; a reader of a
 /// program never needs them. A new *kind* of policy would be a new role, and that is the one thing that touches `world/`.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <concepts>
 
 namespace ansatz {

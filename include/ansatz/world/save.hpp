@@ -51,6 +51,7 @@ struct Archive {
 
     /// The world as text.
     template <class... P> static detail::Json write(const World<P...>& world) {
+        if (world.lost_) world.refuse_lost("save");
         using detail::number_to_file;
         using C = typename World<P...>::composition;
         if constexpr (C::history && C::coupled)
@@ -129,13 +130,14 @@ struct Archive {
         // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a new one.
         decltype(world.user_) user;
         if constexpr (W::has_datum) user.by_id.resize(data.bodies.ids());
+        const auto room = std::max<std::size_t>(data.bodies.ids(), world.capacity_);
+        data.reserve(room);
         if constexpr (W::has_datum)
             for (std::uint32_t id = 0; id < data.bodies.ids(); ++id)
                 if (data.bodies.alive(id) && world.data_.bodies.contains({id, data.bodies.generation_of_id(id)}))
-                    user.by_id[id] = std::move(world.user_.by_id[id]);
-        const auto room = std::max(data.bodies.ids(), world.capacity_);
-        data.reserve(room);
+                    user.by_id[id] = std::move(world.user_.by_id[id]); // behind all that may fail
         world.capacity_ = room;
+        world.lost_ = false;
         world.policies_ = std::move(policies);
         world.bound_ = std::move(bound);
         world.data_ = std::move(data);

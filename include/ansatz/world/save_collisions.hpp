@@ -9,6 +9,7 @@
 
 #include <ansatz/world/data.hpp>
 #include <ansatz/world/file_value.hpp>
+#include <ansatz/world/held_parameters.hpp>
 #include <ansatz/world/save_parameters.hpp>
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct CollisionArchive {
         }
         auto& contacts = file["contacts"] = detail::Json::array();
         for (const auto& c : collisions.contacts) {
+            if (!collisions.lasts(data.bodies, c)) continue;
             detail::Json one{{"first", c.first.id}, {"second", c.second.id}, {"steps", c.steps}, {"depth", detail::number_to_file(c.depth.value())}};
             for (int k = 0; k < C::S::dimension; ++k) {
                 one["point"].push_back(detail::number_to_file(c.point.value()[k]));
@@ -127,7 +129,7 @@ private:
             const auto numbers = json.at(name.c_str());
             detail::read_parameters(description, numbers);
             try {
-                if constexpr (requires { description.check(); }) description.check();
+                detail::check_in<S>(description);
                 collisions.shapes.template set<Kind>(id, description, typename Kind::template In<S>(description));
             } catch (const std::invalid_argument& e) {
                 refuse(Refusal::invalid_argument, numbers.place + ": " + e.what());

@@ -2,34 +2,118 @@
 #pragma once
 
 /// \file
-/// Who falls asleep where bodies collide: islands of bodies that have all been slow for long enough and are all held.
+/// Who falls asleep and who wakes where bodies touch each other or hang together: islands of bodies that have all been slow for
+/// long enough and are all held.
 ///
-/// A body is held where nothing pulls at it, or where one of its contacts pushes against what pulls. At the top of its flight
-/// a ball is slow, but nothing holds it; nor does a body beside it that falls as well. What is held by a body that is not held
-/// itself is in one island with it, and stays awake with it.
+/// A body is held where the acceleration that remains to it is next to nothing: what pulls at it at rest, and what its contacts
+/// push, friction included, where their response knows that (SoftSubsteps keeps it, Penalty's is one of the forces). A pile
+/// trembles while it settles: a hundredth of what its contacts carry may remain. The impulses of other responses are not kept;
+/// there a body is held where one of its contacts pushes against what pulls.
+///
+/// At the top of its flight a ball is slow, but nothing holds it; nor does a body beside it that falls as well. What is held by a
+/// body that is not held itself is in one island with it, and stays awake with it; so does what touches a platform that moves,
+/// or hangs on it.
 
 #include <ansatz/world/data.hpp>
+#include <ansatz/world/islands.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace ansatz {
 
-/// What is kept for the question, from step to step.
-template <class S, class Sets> struct SleepScratch {
-    Sets islands;                                     ///< of the awake bodies, by slot
-    std::vector<typename S::Acceleration> pulls;      ///< by slot
-    std::vector<std::uint8_t> held;                   ///< whether something holds the body of a slot
-    std::vector<std::uint8_t> restless;               ///< whether an island stays awake, by who stands for it
-    std::vector<std::uint32_t> sleepers;              ///< by id
-};
+namespace detail {
+/// Whether a body is a platform on its way.
+template <class C> bool goes(const WorldData<C>& data, Bodies::Slot slot) {
+    return data.bodies.motion(slot) == Motion::moving &&
+           !(data.load(slot).template get<Velocity>() == C::S::template zero_vector<unit::Velocity>());
+}
+/// Calls `f(state, id)` for each element of a world that acts on its bodies where they are; a rope that hangs slack holds nobody.
+template <class C, class F> void for_each_element(const WorldData<C>& data, F&& f) {
+    const auto at = [&](std::uint32_t body) { return data.lanes.template get<Position>(data.bodies.slot_of_id(body)); };
+    data.states.for_each([&](const auto& state) {
+        state.for_each([&](std::uint32_t id, const auto&) {
+            if constexpr (requires { state.is_slack(id, at); })
+                if (state.is_slack(id, at)) return;
+            f(state, id);
+        });
+    });
+}
+/// Wakes who hangs on somebody that disturbs.
+/// \param disturbs whether the body of a slot wakes those that hang together with it
+/// \param wake     what wakes the body of a slot
+/// \return whether somebody was woken
+template <class C, class Disturbs, class Wake>
+bool wake_through_elements(const WorldData<C>& data, const Disturbs& disturbs, const Wake& wake) {
+    bool any = false;
+    for_each_element(data, [&](const auto& state, std::uint32_t id) {
+        bool sleeps = false, moves = false;
+        state.for_each_body(id, [&](std::uint32_t body) {
+            const auto slot = data.bodies.slot_of_id(body);
+            const bool rests = data.bodies.motion(slot) == Motion::resting;
+            sleeps = sleeps || rests;
+            moves = moves || (!rests && disturbs(slot));
+        });
+        if (!sleeps || !moves) return;
+        any = true;
+        state.for_each_body(id, [&](std::uint32_t body) {
+            const auto slot = data.bodies.slot_of_id(body);
+            if (data.bodies.motion(slot) == Motion::resting) wake(slot);
+        });
+    });
+    return any;
+}
+} // namespace detail
+
+namespace detail {
+/// Who touches is of one island.
+template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
+    using S = typename C::S;
+    constexpr bool push_unknown = C::template responses<Level::velocities>::size > 0 || C::parts;
+    const auto awake = data.bodies.end(Motion::awake);
+    const auto meets = [&](Bodies::Slot slot, [[maybe_unused]] const auto& outwards, Bodies::Slot other) {
+        if (slot >= awake) return;
+        if constexpr (push_unknown) {
+            const auto& a = scratch.pulls[slot];
+            if (dot(a, outwards) < typename S::Scalar(-0.01) * norm(a)) scratch.held[slot] = 1; // a wall that it slides down is not enough
+        }
+        if (other < awake) scratch.islands.unite(slot, other);
+        else if (goes(data, other)) scratch.goes_along[slot] = 1;
+    };
+    for (const auto& contact : data.collisions.contacts) {
+        if (data.collisions.is_sensor(contact.first.id) || data.collisions.is_sensor(contact.second.id)) continue;
+        const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
+        meets(a, contact.normal, b);
+        meets(b, -contact.normal, a);
+    }
+}
+/// And who hangs together.
+template <class C> void join_by_elements(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
+    const auto awake = data.bodies.end(Motion::awake);
+    for_each_element(data, [&](const auto& state, std::uint32_t id) {
+        std::size_t first = awake;
+        bool moves = false;
+        state.for_each_body(id, [&](std::uint32_t body) {
+            const auto slot = data.bodies.slot_of_id(body);
+            if (slot >= awake) {
+                moves = moves || goes(data, slot);
+                return;
+            }
+            if (first < awake) scratch.islands.unite(std::uint32_t(first), slot);
+            first = slot;
+        });
+        if (moves && first < awake) scratch.goes_along[first] = 1;
+    });
+}
+} // namespace detail
 
 /// Finds the ids of the bodies that fall asleep now.
 /// \param slow_long whether the body of a slot has been slow for long enough
 /// \param pull      the acceleration that the body of a slot would have at rest
-template <class C, class Scratch, class SlowLong, class Pull>
-void find_sleepers(WorldData<C>& data, Scratch& scratch, const SlowLong& slow_long, const Pull& pull) {
-    using S = typename C::S;
+/// \param push      `push(add)` calls `add(slot, acceleration)` with what each contact does to each of its bodies, where contacts know it
+/// \param balanced  whether an acceleration is next to nothing
+template <class C, class SlowLong, class Pull, class Push, class Balanced>
+void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratch, const SlowLong& slow_long, const Pull& pull,
+                   const Push& push, const Balanced& balanced) {
     const auto awake = data.bodies.end(Motion::awake);
     scratch.sleepers.clear();
     bool any = false;
@@ -39,35 +123,23 @@ void find_sleepers(WorldData<C>& data, Scratch& scratch, const SlowLong& slow_lo
     scratch.islands.reset(awake);
     scratch.pulls.resize(awake);
     scratch.held.assign(awake, 0);
+    scratch.goes_along.assign(awake, 0);
     scratch.restless.assign(awake, 0);
+    scratch.trembles.resize(awake);
     for (std::size_t slot = 0; slot < awake; ++slot) {
         scratch.pulls[slot] = pull(Bodies::Slot(slot));
-        scratch.held[slot] = scratch.pulls[slot] == S::template zero_vector<unit::Acceleration>();
+        scratch.trembles[slot] = typename C::S::Scalar(0.01) * norm(scratch.pulls[slot]);
     }
-    const auto pushes_back = [&](std::size_t slot, const auto& outwards) {
-        const auto& a = scratch.pulls[slot];
-        if (dot(a, outwards) < typename S::Scalar(-0.01) * norm(a)) scratch.held[slot] = 1; // a wall that it slides down is not enough
-    };
-    for (const auto& contact : data.collisions.contacts) {
-        if (data.collisions.is_sensor(contact.first.id) || data.collisions.is_sensor(contact.second.id)) continue;
-        const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
-        if (a < awake) pushes_back(a, contact.normal);
-        if (b < awake) pushes_back(b, -contact.normal);
-        if (a < awake && b < awake) scratch.islands.unite(a, b);
-    }
-    data.states.for_each([&](const auto& elements) {
-        elements.for_each([&](std::uint32_t id, const auto&) {
-            std::size_t first = awake;
-            elements.for_each_body(id, [&](std::uint32_t body) {
-                const auto slot = data.bodies.slot_of_id(body);
-                if (slot >= awake) return;
-                if (first < awake) scratch.islands.unite(std::uint32_t(first), slot);
-                first = slot;
-            });
-        });
+    push([&](std::size_t slot, const auto& acceleration) {
+        if (slot < awake) scratch.pulls[slot] += acceleration;
     });
     for (std::size_t slot = 0; slot < awake; ++slot)
-        if (!scratch.held[slot] || !slow_long(slot)) scratch.restless[scratch.islands.of(std::uint32_t(slot))] = 1;
+        scratch.held[slot] = balanced(scratch.pulls[slot]) || norm(scratch.pulls[slot]) < scratch.trembles[slot];
+    if constexpr (C::collides) detail::join_by_contacts(data, scratch);
+    detail::join_by_elements(data, scratch);
+    for (std::size_t slot = 0; slot < awake; ++slot)
+        if (!scratch.held[slot] || scratch.goes_along[slot] || !slow_long(slot))
+            scratch.restless[scratch.islands.of(std::uint32_t(slot))] = 1;
     for (std::size_t slot = 0; slot < awake; ++slot)
         if (!scratch.restless[scratch.islands.of(std::uint32_t(slot))]) scratch.sleepers.push_back(data.bodies.id(slot));
 }

@@ -9,10 +9,6 @@
 /// accuracy is measured against. Policies know no Space: their parameters are double quantities in three components,
 /// and the world converts them here, once, when it is made.
 
-#if defined(__FAST_MATH__)
-#error "Ansatz: -ffast-math is refused: it lets the compiler reorder sums and forget NaN, and equal worlds would differ; use -O3"
-#endif
-
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
 #include <ansatz/world/roles.hpp>
@@ -61,8 +57,12 @@ template <class ScalarT = double, int Dim = 3> struct Space {
 
     /// A scalar parameter of a policy, in this space's number type.
     template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
+        return convert("a parameter", q);
+    }
+    /// \param what the parameter's name for the sentence
+    template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(std::string_view what, const ansatz::Quantity<Unit, From>& q) {
         const auto converted = ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
-        if (is_finite(q) && !is_finite(converted)) refuse_value("World", "a parameter", describe(q), "the world's scalar can hold it");
+        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, describe(q), "the world's scalar can hold it");
         return converted;
     }
 

@@ -74,7 +74,7 @@ public:
     /// \tparam Later     whether it is a part of a step and not the first
     template <class Transient = typename C::transient, bool Later = false> void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
-        if constexpr (C::collides && C::rests) wake_neighbours();
+        if constexpr (C::islands) wake_neighbours();
         if constexpr (C::sweeps) data_.collisions.remember(data_);
         if constexpr (C::substeps)
             in_substeps<Transient, Later>();
@@ -89,7 +89,7 @@ public:
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, after());
         }
-        if constexpr (C::rests && C::collides)
+        if constexpr (C::islands)
             put_islands_to_rest();
         else if constexpr (C::rests)
             put_to_rest();
@@ -112,11 +112,12 @@ private:
     // Where bodies collide: collisions_in_step.hpp.
     template <class Transient, bool Later> void in_substeps();
     void settle();
-    Scalar pull_along(const auto& contact) const;
     void wake_neighbours();
+    bool wake_the_hit(auto& contacts, Scalar h);
     void hold_back();
     void collide(bool later);
     void put_islands_to_rest();
+    void add_pushes(const auto& add) const;
 
     /// The columns that a kernel loads are stored ones; the others it needs live in the row alone.
     template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
@@ -270,15 +271,28 @@ private:
         data_.move(slot, Motion::resting);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
     }
-    /// A body rests when it has been slow for long enough and would stay: at velocity zero nothing pulls at it.
+    /// A body rests when it has been slow for long enough and would stay: at velocity zero next to nothing pulls at it.
     void put_to_rest() {
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
-        const auto* time = data_.lanes.template lane<RestTime>();
-        for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);) {
-            if (!rest.long_enough(S::Time::from_value(time[slot]))) continue;
-            if (!(pull_at_rest(slot, after()) == S::template zero_vector<unit::Acceleration>())) continue;
-            put_to_rest(slot);
-        }
+        auto* time = data_.lanes.template lane<RestTime>();
+        if constexpr (pull_varies) begin_anew(rest, [](std::size_t) { return false; });
+        for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);)
+            if (rest.long_enough(S::Time::from_value(time[slot])) && (pull_varies || balanced(rest, pull_at_rest(slot, after()))))
+                put_to_rest(slot);
+    }
+    /// Whether a body may rest to which this acceleration remains.
+    static bool balanced(const auto& rest, const typename S::Acceleration& remains) {
+        if constexpr (requires { rest.balanced(remains); }) return rest.balanced(remains);
+        else return remains == S::template zero_vector<unit::Acceleration>();
+    }
+    /// Whether what pulls at a body depends on where it is, or on the time.
+    static constexpr bool pull_varies = C::coupled || C::Laws::time_dependent || detail::contains<Position, typename C::Laws::needs>;
+    /// What swings is slow, and at its lowest point nothing pulls it: there its time must be balanced, too, not a moment of it.
+    /// \param touched whether a contact may hold the body of a slot
+    void begin_anew(const auto& rest, const auto& touched) {
+        auto* time = data_.lanes.template lane<RestTime>();
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
+            if (time[slot] > Scalar(0) && !touched(slot) && !balanced(rest, pull_at_rest(Slot(slot), after()))) time[slot] = Scalar(0);
     }
     /// Behind the step that was taken: the next one, if it has the same length.
     Context<S> after() const { return Context<S>(data_.clock.now(), TimeStep<S>(context_.dt(), context_.dt())); }
@@ -310,13 +324,12 @@ private:
         state.erase_broken(known);
     }
 
-    /// Whether what pulls at a resting body leaves it where it is: it is nothing, or what its contacts held when it fell asleep.
+    /// Whether what pulls at a resting body leaves it where it is: it is next to nothing, or what its contacts held when it fell asleep.
     bool stays(Slot slot) {
         const auto pull = pull_at_rest(slot, context_);
         if constexpr (C::collides)
-            return pull == data_.collisions.pull_when_it_slept(data_.bodies.id(slot));
-        else
-            return pull == S::template zero_vector<unit::Acceleration>();
+            if (pull == data_.collisions.pull_when_it_slept(data_.bodies.id(slot))) return true;
+        return balanced(detail::Bound<Rester, S>(std::get<Rester>(policies_)), pull);
     }
     void wake_the_pulled() {
         for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {

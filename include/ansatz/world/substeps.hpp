@@ -26,9 +26,10 @@ public:
     /// Of a world.
     SubstepBodies(WorldData<C>& data, const Acceleration& acceleration) : data_(data), acceleration_(acceleration) {}
 
-    /// All bodies, with their weights: zero for what is not awake.
-    template <class Body> void place(std::vector<Body>& bodies) const {
+    /// All bodies, with their weights: zero for what is not awake. Nothing accelerates them yet.
+    template <class Body> void place(std::vector<Body>& bodies, std::vector<typename Body::Raw>& kicks) const {
         bodies.resize(data_.bodies.size());
+        kicks.assign(bodies.size(), S::template zero_vector<unit::Velocity>().value());
         for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
             bodies[slot].position = data_.lanes.template get<Position>(slot).value();
             bodies[slot].u = S::template zero_vector<unit::Velocity>().value();
@@ -36,36 +37,62 @@ public:
         }
     }
     /// v + factor a h and the position, for all that move.
-    /// \param last the length of the substep before, from which a history's velocity is derived
-    template <class Body> void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h, const Time& last) const {
+    /// \param last  the length of the substep before, from which a history's velocity is derived
+    /// \param kicks a h of those that are awake, if asked for
+    template <class Body> void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h, const Time& last, std::vector<typename Body::Raw>* kicks = nullptr) const {
         before.resize(bodies.size());
-        for (const auto motion : {Motion::awake, Motion::moving})
-            for (std::size_t slot = data_.bodies.begin(motion); slot < data_.bodies.end(motion); ++slot) {
-                bodies[slot].position = data_.lanes.template get<Position>(slot).value();
-                bodies[slot].u = velocity(Slot(slot), motion == Motion::awake ? factor : 0, h, last).value();
-                before[slot] = bodies[slot].u;
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
+            auto& body = bodies[slot];
+            body.position = data_.lanes.template get<Position>(slot).value();
+            body.u = velocity(Slot(slot), last).value();
+            if (kicks || factor != 0) {
+                const auto kick = typename S::Velocity(h * acceleration_(Slot(slot), now(Slot(slot), last))).value();
+                body.u += Scalar(factor) * kick;
+                if (kicks) (*kicks)[slot] = kick;
             }
+            before[slot] = body.u;
+        }
+        for (std::size_t slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot) {
+            bodies[slot].position = data_.lanes.template get<Position>(slot).value();
+            bodies[slot].u = velocity(Slot(slot), last).value();
+        }
+    }
+    /// What impacts have changed. Who was struck within the substep has moved, or will have, with his new velocity for what was left
+    /// of it, and not for all of it.
+    /// \param factor 1/s, of what he comes late
+    template <class Body> void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts, const Scalar& factor, const Time& last) {
+        const std::size_t awake = data_.bodies.end(Motion::awake);
+        for (std::size_t slot = 0; slot < awake; ++slot) bodies[slot].u += factor * impacts.late(slot);
+        scatter(bodies, before, last);
+        for (std::size_t slot = 0; slot < awake; ++slot) {
+            if (factor < Scalar(0)) bodies[slot].u -= factor * impacts.late(slot);
+            before[slot] = bodies[slot].u;
+        }
     }
     /// What the contacts have changed, to the awake bodies.
-    template <class Body> void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last) {
+    /// \param pushed by how much, if asked for
+    template <class Body> void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
+        if (pushed) pushed->resize(bodies.size());
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
+            const typename Body::Raw by = bodies[slot].u - before[slot];
+            if (pushed) (*pushed)[slot] = by;
             if (bodies[slot].u == before[slot]) continue;
-            const auto change = S::Velocity::from_value(bodies[slot].u - before[slot]);
-            data_.set_velocity(Slot(slot), velocity(Slot(slot), 0, last, last) + change);
+            data_.set_velocity(Slot(slot), velocity(Slot(slot), last) + S::Velocity::from_value(by));
         }
     }
 
 private:
-    typename S::Velocity velocity(Slot slot, double factor, const Time& h, const Time& last) const {
-        if constexpr (C::history) {
-            auto row = data_.load(slot, last);
-            const bool awake = data_.bodies.motion(slot) == Motion::awake;
-            if (awake && !data_.waiting(slot)) row.template get<Velocity>() = C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), last);
-            return factor == 0 ? row.template get<Velocity>() : row.template get<Velocity>() + (Scalar(factor) * h) * acceleration_(slot, row);
-        } else {
-            const auto v = data_.lanes.template get<Velocity>(slot);
-            return factor == 0 ? v : v + (Scalar(factor) * h) * acceleration_(slot, data_.load(slot, last));
-        }
+    /// A body with the velocity that it has now.
+    auto now(Slot slot, const Time& last) const {
+        auto row = data_.load(slot, last);
+        if constexpr (C::history)
+            if (data_.bodies.motion(slot) == Motion::awake && !data_.waiting(slot))
+                row.template get<Velocity>() = C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), last);
+        return row;
+    }
+    typename S::Velocity velocity(Slot slot, const Time& last) const {
+        if constexpr (C::history) return now(slot, last).template get<Velocity>();
+        else return data_.lanes.template get<Velocity>(slot);
     }
 
     WorldData<C>& data_;

@@ -8,6 +8,8 @@
 #include <ansatz/world/data.hpp>
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ansatz::detail {
@@ -22,14 +24,37 @@ template <class T> struct DataOfUser {
     void make_room(std::uint32_t id) {
         if (by_id.size() <= id) by_id.resize(id + 1);
     }
+    /// Whether assigning cannot fail where there is room: what owns memory has a destructor.
+    static constexpr bool assigns_in_place = std::is_trivially_destructible_v<T>;
+    void make_room_for(const DataOfUser& other) { by_id.reserve(other.by_id.size()); }
     T& at(std::uint32_t id) { return by_id[id].datum; }
     const T& at(std::uint32_t id) const { return by_id[id].datum; }
 };
 template <> struct DataOfUser<void> {
+    static constexpr bool assigns_in_place = true;
+    static void make_room_for(const DataOfUser&) {}
     Absent& at(std::uint32_t) const; // never defined: who asks has read a sentence
 };
 /// Never defined either.
 template <class T> const T& nowhere();
+
+/// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps what it has.
+struct Room {
+    std::size_t bodies = 0;
+    Room() = default;
+    Room(const Room&) {}
+    Room(Room&& other) noexcept : bodies(std::exchange(other.bodies, 0)) {}
+    Room& operator=(const Room&) { return *this; }
+    Room& operator=(Room&& other) noexcept {
+        bodies = std::exchange(other.bodies, 0);
+        return *this;
+    }
+    Room& operator=(std::size_t n) {
+        bodies = n;
+        return *this;
+    }
+    operator std::size_t() const { return bodies; }
+};
 
 template <class... P> struct DatumOf {
     using type = void;

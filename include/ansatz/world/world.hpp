@@ -12,6 +12,7 @@
 /// threads at the same time; so may const members of one world. A change needs that world for itself.
 
 #include <ansatz/world/check.hpp>
+#include <ansatz/world/held_parameters.hpp>
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/step.hpp>
 #include <ansatz/world/user_data.hpp>
@@ -51,18 +52,18 @@ public:
 
     World(const World&) = default;            ///< a snapshot that continues bit-identically and takes the same handles
     World(World&&) = default;                 ///< the other is left without bodies
-    World& operator=(const World&) = default; ///< a snapshot, as by copying
+    /// A snapshot, as by copying. Where it fails, the world is as it was.
+    World& operator=(const World& other)
+        requires std::is_copy_assignable_v<std::tuple<P...>>
+    {
+        if (this != &other) assign(other);
+        return *this;
+    }
     /// The other is left without bodies; a world moved to itself is what it was.
     World& operator=(World&& other)
         requires std::is_move_assignable_v<std::tuple<P...>>
     {
-        if (this != &other) {
-            policies_ = std::move(other.policies_);
-            bound_ = std::move(other.bound_);
-            data_ = std::move(other.data_);
-            user_ = std::move(other.user_);
-            capacity_ = std::exchange(other.capacity_, 0);
-        }
+        if (this != &other) assign(std::move(other));
         return *this;
     }
 
@@ -74,15 +75,10 @@ public:
     /// \throws std::invalid_argument if a value is not acceptable; the world is then as it was
     template <class... Property> Handle add(const Property&... property);
 
-    /// Removes a body. Other handles stay valid; this one becomes stale.
+    /// Removes a body. Other handles stay valid; this one becomes stale. What was polled (`contacts()`, `events()`, `handles()`)
+    /// stays as it was until the next step, so that a loop over it may remove bodies; ask `contains` before you use a handle of it.
     /// \throws std::out_of_range for a stale handle
-    void remove(Handle body) {
-        const auto slot = data_.bodies.slot(body, "World::remove");
-        forces_change();
-        wake_contacts(body.id);
-        data_.erase(slot);
-        if constexpr (has_datum) user_.at(body.id) = Datum{};
-    }
+    void remove(Handle body);
     /// Whether the handle names a body that is in this world.
     bool contains(Handle body) const { return data_.bodies.contains(body); }
     /// How many bodies there are, the fixed and the resting included.
@@ -91,13 +87,8 @@ public:
     std::size_t count(Motion m) const { return data_.bodies.count(m); }
     /// Makes room, so that adding `n` bodies in all does not allocate.
     /// \throws std::invalid_argument for more bodies than handles can name
-    void reserve(std::size_t n) {
-        if (n >= 0xffffffffu) refuse_value("World::reserve", "n", std::to_string(n), "it is below 4294967295, the number of bodies that handles can name");
-        data_.reserve(n);
-        capacity_ = std::max(capacity_, n);
-        if constexpr (has_datum) user_.by_id.reserve(n);
-    }
-    /// The handles of all bodies, by id.
+    void reserve(std::size_t n);
+    /// The handles of all bodies, by id: a list of your own, for loops that add or remove.
     std::vector<Handle> handles() const {
         std::vector<Handle> all;
         all.reserve(size());
@@ -150,13 +141,14 @@ public:
     /// \name Contacts (notes 2.1.2)
     /// @{
 
-    /// Which bodies intersect where they are since the last step, by their ids; one that `begins()` was none before it.
+    /// Which bodies intersected where the last step left them, by their ids; one that `begins()` was none before it. Stays what it
+    /// is until the next step, in which those of a removed body end: `contains(contact.first)` tells whether it is there.
     auto contacts() const {
         need_collisions();
         if constexpr (composition::collides) return std::span(data_.collisions.contacts);
         else return std::span<const Handle>();
     }
-    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any of its parts.
+    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays until the next.
     auto contacts_ended() const {
         need_collisions();
         if constexpr (composition::collides) return std::span(data_.collisions.ended);
@@ -254,7 +246,7 @@ public:
     /// Gives a stored column a value.
     template <class C, class Q> void write(Handle body, const Q& value);
     /// Wakes a resting body; does nothing to others.
-    void wake(Handle body) { wake_slot(data_.bodies.slot(body, "World::wake")); }
+    void wake(Handle body);
     /// @}
 
     /// \name Policies
@@ -277,15 +269,16 @@ public:
     /// @{
 
     /// One step. A step of zero is exactly nothing.
-    /// \param dt finite, not negative
-    /// \throws std::invalid_argument before anything is touched
+    /// \param dt finite, not negative, and not so short that digits are lost (smallest_step.hpp)
+    /// \throws std::invalid_argument before anything is touched. What a policy throws within the step, or a lack of memory, leaves
+    ///         a world that is lost: it says so (`status()`, any change) until another is assigned to it or loaded
     template <class T> void step(const T& dt);
 
     /// The simulated time: a whole number of steps, never a sum of them.
     ClockTime time() const { return data_.clock.now(); }
     /// Steps taken.
     std::uint64_t tick() const { return data_.clock.tick(); }
-    /// Who slept and woke in the last step and between the step before and it.
+    /// Who slept and woke in the last step and between the step before and it; stays until the next. Some may be removed by then.
     std::span<const Event> events() const {
         if constexpr (composition::rests) return data_.events.now();
         return {};
@@ -318,10 +311,7 @@ private:
     using Policies = std::tuple<P...>;
 
     static const Policies& checked(const Policies& policies) {
-        auto one = [](const auto& policy) {
-            if constexpr (requires { policy.check(); }) policy.check();
-        };
-        std::apply([&](const auto&... policy) { (one(policy), ...); }, policies);
+        std::apply([](const auto&... policy) { (detail::check_in<S>(policy), ...); }, policies);
         return policies;
     }
 
@@ -356,10 +346,15 @@ private:
     void hold_velocity(Slot slot);
     void hold_velocities();
     void forces_change();
-    template <class C> void column_changes() {
+    template <class... C> void column_changes() {
         if constexpr (composition::collides) data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
-        if constexpr (composition::template couplings_read<C>) forces_change();
+        if constexpr ((composition::template couplings_read<C> || ...)) forces_change();
     }
+    // What keeps it whole: whole.hpp.
+    void assign(const World& other);
+    void assign(World&& other);
+    void get_ready(const char* where);
+    [[noreturn, gnu::cold, gnu::noinline]] static void refuse_lost(const char* where);
 
     void wake_slot(Slot slot) {
         if constexpr (composition::rests) {
@@ -388,7 +383,8 @@ private:
     BoundPolicies<composition> bound_;
     Data data_;
     [[no_unique_address]] detail::DataOfUser<Datum> user_;
-    std::size_t capacity_ = 0;
+    detail::Room capacity_;
+    bool lost_ = false; // in the midst of a step, or for ever since one was broken off
 };
 
 template <class... P> World(P...) -> World<P...>; ///< the list of policies is the type
@@ -398,3 +394,4 @@ template <class... P> World(P...) -> World<P...>; ///< the list of policies is t
 #include <ansatz/world/door.hpp>
 #include <ansatz/world/element_door.hpp>
 #include <ansatz/world/present.hpp>
+#include <ansatz/world/whole.hpp>

@@ -81,9 +81,25 @@ subject() {
     echo "${name/_/ }"
 }
 
-# Reads a build's output and shows how far it is; the seconds go on where a long compilation says nothing.
+# Reads a build's output and shows how far it is; the seconds go on where a long compilation says nothing. Where ANNOUNCE is
+# set it is said once, if there is something to be built, and build/logs/announced is there then. A build tool tells of a
+# step when it is over, so that some seconds of silence say it as well.
 build_progress() {
     local text=$1 start=$2 line status
+    rm -f build/logs/announced
+    if [ -n "${ANNOUNCE:-}" ]; then
+        while :; do
+            IFS= read -r -t 3 line
+            status=$?
+            if [ $status -eq 0 ] && ! [[ $line =~ ^\[\ *[0-9]+(/[0-9]+|%)\]\ *(Building|Linking|the\ answers) ]]; then continue; fi
+            [ $status -eq 0 ] || [ $status -gt 128 ] || break
+            : > build/logs/announced
+            clear_progress
+            echo
+            say "  $DIM$ANNOUNCE$PLAIN"
+            break
+        done
+    fi
     if ! $LIVE; then cat > /dev/null; return 0; fi
     while :; do
         IFS= read -r -t 1 line
@@ -152,4 +168,31 @@ program_of() {
         if [ -f "$place" ] && [ -x "$place" ]; then echo "$place"; return 0; fi
     done
     return 1
+}
+
+# Where the time went since then, by kind, is kept in build/logs/times.tsv, a block of lines a day and minute, so that growth
+# is seen. keep_times <seconds since 1970>
+TIMES=build/logs/times.tsv
+keep_times() {
+    local day logs=() log
+    for log in "$BUILD/.ninja_log" "$BUILD/Testing/Temporary/LastTest.log"; do [ -f "$log" ] && logs+=("$log"); done
+    [ ${#logs[@]} -gt 0 ] || return 0
+    day=$(date '+%Y-%m-%d %H:%M')
+    mkdir -p build/logs
+    awk -v since="$1" -f tools/workbook.d/times.awk "${logs[@]}" | sort -t "$(printf '\t')" -k 3,3rg |
+        sed "s/^/$day	/" >> "$TIMES"
+}
+# The last block, with what each kind took in the block before that; times_table [how many kinds]
+times_table() {
+    [ -s "$TIMES" ] || return 1
+    awk -F '\t' -v most="${1:-1000}" '
+        $1 != day { day = $1; delete before; for (kind in now) before[kind] = now[kind]; delete now; n = 0 }
+        { now[$2] = $4; line[++n] = $0 }
+        END {
+            printf "  %-34s %6s %9s %9s   %s\n", day, "number", "seconds", "before", "the dearest"
+            for (i = 1; i <= n && i <= most; i++) {
+                split(line[i], of, "\t")
+                printf "  %-34s %6d %9.1f %9s   %.1f s %s\n", of[2], of[3], of[4], of[2] in before ? sprintf("%.1f", before[of[2]]) : "-", of[6], of[5]
+            }
+        }' "$TIMES"
 }

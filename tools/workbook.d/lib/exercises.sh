@@ -32,7 +32,7 @@ exercise_index() {
 # The exercise's name, section or id in what a person gave, which may be the path of one of its files.
 word_of() {
     local word=${1%/}
-    case $word in */*.hpp | */*.cpp | */*.md) word=${word%/*} word=${word%/wrong} ;; esac
+    case $word in */*.hpp | */*.cpp | */*.md | */*.diff) word=${word%/*} ;; esac
     printf '%s' "${word##*/}" | tr '[:upper:]- ' '[:lower:]__'
 }
 

@@ -4,6 +4,9 @@
 # what this machine has, what is missing, what to do about it
 #
 #   ./workbook doctor             fails where something needed is missing
+#   ./workbook doctor --times     where the time of the last ./workbook test went, by kind, beside the one before
+#
+# Those times are seconds of the clock, added up over all jobs; they are kept in build/logs/times.tsv.
 
 fact() { printf '  %s  %s\n' "$(fit "$1" 18)" "$2"; }
 
@@ -25,6 +28,11 @@ version_of() {
 }
 
 verb_doctor() {
+    if [ "$*" = --times ]; then
+        times_table && return
+        complain "no times are known yet; ./workbook test keeps them"
+        return 1
+    fi
     if [ $# -gt 0 ]; then complain "doctor takes no '$1'; ./workbook help doctor"; return 2; fi
     local name where package weight reason version missing=0
     heading "This machine"
@@ -107,21 +115,20 @@ int main() {}' | "$compiler" -std=c++20 -fsyntax-only -x c++ - > /dev/null 2>&1;
 # How long a student waits: for the first verdict on an exercise, which builds what all of them share, and for those after
 # each save. The latter is measured with a skeleton, compiled, linked and tested just now: nobody's answer is touched.
 verdict_facts() {
-    local id skeleton start
+    local id start
     remembered "first verdict" "of an exercise that was never tested here before"
     remembered "known mistakes" "more, once, after the first verdict that a test failed"
-    id=$(exercise_index | cut -d "$SEP" -f 2 | while IFS= read -r id; do [ -x "$BUILD/exercises/$id/skeleton" ] && { echo "$id"; break; }; done)
+    id=$(exercise_index | cut -d "$SEP" -f 2 | while IFS= read -r id; do [ -x "$BUILD/exercises/$id/others" ] && { echo "$id"; break; }; done)
     if [ -z "$id" ]; then
         remembered "save to verdict" "of your answer; ./workbook verify builds what measures it anew"
         return
     fi
-    skeleton=$BUILD/exercises/subjects/$id/skeleton.hpp
     # shellcheck disable=SC2034  # build_quietly reads it
     local ID=$id
     # The first build may have other things to do; the second is what a save costs.
-    if build_quietly "measuring" "exercise.$id.skeleton" && touch "$skeleton"; then
+    if build_quietly "measuring" "exercise.$id.measured" && touch "$BUILD/exercises/$id/measured/student.cpp"; then
         start=$(now)
-        if build_quietly "measuring" "exercise.$id.skeleton" && verdicts_of "$BUILD/exercises/$id/skeleton"; then
+        if build_quietly "measuring" "exercise.$id.measured" && verdicts_of "$BUILD/exercises/$id/measured"; then
             fact "save to verdict" "$(duration $(($(now) - start))) ($id's skeleton, compiled and tested just now; 3 s are promised on an idle machine)"
             return
         fi
@@ -137,8 +144,8 @@ verdicts_of() {
     local name
     # shellcheck source=/dev/null
     . "$ROOT/tools/exercises/judge.sh"
-    list_tests "$1" || return 1
-    while IFS=$'\t' read -r _ name _; do run_test "$1" "$name"; done <<< "$LISTED"
+    list_tests "$1" student || return 1
+    while IFS=$'\t' read -r _ name _; do run_test "$1" student "$name"; done <<< "$LISTED"
 }
 
 # What bends measurements of time on this machine.

@@ -26,16 +26,16 @@ verb_exercise() {
 
 # Builds and tests the answer to the chosen exercise, and says how it is.
 try_exercise() {
-    local start program=$BUILD/exercises/$ID/student first=false
+    local start programs=$BUILD/exercises/$ID first=false
     heading "$NUMBER $TITLE"
     files_there exercise.hpp test.cpp || return 1
-    [ -x "$program" ] || first=true
+    [ -x "$programs/student" ] || first=true
     start=$(now)
     if ! build_quietly "compiling your answer" "exercise.$ID.student"; then
         explain_failed_build
         return 1
     fi
-    if ! list_tests "$program"; then
+    if ! list_tests "$programs" student; then
         complain "your answer cannot be tested: $TEXT"
         what_it_printed
         next_steps
@@ -43,7 +43,7 @@ try_exercise() {
     fi
     local tests=$LISTED task name sentence
     while IFS=$'\t' read -r task name sentence; do
-        run_test "$program" "$name"
+        run_test "$programs" student "$name"
         if [ "$OUTCOME" != passed ]; then
             not_passed "$task" "$sentence"
             time_it_took "$start" $first
@@ -111,25 +111,29 @@ note_place() {
     { mkdir -p $NOTEBOOK && printf '%s\t%s\n' "$ID" "$1" > $NOTEBOOK/at; } 2> /dev/null
 }
 
-# name_the_mistake <tasks>: after the verdict, for the answers that people give may have to be built first.
+# name_the_mistake <tasks>: after the verdict, for the answers that people give may have to be compiled first. Then it is
+# said what for, and how long it took: somebody waits.
 name_the_mistake() {
-    local tasks=$1 wrong start
+    local tasks=$1 wrong start ANNOUNCE
     case $OUTCOME in failed | threw) ;; *) return ;; esac    # only numbers can be compared
-    files_there solution.hpp 2> /dev/null || return
+    files_there solution.hpp wrong.diff 2> /dev/null || return
     start=$(now)
-    if [ ! -x "$BUILD/exercises/$ID/solution" ]; then
-        echo
-        say "  ${DIM}The answers that people give are prepared now, once; yours may be among them.$PLAIN"
-        build_quietly "preparing the answers people give (once)" "exercise.$ID.others" || return
+    # shellcheck disable=SC2034  # build_progress reads it
+    ANNOUNCE="The $(wrong_answers "$FOLDER" | grep -c .) answers that people give are compiled now, once$(time_for "known mistakes"); yours may be among them."
+    build_quietly "compiling the answers that people give" "exercise.$ID.others" || return
+    if [ -f build/logs/announced ]; then
         remember "known mistakes" $(($(now) - start))
-    else
-        build_quietly "preparing the answers people give" "exercise.$ID.others" || return
+        echo "  ${DIM}They are ready after $(duration $(($(now) - start))).$PLAIN"
     fi
     mistake_of "$FOLDER" "$BUILD/exercises/$ID" student "$tasks"
     for wrong in $MISTAKES; do
-        wrong=$FOLDER/wrong/$wrong.hpp
         echo
-        say "${YELLOW}Your numbers equal those of: $(line_of "$wrong" Mistake).$PLAIN" | sed 's/^/  /'
-        say "$(line_of "$wrong" Why) See $(line_of "$wrong" Read)." | sed 's/^/  /'
+        say "${YELLOW}Your numbers equal those of: $(line_of "$FOLDER" "$wrong" Mistake).$PLAIN" | sed 's/^/  /'
+        say "$(line_of "$FOLDER" "$wrong" Why) See $(line_of "$FOLDER" "$wrong" Read)." | sed 's/^/  /'
     done
+}
+# ", about 12 s", where it was measured once.
+time_for() {
+    local took
+    if took=$(last_duration "$1"); then echo ", about $(duration "$took")"; fi
 }

@@ -16,7 +16,8 @@ verb_list() {
         index=$chosen
     fi
     if [ -z "$index" ]; then echo "There is no section in chapters/ yet."; return 0; fi
-    local number title claim file chapter last='' state shown picture
+    local number title claim file chapter last='' state shown picture digits
+    digits=$(longest_number "$index")
     while IFS=$SEP read -r number title claim file; do
         chapter=$(chapter_title "$file")
         if [ "$chapter" != "$last" ]; then
@@ -35,7 +36,7 @@ verb_list() {
         esac
         local what=$title
         [ -n "$claim" ] && [ "$WIDTH" -gt 79 ] && what="$title: $claim"
-        printf '  %s %s  %s  %s\n' "$(fit "$number" 6)" "$shown" "$picture" "$(fit "$what" $((WIDTH - 30)) | sed 's/ *$//')"
+        printf '  %s %s  %s  %s\n' "$(fit "$number" "$digits")" "$shown" "$picture" "$(fit "$what" $((WIDTH - 24 - digits)) | sed 's/ *$//')"
     done <<< "$index"
     if [ $# -eq 0 ]; then
         local module modules=''
@@ -50,14 +51,18 @@ verb_list() {
     return 0
 }
 
+# longest_number <index>: how wide the column of numbers must be, for they are what one types.
+longest_number() { printf '%s\n' "$1" | awk -F '\037' '{ if (length($1) > n) n = length($1) } END { print (n > 6 ? n : 6) }'; }
+
 # list_exercises [number]: each with what has come of it.
 list_exercises() {
-    local index number id title folder state shown done=0 count=0
+    local index number id title folder state shown done=0 count=0 digits
     index=$(exercise_index)
     [ $# -gt 0 ] && [ -n "$1" ] && index=$(at_or_below "$index" "$1")
     [ -n "$index" ] || return 0
     echo
     heading "Exercises"
+    digits=$(longest_number "$index")
     while IFS=$SEP read -r number id title folder; do
         state=$(state_of_exercise "$id" "$folder")
         count=$((count + 1))
@@ -67,7 +72,7 @@ list_exercises() {
             missing) shown="$RED$(fit "$state" 9)$PLAIN" ;;
             *) shown="$DIM$(fit "$state" 9)$PLAIN" ;;
         esac
-        printf '  %s %s  %s  %s\n' "$(fit "$number" 6)" "$shown" "$(fit "${id#*.}" 20)" "$title"
+        printf '  %s %s  %s  %s\n' "$(fit "$number" "$digits")" "$shown" "$(fit "${id#*.}" 20)" "$title"
     done <<< "$index"
     printf '\n%s of %s done   (./workbook exercise [name])\n' "$done" "$count"
 }

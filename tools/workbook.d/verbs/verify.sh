@@ -19,10 +19,10 @@ verb_verify() {
     fi
     if [ -z "$index" ]; then complain "there is no exercise in exercises/ yet"; return 2; fi
     while IFS=$SEP read -r _ ID _ FOLDER; do
-        files_there README.md exercise.hpp library.hpp solution.hpp test.cpp hints.md play.cpp || return 1
+        files_there README.md exercise.hpp library.hpp solution.hpp wrong.diff test.cpp hints.md play.cpp || return 1
     done <<< "$index"
     prepared || return 1
-    while IFS=$SEP read -r number id title folder; do targets+=("exercise.$id.all_subjects"); done <<< "$index"
+    while IFS=$SEP read -r number id title folder; do targets+=("exercise.$id.others"); done <<< "$index"
     build "every answer" "${targets[@]}" || return 1
     while IFS=$SEP read -r number id title folder; do
         count=$((count + 1))

@@ -23,6 +23,10 @@
 /// (`velocity_leads`), and bodies are found when they are already some way inside each other. Both are taken into account, so that a
 /// ball with e = 1 comes back to its height with every integrator. Approaches slower than `threshold` do not bounce: in a
 /// step of 1/60 s gravity alone gives 0.16 m/s to what lies on the ground.
+///
+/// **Many at once.** Contacts that approach faster than `threshold` are reflected, those that hang together as one, again and again while
+/// somebody still approaches: a blow goes through a row of balls one by one, and two that are hit at once are hit alike. Then what lies is
+/// held, all contacts together (contact_pushes.hpp). Neither gives energy, nor depends on the order of insertion.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/restitution.hpp>
@@ -31,6 +35,7 @@
 #include <ansatz/world/requirements.hpp>
 
 #include <concepts>
+#include <optional>
 #include <string_view>
 
 namespace ansatz {
@@ -79,8 +84,10 @@ template <class... Options> struct Impulse {
 
     /// m/s, finite, not negative: slower approaches do not bounce. More than g dt, or what rests trembles.
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
-    /// How often all contacts are gone through in a step, at least 1. More let a push go through a row of bodies at once.
-    int sweeps = 1;
+    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what lies. A blow goes
+    /// one body further each time, and a column of n needs n.
+    int sweeps = 24;
+    static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
     static constexpr std::string_view name = "Impulse";
     static void parameters(auto& self, auto&& visit) {
@@ -98,7 +105,35 @@ template <class... Options> struct Impulse {
         int sweeps;
         explicit In(const Impulse& impulse) : threshold(S::convert(impulse.threshold)), sweeps(impulse.sweeps) {}
 
-        /// Changes the velocities of the two, if they approach each other.
+        /// What the two of a contact are made of.
+        void note(auto& push, const auto& a, const auto& b) const {
+            push.restitution = max(a.template get<Restitution>(), b.template get<Restitution>()).value();
+            if constexpr (rubs)
+                push.friction = sqrt(a.template get<Friction>().value() * b.template get<Friction>().value());
+        }
+        /// Changes the velocities of all of a step: first those bounce that are fast enough, then nobody may approach.
+        void answer(auto& pushes, const typename S::Time& dt, const typename S::Scalar& leads, bool parted,
+                    const auto& pull) const {
+            using Scalar = typename S::Scalar;
+            bool any = false;
+            for (auto& push : pushes.pushes) {
+                if (push.restitution > Scalar(0) && leads != Scalar(0)) push.ahead = leads * pull(push).value() * dt.value();
+                any = any || (push.touches && push.restitution > Scalar(0));
+                // Who does not touch yet may come as far as that.
+                if (!push.touches) push.target = push.depth / dt.value();
+            }
+            for (int round = 0; any && round < sweeps; ++round) any = pushes.bounce([&](auto& push) { return parting(push, dt, leads, parted, pull); });
+            // Who is about to bounce does so when he touches.
+            for (auto& push : pushes.pushes)
+                push.waits = !push.touches && push.restitution > Scalar(0) && -(pushes.along(push) + push.ahead) > threshold.value();
+            pushes.solve(sweeps);
+            if constexpr (rubs)
+                for (int round = 0; round < 4; ++round) {
+                    pushes.rub();
+                    pushes.solve(sweeps);
+                }
+        }
+        /// Changes the velocities of the two of one contact, if they approach each other.
         [[gnu::always_inline]] void respond(const auto& touch, auto& a, auto& b, const auto& meeting) const {
             using Scalar = typename S::Scalar;
             auto& va = a.template get<Velocity>();
@@ -116,6 +151,22 @@ template <class... Options> struct Impulse {
         }
 
     private:
+        /// The speed at which a contact is to part that bounces. What pulls is accounted for once in a step.
+        std::optional<typename S::Scalar> parting(auto& push, const typename S::Time& dt, const typename S::Scalar& leads,
+                                                  bool parted, const auto& pull) const {
+            using Scalar = typename S::Scalar;
+            const auto& e = push.restitution;
+            if (!push.touches || !(e > Scalar(0))) return {};
+            const typename S::Speed along = S::Speed::from_value(push.along);
+            if (push.bounced) return -push.along > threshold.value() ? std::optional<Scalar>(-e * push.along) : std::nullopt;
+            const auto force = [&] { return pull(push); };
+            if (!(-(push.along + push.ahead) > threshold.value())) return {};
+            const auto speed = bounce(Touch<S>{{}, push.normal, S::Length::from_value(push.depth)}, along, e,
+                                      ContactContext<S, decltype(force)>{dt, leads, parted, force});
+            push.bounced = true;
+            push.target = min(speed.value(), Scalar(0));
+            return speed.value();
+        }
         /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they do not bounce.
         typename S::Speed bounce(const auto& touch, const typename S::Speed& along, const typename S::Scalar& e,
                                  const auto& meeting) const {

@@ -33,6 +33,7 @@
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/contact_step.hpp>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -90,6 +91,7 @@ public:
 
     /// The contacts of the state that a step has made, and those that may begin in the next one (depth not greater than zero).
     template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
+        if (contacts_.capacity() < contacts.size()) contacts_.reserve(std::max(contacts.size(), 2 * contacts_.capacity()));
         contacts_.clear();
         for (const auto& c : contacts) {
             if (data.collisions.is_sensor(c.first.id) || data.collisions.is_sensor(c.second.id)) continue;
@@ -130,6 +132,11 @@ public:
     void begin_step() {}
     /// Nothing to make room for.
     void reserve_notes() {}
+    /// Room for what another holds, so that assigning it cannot fail.
+    void make_room_for(const PenaltyContacts& other) {
+        contacts_.reserve(other.contacts_.size());
+        pairs_.reserve(other.pairs_.size());
+    }
     /// Its contacts go with it.
     void body_removed(std::uint32_t id) {
         std::erase_if(contacts_, [id](const Pair& c) { return c.a == id || c.b == id; });

@@ -7,6 +7,8 @@
 /// Use it with a response that changes velocities (`World{..., Impulse{}, Projection{}}`): alone, bodies that fall onto each
 /// other are lifted apart in every step and fall ever faster. The notes do not say who is moved how far: shared by inverse
 /// mass, the centre of mass stays where it is; half and half, it drifts.
+///
+/// Where many touch, all of a step are moved apart together (contact_pushes.hpp): by what moves the whole least.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/world/concepts.hpp>
@@ -29,26 +31,39 @@ struct Projection {
     Parameter<unit::Length> slop = 0.0 * metre;
     /// s: how much of the rest is taken away in a step; greater than 0, at most 1
     double share = 1;
+    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most. A column of n needs n; fewer leave it deeper.
+    int sweeps = 24;
+    static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
     static constexpr std::string_view name = "Projection";
     static void parameters(auto& self, auto&& visit) {
         visit("slop", self.slop);
         visit("share", self.share);
+        visit("sweeps", self.sweeps);
     }
     /// \throws std::invalid_argument for parameters that are not acceptable
     void check() const {
         require_not_negative("Projection", "slop", slop);
         if (!(share > 0) || !(share <= 1))
             refuse_value("Projection", "share", describe(share), "it is greater than 0 and at most 1");
+        if (sweeps < 1) refuse_value("Projection", "sweeps", describe(sweeps), "it is at least 1");
     }
 
     template <class S> struct In {
         typename S::Length slop;
         typename S::Scalar share;
+        int sweeps;
         explicit In(const Projection& projection)
-            : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)) {}
+            : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)), sweeps(projection.sweeps) {}
 
-        /// Moves the two apart.
+        /// How far the two of a contact are to be moved apart; who is not too deep may come so deep.
+        void note(auto& push, const auto&, const auto&) const {
+            const auto too_deep = push.depth - slop.value();
+            push.target = too_deep > 0 ? share * too_deep : too_deep;
+        }
+        /// Moves all of a step apart.
+        void answer(auto& pushes, const auto&...) const { pushes.solve(sweeps); }
+        /// Moves the two of one contact apart.
         [[gnu::always_inline]] void respond(const auto& touch, auto& a, auto& b, const auto&) const {
             const auto wa = a.template get<InverseMass>(), wb = b.template get<InverseMass>();
             const auto too_deep = touch.depth - slop;

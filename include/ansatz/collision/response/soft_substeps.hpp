@@ -9,6 +9,10 @@
 /// over a part of the step, and the contacts are solved between them (soft_contacts.hpp). It needs no other response. What it costs is
 /// about `parts` integrations and twice as many passes over the contacts.
 ///
+/// **Impacts at one moment** (soft_impacts.hpp). Pairs that meet faster than `threshold` bounce when they meet, one after another in
+/// time, and together where they share a body and a moment; the order in which bodies were added makes no difference. At
+/// e = 1 kinetic energy is kept, and five balls in a row are a cradle: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1).
+///
 /// Every integrator is given velocities with which its own next positions keep the bodies apart: what it does to a velocity under
 /// constant acceleration is known from `velocity_leads`.
 
@@ -76,36 +80,30 @@ template <class... Options> struct SoftSubsteps {
 
         /// How many parts.
         int parts() const { return policy.parts; }
+        /// Finds the contacts that may bounce in this step.
+        /// \return whether there are any; where there are none, nothing is done for them
+        template <class Data> bool find_bouncing(SoftContacts<S, rubs>& contacts, const Data& data) const {
+            auto& pairs = contacts.impacts.pairs;
+            bool any = false;
+            contacts.each_acting([&](const auto& c) {
+                const auto e =
+                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b));
+                any = any || e.value() > Scalar(0);
+                pairs.push_back({std::uint32_t(&c - contacts.all.data()), e.value()});
+            });
+            if (!any) pairs.clear();
+            return any;
+        }
+        /// Those that meet in this substep bounce.
+        bool bounce(SoftContacts<S, rubs>& contacts, Scalar h) const {
+            return contacts.impacts.answer(contacts, h, Scalar(policy.threshold.value()));
+        }
         /// One pass that holds contacts, and parts those that are too deep.
         void solve(SoftContacts<S, rubs>& contacts, Scalar h) const {
             const Scalar f = std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h),
                          zeta = Scalar(policy.damping_ratio);
-            contacts.warm_start();
             contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h),
                            Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
-        }
-        /// Finds the contacts that may give something back at the end of the step.
-        /// \return whether there are any; where there are none, nothing is done for them
-        template <class Data> bool find_bouncing(SoftContacts<S, rubs>& contacts, const Data& data) const {
-            contacts.each_acting([&](const auto& c) {
-                const auto e =
-                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b));
-                if (e.value() > Scalar(0))
-                    contacts.bouncing.push_back({std::size_t(&c - contacts.all.data()), e.value()});
-            });
-            return !contacts.bouncing.empty();
-        }
-        /// What they will give back, by the velocities when the step begins.
-        /// \param pull N . (a_a - a_b) of a contact, m/s^2
-        template <class Pull> void remember_approaches(SoftContacts<S, rubs>& contacts, const Pull& pull) const {
-            for (auto& bounce : contacts.bouncing) {
-                const auto& c = contacts.all[bounce.which];
-                const Scalar approach = contacts.along(c);
-                if (!(-approach > Scalar(policy.threshold.value()))) continue;
-                // They were this far apart when the step began: what pulled them together did so on the rest of the way, too.
-                const Scalar squared = approach * approach - 2 * pull(c) * contacts.apart(c);
-                if (squared > Scalar(0)) bounce.speed = bounce.restitution * std::sqrt(squared);
-            }
         }
         /// The friction of two bodies.
         template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {

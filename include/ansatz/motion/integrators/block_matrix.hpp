@@ -9,6 +9,8 @@
 /// spring that breaks or a body that sleeps leaves zeros behind, and only a spring that is added makes a new pattern. So a
 /// step that is warm allocates nothing. Use it for implicit integrators of your own.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>

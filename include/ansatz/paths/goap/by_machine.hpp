@@ -79,7 +79,7 @@ public:
     /// \throws std::invalid_argument for an action without its state or event, for a machine without the state `done`,
     ///         and for a dt that is negative or not finite
     template <std::size_t Words>
-    ByMachine(M& machine, Context& context, const Domain<Words>& domain, Quantity<unit::Time> dt,
+    ByMachine(M& machine, Context& context, const Domain<Words>& domain, Parameter<unit::Time> dt,
               std::string_view done = "done")
         : machine_(&machine), context_(&context), dt_(dt), done_(find(done)) {
         if (!std::isfinite(dt.value()) || dt.value() < 0)

@@ -104,6 +104,7 @@ public:
                              "an action has a name of its own");
         names_.emplace_back(name);
         rules_.push_back({{}, {}, cost});
+        ++version_;
         return {*this, rules_.size() - 1};
     }
     /// \throws std::invalid_argument, and changes nothing, unless the cost is finite and not negative
@@ -113,6 +114,7 @@ public:
             refuse_value("goap::Domain::set_cost", "the cost of \"" + names_[a] + "\"", describe(cost),
                          "it must be finite and not negative");
         rules_[a].cost = cost;
+        ++version_;
     }
 
     /// The state in which these facts hold and no others.
@@ -140,6 +142,7 @@ public:
     const std::vector<Rule>& rules() const { return rules_; } ///< one for each action
     std::size_t facts() const { return facts_.size(); }       ///< how many
     std::size_t actions() const { return rules_.size(); }     ///< how many
+    std::size_t version() const { return version_; }          ///< grows with every change of an action
     /// The name of an action.
     const std::string& name_of(Action a) const { return names_[a]; }
     /// The name of a fact, the same for its opposite.
@@ -163,6 +166,7 @@ private:
         if (!add(c, f))
             refuse_value("goap::Domain::action", "\"" + facts_[f.number] + "\"", "given both ways",
                          "\"" + names_[a] + "\" " + verb + " it or its opposite, not both");
+        ++version_;
     }
     void require(Fact f) const {
         if (f.number >= facts_.size())
@@ -176,6 +180,7 @@ private:
     }
     std::vector<std::string> facts_, names_;
     std::vector<Rule> rules_;
+    std::size_t version_ = 0;
 };
 
 } // namespace ansatz::goap

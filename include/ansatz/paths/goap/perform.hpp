@@ -31,18 +31,19 @@ struct Performance {
     std::optional<Action> begun; ///< the action that was begun and has not ended
 };
 
-/// One tick: looks whether the plan still holds, begins the action that is due, and asks how it goes.
+/// One tick: looks whether the plan still holds, begins the action that is due unless it is being done already, and asks how
+/// it goes. An action goes on when there is another plan that begins with it.
 /// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the action
 /// \return whether there is anything left to do
 template <class Planner, Performer P, class StateOf>
 bool perform(Runner<Planner>& runner, P& performer, Performance& performance, StateOf&& state_of) {
-    if (runner.look(state_of())) performance.begun.reset(); // another plan: what was begun is given up
+    runner.look(state_of());
     const auto due = runner.action();
     if (!due) {
         performance.begun.reset();
         return false;
     }
-    if (performance.begun != due) {
+    if (performance.begun != due) { // by another plan it may be another: what was begun is given up
         performer.begin(*due);
         performance.begun = due;
     }

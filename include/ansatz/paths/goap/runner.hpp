@@ -6,13 +6,17 @@
 ///
 /// A plan is broken when the actions that are left can no longer be done one after the other, or would no longer lead to the
 /// goal. Other changes do not matter: somebody opens a window, and the tea is made all the same. As with paths, a plan that
-/// still holds is kept even where a cheaper one has become possible.
+/// still holds is kept even where a cheaper one has become possible. And the planner is not asked twice: from the same
+/// state to the same goal, by the same actions, there is the same plan, or none.
 
 #include <ansatz/paths/goap/planner.hpp>
+#include <ansatz/world/error.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ansatz::goap {
@@ -23,13 +27,21 @@ public:
     using State = typename Planner::State;         ///< which facts hold
     using Condition = typename Planner::Condition; ///< which facts should
 
-    /// \param planner used, not copied; several runners may share one
-    explicit Runner(Planner& planner) : planner_(&planner) {}
+    static constexpr std::size_t without_end = std::numeric_limits<std::size_t>::max(); ///< attempts, if none are given
+
+    /// \param planner  used, not copied; several runners may share one
+    /// \param attempts how often an action may fail, one time after the other in a world that stays as it is, before the
+    ///                 runner gives up: then there is nothing to do until the world changes
+    /// \throws std::invalid_argument for no attempt at all
+    explicit Runner(Planner& planner, std::size_t attempts = without_end) : planner_(&planner), attempts_(attempts) {
+        if (attempts < 1)
+            refuse_value("goap::Runner", "attempts", std::to_string(attempts), "an action is tried once at least");
+    }
 
     /// Plans for the first time.
     Outcome go(const State& now, const Condition& goal) {
         goal_ = goal;
-        plans_ = 0;
+        plans_ = searches_ = failures_ = 0;
         return again(now);
     }
     /// What is to be done now; nothing when the goal is reached or there is no plan.
@@ -37,8 +49,10 @@ public:
     std::span<const Action> ahead() const { return std::span(actions_).subspan(at_); } ///< action() and those behind it
     /// Whether the goal is reached: nothing is left to do.
     bool reached() const { return outcome_ == Outcome::found && at_ == actions_.size(); }
-    Outcome outcome() const { return outcome_; } ///< of the last planning
-    std::size_t plans() const { return plans_; } ///< how often it planned
+    /// Of the last planning; gave_up when actions have failed too often.
+    Outcome outcome() const { return outcome_; }
+    std::size_t plans() const { return plans_; } ///< how often it set out by a plan from the beginning
+    std::size_t searches() const { return searches_; } ///< how often the planner was asked for one
     /// Whether the actions that are left still lead from this state to the goal.
     bool holds_in(const State& now) const {
         if (outcome_ != Outcome::found) return false;
@@ -51,43 +65,60 @@ public:
         return goal_.holds_in(s);
     }
     /// The world has changed, or may have: plans anew if that has broken the plan. Call it when you like, every frame if need
-    /// be. \return whether it planned
+    /// be: where there is no plan it asks for one when the state or the domain is another. \return whether there is a new plan
     bool look(const State& now) {
         if (goal_.holds_in(now)) { // reached, by us or by luck
             outcome_ = Outcome::found;
             at_ = actions_.size();
             return false;
         }
-        if (holds_in(now)) return false;
+        if (holds_in(now) || (outcome_ != Outcome::found && is_answered(now))) return false;
         again(now);
         return true;
     }
     /// action() has been done: on to the next. \param now what the world has become
     void done(const State& now) {
+        failures_ = 0;
         if (at_ < actions_.size()) ++at_;
         look(now);
     }
-    /// action() has failed: plans anew, whatever the world looks like.
-    void failed(const State& now) { again(now); }
+    /// action() has failed: begins anew, by the plan for what the world is like now, or gives up.
+    void failed(const State& now) {
+        again(now);
+        if (++failures_ < attempts_ || outcome_ != Outcome::found) return;
+        outcome_ = Outcome::gave_up;
+        at_ = actions_.size();
+    }
     /// Who plans for it.
     const Planner& planner() const { return *planner_; }
 
 private:
+    /// Whether the last planning was from this state, by what the domain is like now.
+    bool is_answered(const State& now) const {
+        return searches_ > 0 && now == from_ && planner_->domain().version() == version_;
+    }
     Outcome again(const State& now) {
-        outcome_ = planner_->plan(now, goal_);
-        ++plans_;
         at_ = 0;
+        ++plans_;
+        if (is_answered(now)) return outcome_ = answer_;
+        failures_ = 0;
+        outcome_ = answer_ = planner_->plan(now, goal_);
+        ++searches_;
+        from_ = now, version_ = planner_->domain().version();
         actions_.clear();
         if (outcome_ == Outcome::found) actions_.assign(planner_->actions().begin(), planner_->actions().end());
         return outcome_;
     }
     Planner* planner_;
     Condition goal_{};
+    State from_{}; ///< the state that was planned from
     std::vector<Action> actions_;
-    std::size_t at_ = 0, plans_ = 0;
-    Outcome outcome_ = Outcome::not_begun;
+    std::size_t attempts_, at_ = 0, plans_ = 0, searches_ = 0, failures_ = 0, version_ = 0;
+    Outcome outcome_ = Outcome::not_begun, answer_ = Outcome::not_begun; ///< the latter the planner's
 };
 /// The runner of a planner, `Runner{planner}`.
 template <class Planner> Runner(Planner&) -> Runner<Planner>;
+/// The same with a number of attempts, `Runner{planner, 3}`.
+template <class Planner> Runner(Planner&, std::size_t) -> Runner<Planner>;
 
 } // namespace ansatz::goap

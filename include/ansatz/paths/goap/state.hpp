@@ -6,6 +6,8 @@
 ///
 /// The notes (6.2): "the way states are encoded allows a similarity comparison which can be used to calculate the h-score".
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <array>
 #include <bit>
 #include <cstddef>

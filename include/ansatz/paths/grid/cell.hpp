@@ -4,6 +4,8 @@
 /// \file
 /// `Cell`: a tile of a grid, by column and row; the vertex of `Grid`. Its eight directions, and a step along one.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <bit>
 #include <compare>
 #include <cstddef>

@@ -10,6 +10,8 @@
 /// | `OneFree`    | one of them is                                             | bodies that may brush a corner            |
 /// | `NoneFree`   | always                                                     | points, that pass between touching walls  |
 
+#include <ansatz/core/compiler_flags.hpp>
+
 namespace ansatz::paths {
 
 /// Only between two free tiles: for bodies as wide as a tile.

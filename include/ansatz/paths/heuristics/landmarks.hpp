@@ -38,8 +38,10 @@ public:
     using role = roles::Heuristic;
 
     /// Chooses so many landmarks, each as far as possible from those before.
+    /// \param given  `WeightsOf{map}`, where the search has one
     /// \throws std::invalid_argument for no landmarks, or more than there are vertices
-    template <class Graph> Landmarks(const Graph& g, std::size_t count) : table_(std::make_shared<Table>()) {
+    template <class Graph, class Given = detail::NotGiven>
+    Landmarks(const Graph& g, std::size_t count, const Given& given = {}) : table_(std::make_shared<Table>()) {
         if (count < 1 || count > num_vertices(g))
             refuse_value("Landmarks", "their number", std::to_string(count),
                          "it must be from 1 to the " + std::to_string(num_vertices(g)) + " vertices");
@@ -48,7 +50,7 @@ public:
         const auto range = vertices(g);
         for (auto v = range.first; v != range.second; ++v)
             if (!detail::blocked(VertexOf<Graph>(*v), g)) all.push_back(*v);
-        const auto index = get(boost::vertex_index, g);
+        const auto index = detail::index_of(g);
         std::vector<Number> nearest; // of all landmarks, from each vertex
         for (std::size_t k = 0; k < count && k < all.size(); ++k) {
             VertexOf<Graph> next = all.front();
@@ -56,8 +58,8 @@ public:
                 if (k > 0 && nearest[get(index, v)] < detail::infinite<Number> &&
                     nearest[get(index, v)] > nearest[get(index, next)])
                     next = v;
-            table_->to.push_back(true_costs<Number>(g, next, Toward::to_it));
-            table_->from.push_back(true_costs<Number>(g, next, Toward::from_it));
+            table_->to.push_back(true_costs<Number>(g, next, Toward::to_it, given));
+            table_->from.push_back(true_costs<Number>(g, next, Toward::from_it, given));
             const auto& row = table_->from.back();
             if (k == 0) nearest = row;
             for (std::size_t i = 0; i < row.size(); ++i) nearest[i] = std::min(nearest[i], row[i]);
@@ -72,7 +74,7 @@ public:
         // Numbered behind the tables: a vertex that the graph has got since.
         bool valid = table_->to.empty() || table_->to.front().size() >= num_vertices(g);
         if constexpr (requires { g.cheaper_version(); }) valid = valid && g.cheaper_version() == table_->cheaper;
-        const auto index = get(boost::vertex_index, g);
+        const auto index = detail::index_of(g);
         return [table = valid ? table_ : std::make_shared<Table>(), index,
                 t = std::size_t(get(index, goal))](const VertexOf<Graph>& v) {
             const std::size_t i = std::size_t(get(index, v));

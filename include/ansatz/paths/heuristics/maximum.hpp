@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <type_traits>
 
 namespace ansatz::paths {
 
@@ -26,10 +27,16 @@ template <class... Heuristics> struct Maximum {
         return std::apply(
             [&](const auto&... hs) {
                 return [bound = std::tuple(hs.template bind<Cost>(g, goal)...)](const VertexOf<Graph>& v) {
-                    return std::apply([&](const auto&... each) { return std::max({Cost(each(v))...}); }, bound);
+                    return std::apply([&](const auto&... each) { return largest<Cost>(each(v)...); }, bound);
                 };
             },
             of);
+    }
+
+private:
+    template <class Cost, class... H> static auto largest(const H&... h) {
+        using Number = std::common_type_t<detail::Guess<Cost, H>...>; // one of them may be wider than the costs
+        return std::max({Number(detail::Guess<Cost, H>(h))...});
     }
 };
 

@@ -8,6 +8,9 @@
 /// Take it with `NoReopening`: the bound holds without, and opening nodes again costs more than the weight saves. A w
 /// between 1.2 and 1.5 gives most of the gain.
 ///
+/// Where costs are whole numbers w times h is counted in 64 bits, and f with it: only the path has to fit into the number of
+/// the costs, not its estimate.
+///
 /// \see I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1 (1970).
 
 #include <ansatz/paths/graph.hpp>
@@ -29,7 +32,7 @@ template <class Heuristic> struct Weighted {
     }
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
         return [h = of.template bind<Cost>(g, goal), w = weight](const VertexOf<Graph>& v) {
-            return detail::scaled(Cost(h(v)), w);
+            return detail::scaled(detail::Wide<Cost>(h(v)), w);
         };
     }
 };

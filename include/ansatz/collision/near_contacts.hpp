@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `NearContacts`: who all but touches: pairs that are apart by less than what pulls at them takes them in a step.
+/// Where contacts are answered together, they are held, or a pile that was parted exactly would lie on its lowest
+/// bodies alone.
+
+#include <ansatz/collision/contact.hpp>
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/columns.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace ansatz {
+
+/// The pairs of a step; it keeps its room.
+template <class S> class NearContacts {
+public:
+    using Scalar = typename S::Scalar;
+    std::vector<Contact<S>> all; ///< their depth is negative, or zero where they touch
+    Scalar step{};               ///< s, which was taken
+
+    /// How far each body is taken.
+    /// \param pull a function of a slot: the acceleration of an awake body, m/s^2
+    template <class Pull> void begin(const Bodies& bodies, const Pull& pull) {
+        reach_.assign(bodies.size(), Scalar(0));
+        for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot)
+            reach_[slot] = norm(pull(Bodies::Slot(slot))).value() * step * step;
+    }
+    /// A body's box, made as much larger.
+    void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) const {
+        auto by = lower.value();
+        for (int k = 0; k < S::dimension; ++k) by[k] = reach_[slot];
+        lower -= S::Position::from_value(by);
+        upper += S::Position::from_value(by);
+    }
+    /// Looks at two that do not intersect.
+    template <class Narrowphase, class Data>
+    void look(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b) {
+        const Scalar margin = reach_[slot_a] + reach_[slot_b];
+        if (!(margin > Scalar(0))) return;
+        auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
+        // One of them is made larger, and which one changes the last bits: not the ids decide it, but the places.
+        int k = 0;
+        while (k + 1 < S::dimension && xa.value()[k] == xb.value()[k]) ++k;
+        const bool turned = xb.value()[k] < xa.value()[k];
+        if (turned) std::swap(xa, xb);
+        Contact<S> contact;
+        if (!Narrowphase::template nearly_collide<S>(data.collisions.shapes, turned ? b : a, xa, turned ? a : b, xb,
+                                                     S::Length::from_value(margin), contact))
+            return;
+        if (turned) contact.normal = -contact.normal;
+        if (-contact.depth.value() <= margin / 64)
+            contact.depth = {}; // they touch; a little apart is what parting them left
+        contact.first = data.bodies.handle(slot_a);
+        contact.second = data.bodies.handle(slot_b);
+        all.push_back(contact);
+    }
+
+private:
+    std::vector<Scalar> reach_; // by slot, m
+};
+
+} // namespace ansatz

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `ContactPushes`: all contacts of a step at once, as one least-squares problem: what `Impulse` and `Projection` work
+/// with.
+///
+/// One contact after another, a column of n bodies asks for some n^2 rounds, because each push is news to the neighbour
+/// only. Here the pushes \f$ \lambda_i \ge 0 \f$ along the normals are those for which the whole moves as little as it
+/// can, \f[ \min \tfrac12 \sum_b m_b |\Delta\mathbf u_b|^2 \quad\text{with}\quad \mathbf N_i\cdot(\mathbf u_a - \mathbf
+/// u_b) \ge t_i, \f] found by conjugate gradients: a chain of n is solved in n sweeps, whatever its bodies weigh. u is
+/// a velocity or a displacement. Every sweep comes nearer, so that no number of them gives energy to velocities (where
+/// no t is greater than zero); each cluster of bodies that touch is solved for itself, and the order of the contacts
+/// decides nothing but the last bit.
+///
+/// Those that bounce are reflected before, cluster after cluster, and again while somebody still approaches: a blow
+/// goes through a row of balls one by one and keeps its energy, and two that are hit at once are hit alike (B. Smith et
+/// al., Reflections on Simultaneous Impact, 2012; the share of each contact is that of a body divided among its
+/// contacts).
+///
+/// The conjugate gradients are those of Polak and Ribiere, begun anew where a push ends; the step that follows is a
+/// projected one of a length that cannot fail: with n contacts at a body, A is at most n_a w_a + n_b w_b on the
+/// diagonal.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/islands.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ansatz {
+
+/// The contacts and bodies of one level of a step. It keeps its room.
+template <class S> class ContactPushes {
+public:
+    using Scalar = typename S::Scalar;
+    using Raw = Vector<Scalar, S::dimension>; ///< raw SI
+
+    /// A body that is pushed.
+    struct Body {
+        Raw u;                   ///< what is changed
+        Raw was;                 ///< what it was
+        Raw by;                  ///< the direction of a sweep
+        Scalar weight{};         ///< 1/m, 1/kg; zero for what is not moved
+        std::uint32_t slot = 0;  ///< where it is
+        std::uint32_t count = 0; ///< of its contacts
+    };
+    /// Two that touch, or will.
+    struct Push {
+        std::uint32_t a = 0;     ///< a place among `bodies`
+        std::uint32_t b = 0;     ///< and another
+        std::uint32_t which = 0; ///< the number that it was added with
+        std::uint32_t root = 0;  ///< who stands for its cluster
+        Raw normal{};            ///< from b to a
+        Raw point{};     ///< where, m: they are gone through in this order, so that the order of adding decides nothing
+        Scalar depth{};  ///< m; negative where they do not touch yet
+        Scalar target{}; ///< t
+        Scalar along{};  ///< N . (u_a - u_b) when it was looked at last
+        Scalar total{};  ///< what was pushed so far, bounces and all
+        Scalar restitution{}; ///< of the two
+        Scalar friction{};    ///< of the two
+        Scalar rubbed{};      ///< how much of what friction may push it has pushed
+        Scalar ahead{};       ///< along the normal, what the velocity of the position's time has more than u
+        bool touches = true;  ///< or is so near that it may within a step
+        bool bounced = false; ///< in this step
+        bool bounces = false; ///< in this round
+        bool waits = false;   ///< it takes no part in the sweeps
+        Scalar lambda{};      ///< along the normal, of the sweeps
+        Scalar residual{};    ///< along - target
+        Scalar step{};        ///< the direction of a sweep
+    };
+    std::vector<Body> bodies; ///< those of which somebody is in a contact
+    std::vector<Push> pushes; ///< the contacts
+
+    /// None.
+    void clear(std::size_t slots) {
+        for (const auto& body : bodies)
+            if (body.slot < place_.size()) place_[body.slot] = nobody;
+        place_.resize(slots, nobody);
+        bodies.clear();
+        pushes.clear();
+    }
+    /// The place of the body of a slot; `u()` tells what it is changed from.
+    template <class U> std::uint32_t body(std::uint32_t slot, Scalar weight, const U& u) {
+        if (place_[slot] == nobody) {
+            place_[slot] = std::uint32_t(bodies.size());
+            const Raw is = u();
+            bodies.push_back({is, is, Raw::Zero(), weight, slot, 0});
+        }
+        return place_[slot];
+    }
+    /// In an order that the ids of bodies have no part in.
+    void arrange() {
+        std::sort(pushes.begin(), pushes.end(), [](const Push& p, const Push& q) {
+            for (int k = S::dimension; k-- > 0;)
+                if (p.point[k] != q.point[k]) return p.point[k] < q.point[k];
+            return p.which < q.which;
+        });
+    }
+    /// N . (u_a - u_b).
+    [[gnu::always_inline]] Scalar along(const Push& p) const {
+        return dot(Raw(bodies[p.a].u - bodies[p.b].u), p.normal);
+    }
+
+    /// Up to `sweeps` of them, so that every contact has at least its target.
+    void solve(int sweeps) {
+        cluster([](const Push& p) { return !p.waits; });
+        for (int sweep = 0; sweep < sweeps; ++sweep) {
+            if (!choose(sweep == 0)) return;
+            advance();
+        }
+    }
+
+    /// Coulomb's law, contact by contact: what slides is slowed, in all by no more than mu times what was pushed along
+    /// the normal.
+    void rub() {
+        for (auto& p : pushes) {
+            const Scalar most = p.friction * p.total - p.rubbed;
+            if (!(most > Scalar(0))) continue;
+            auto &a = bodies[p.a], &b = bodies[p.b];
+            const Raw between = a.u - b.u, sliding = between - dot(between, p.normal) * p.normal;
+            const Scalar speed = norm(sliding);
+            if (!(speed > Scalar(0))) continue;
+            const Scalar holding = std::min(speed / (a.weight + b.weight), most); // no more than would stop it
+            const Raw j = (-holding / speed) * sliding;
+            a.u += a.weight * j;
+            b.u -= b.weight * j;
+            p.rubbed += holding;
+        }
+    }
+
+    /// One round of bounces: all that approach are reflected at once, to `wanted(push)` where each is alone.
+    /// \param wanted the speed at which a contact that approaches is to part; nothing, if it does not bounce
+    /// \return whether there was one
+    template <class Wanted> bool bounce(const Wanted& wanted) {
+        bool any = false;
+        for (auto& p : pushes) {
+            p.along = along(p);
+            const auto speed = wanted(p);
+            p.bounces = speed && *speed > p.along;
+            p.residual = p.bounces ? *speed - p.along : Scalar(0);
+            any = any || p.bounces;
+        }
+        if (!any) return false;
+        cluster([](const Push& p) { return p.bounces; });
+        for (auto& p : pushes)
+            if (p.bounces) {
+                p.step = p.residual / share(p);
+                add(p, p.step);
+                scratch_[p.root].slope += p.step * p.residual;
+            }
+        for (const auto& p : pushes)
+            if (p.bounces) scratch_[p.root].curvature += p.step * dot(Raw(bodies[p.a].by - bodies[p.b].by), p.normal);
+        for (auto& p : pushes)
+            if (p.bounces) p.total += length(scratch_[p.root]) * p.step;
+        move([&](std::uint32_t root) { return length(scratch_[root]); });
+        return true;
+    }
+
+private:
+    static constexpr std::uint32_t nobody = 0xffffffffu;
+    /// Of a cluster.
+    struct Cluster {
+        Scalar slope{}, curvature{}, longest{}, size{}, before{}, mixed{}, first{}, length{};
+        std::uint32_t count = 0;
+        bool anew = false; // a push ended: the next step is a projected one
+        bool done = false; // whatever other clusters still do
+    };
+    /// n_a w_a + n_b w_b
+    Scalar share(const Push& p) const {
+        return Scalar(bodies[p.a].count) * bodies[p.a].weight + Scalar(bodies[p.b].count) * bodies[p.b].weight;
+    }
+    void add(const Push& p, Scalar amount) {
+        bodies[p.a].by += (amount * bodies[p.a].weight) * p.normal;
+        bodies[p.b].by -= (amount * bodies[p.b].weight) * p.normal;
+    }
+    /// Of one contact alone the step is known to be the right one.
+    static Scalar length(const Cluster& c) {
+        return c.count == 1 ? Scalar(1) : c.curvature > Scalar(0) ? c.slope / c.curvature : Scalar(0);
+    }
+    template <class Length> void move(const Length& of) {
+        for (std::uint32_t n = 0; n < bodies.size(); ++n) {
+            auto& body = bodies[n];
+            if (body.count == 0 || !(body.weight > Scalar(0))) continue;
+            body.u += of(roots_.of(n)) * body.by;
+            body.by = Raw::Zero();
+        }
+    }
+
+    /// Who touches whom, of some of the contacts; what nothing moves connects nobody.
+    template <class Which> void cluster(const Which& which) {
+        roots_.reset(bodies.size());
+        for (auto& body : bodies) body.count = 0, body.by = Raw::Zero();
+        for (const auto& p : pushes) {
+            if (!which(p)) continue;
+            ++bodies[p.a].count, ++bodies[p.b].count;
+            if (bodies[p.a].weight > Scalar(0) && bodies[p.b].weight > Scalar(0)) roots_.unite(p.a, p.b);
+        }
+        scratch_.assign(bodies.size(), Cluster());
+        for (auto& p : pushes) {
+            if (!which(p)) continue;
+            p.root = roots_.of(bodies[p.a].weight > Scalar(0) ? p.a : p.b);
+            ++scratch_[p.root].count;
+        }
+    }
+    /// The direction of a sweep. \return whether there is one
+    bool choose(bool first) {
+        for (auto& p : pushes) {
+            if (p.waits) continue;
+            auto& c = scratch_[p.root];
+            const Scalar before = p.residual;
+            p.along = along(p);
+            p.residual = p.along - p.target;
+            const bool in = p.lambda > Scalar(0) || p.residual < Scalar(0);
+            const Scalar z = in ? p.residual / share(p) : Scalar(0);
+            c.size += z * p.residual;
+            c.mixed += z * (p.residual - before);
+        }
+        bool any = false;
+        const Scalar enough = Scalar(16) * std::numeric_limits<Scalar>::epsilon();
+        for (auto& c : scratch_) c.done = c.done || !(c.size > enough * enough * c.first);
+        for (auto& p : pushes) {
+            if (p.waits) continue;
+            auto& c = scratch_[p.root];
+            const bool in = !c.done && (p.lambda > Scalar(0) || p.residual < Scalar(0));
+            const Scalar z = in ? p.residual / share(p) : Scalar(0);
+            const Scalar kept =
+                first || c.anew || !(c.before > Scalar(0)) || !(c.mixed > Scalar(0)) ? Scalar(0) : c.mixed / c.before;
+            p.step = in ? kept * p.step - z : Scalar(0);
+            if (c.anew ? p.lambda + p.step < Scalar(0) : !(p.lambda > Scalar(0)) && p.step < Scalar(0))
+                p.step = -p.lambda;
+            any = any || p.step != Scalar(0);
+        }
+        return any;
+    }
+    void advance() {
+        for (auto& c : scratch_) c.slope = c.curvature = Scalar(0), c.longest = std::numeric_limits<Scalar>::max();
+        for (const auto& p : pushes) {
+            if (p.waits) continue;
+            auto& c = scratch_[p.root];
+            c.slope -= p.step * p.residual;
+            if (p.step < Scalar(0)) c.longest = std::min(c.longest, p.lambda / -p.step);
+            if (p.step != Scalar(0)) add(p, p.step);
+        }
+        for (const auto& p : pushes)
+            if (!p.waits) scratch_[p.root].curvature += p.step * dot(Raw(bodies[p.a].by - bodies[p.b].by), p.normal);
+        for (auto& c : scratch_) {
+            if (c.count == 0) continue;
+            const bool descends = c.slope > Scalar(0);
+            const Scalar best = descends ? length(c) : Scalar(0);
+            c.anew = !descends || best >= c.longest;
+            c.length = std::min(best, c.longest);
+            c.before = c.size;
+            c.first = std::max(c.first, c.size);
+            c.size = c.mixed = Scalar(0);
+        }
+        for (auto& p : pushes) {
+            if (p.waits) continue;
+            const auto& c = scratch_[p.root];
+            const Scalar then = std::max(p.lambda + c.length * p.step, Scalar(0));
+            p.total += then - p.lambda;
+            p.lambda = then;
+        }
+        move([&](std::uint32_t root) { return scratch_[root].length; });
+    }
+
+    std::vector<std::uint32_t> place_; // by slot
+    std::vector<Cluster> scratch_;     // by who stands for it
+    Islands roots_;
+};
+
+} // namespace ansatz

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// What even units need: everything of this module.
+
+#include <ansatz/core/compiler_flags.hpp>

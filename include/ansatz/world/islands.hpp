@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Islands`: which bodies hang together, by contacts or springs, so that they fall asleep and wake together (notes 1.8).
+///
+/// A pile of which one body sleeps and the next does not would wake it again and again. What is fixed joins nothing: two
+/// piles on one ground are two islands.
+///
+/// `SleepScratch` is what a world keeps to find out who falls asleep (sleep.hpp).
+///
+/// R. E. Tarjan, Efficiency of a good but not linear set union algorithm (1975).
+
+#include <ansatz/core/compiler_flags.hpp>
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace ansatz {
+
+/// Sets of numbers below n that are united two by two.
+class Islands {
+public:
+    /// Room for so many numbers.
+    void reserve(std::size_t n) { parent_.reserve(n); }
+    /// n islands of one each.
+    void reset(std::size_t n) {
+        parent_.resize(n);
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    /// The number that stands for the island of `i`.
+    std::uint32_t of(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]]; // each look makes the next one shorter
+        return i;
+    }
+    /// Makes one island of two. The smallest number stands for it, so that the order of the calls does not matter.
+    void unite(std::uint32_t i, std::uint32_t j) {
+        i = of(i);
+        j = of(j);
+        if (i < j) parent_[j] = i;
+        else parent_[i] = j;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// What is kept, from step to step, for the question who falls asleep (sleep.hpp).
+template <class S> struct SleepScratch {
+    Islands islands;                              ///< of the awake bodies, by slot
+    std::vector<typename S::Acceleration> pulls;  ///< by slot: what pulls at a body at rest, with what its contacts push where that is known
+    std::vector<decltype(norm(typename S::Acceleration()))> trembles; ///< by slot: how much of it may remain where contacts carry
+    std::vector<std::uint8_t> held;               ///< by slot: whether something holds the body
+    std::vector<std::uint8_t> goes_along;         ///< by slot: whether it touches a platform that moves, or hangs on one
+    std::vector<std::uint8_t> restless;           ///< whether an island stays awake, by who stands for it
+    std::vector<std::uint32_t> sleepers;          ///< by id
+
+    /// Room for so many bodies.
+    void reserve(std::size_t n) {
+        islands.reserve(n);
+        pulls.reserve(n);
+        trembles.reserve(n);
+        held.reserve(n);
+        goes_along.reserve(n);
+        restless.reserve(n);
+        sleepers.reserve(n);
+    }
+};
+
+} // namespace ansatz

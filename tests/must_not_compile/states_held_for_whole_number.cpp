@@ -1,0 +1,19 @@
+// expect: a time as a whole number; 1 / 60 is 0 in whole numbers. Write a number with a point, e.g. 1.0 / 60 * second
+// SPDX-License-Identifier: BSL-1.0
+// 1 / 2 in whole numbers is 0.
+
+#include <ansatz/states.hpp>
+
+using namespace ansatz;
+
+struct Npc {
+    Quantity<unit::Length> distance = 5.0 * metre;
+};
+
+int main() {
+#ifdef ANSATZ_MISTAKE
+    static_cast<void>(states::held_for(states::value("distance", &Npc::distance) < 5.0 * metre, 1 / 2 * second));
+#else
+    static_cast<void>(states::held_for(states::value("distance", &Npc::distance) < 5.0 * metre, 1.0 / 2 * second));
+#endif
+}

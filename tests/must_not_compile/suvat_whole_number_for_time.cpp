@@ -1,0 +1,15 @@
+// expect: a time as a whole number; 1 / 60 is 0 in whole numbers. Write a number with a point, e.g. 1.0 / 60 * second
+// SPDX-License-Identifier: BSL-1.0
+// 1 / 2 in whole numbers is 0.
+
+#include <ansatz/motion.hpp>
+
+using namespace ansatz;
+
+int main() {
+#ifdef ANSATZ_MISTAKE
+    static_cast<void>(suvat::time(1 / 2 * second));
+#else
+    static_cast<void>(suvat::time(1.0 / 2 * second));
+#endif
+}
