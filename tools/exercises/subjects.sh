@@ -10,10 +10,15 @@
 # Each subject stands in a namespace of its own, with the tests in it once more. The headers that it includes come before,
 # so that they are parsed once; inside, their guards leave nothing of them. What macros an answer defines are as they were
 # after it. subjects.cpp does not compile those that ANSATZ_BROKEN_<n> names, and with ANSATZ_ONLY=<n> but one.
+#
+# Files are included by their place in the project, or beside this one, never by a whole path: ccache hands the list of
+# included files to another checkout as it is, and that one would watch the files of this one.
 set -u
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd) || exit 1
 kind=${1:?student or others} exercise=${2:?the folder of the exercise} out=${3:?where to write}
 mkdir -p "$out" || exit 1
+project=$(cd "$tools/../.." && pwd) || exit 1
+place=${exercise#"$project"/}
 
 # macros_kept <header> push|pop: the macros that it changes.
 macros_kept() { awk -f "$tools/macros.awk" "$1" | sed "s/.*/#pragma $2_macro(\"&\")/"; }
@@ -25,7 +30,7 @@ write_student() {
     # Only where no brace is open a template can be specialised: else the compiler would blame whatever comes next.
     echo "template <class> struct NothingIsOpen;"
     macros_kept "$exercise/exercise.hpp" push
-    echo "#include \"$exercise/exercise.hpp\""
+    echo "#include \"$place/exercise.hpp\""
     macros_kept "$exercise/exercise.hpp" pop
     echo "template <> struct NothingIsOpen<int> {};"
 }
@@ -38,6 +43,9 @@ one() {
     printf '%s\n' "$@"
     echo "#endif"
 }
+
+# place_of <file>: what to include it by, from a file in $out.
+place_of() { case $1 in "$out"/*) echo "${1#"$out"/}" ;; *) echo "$place/${1#"$exercise"/}" ;; esac; }
 
 write_others() {
     local solved tasks n name file names=(solution skeleton) files=("$exercise/solution.hpp" "$out/skeleton.hpp") wrong
@@ -60,13 +68,13 @@ write_others() {
         echo "// subject $n: ${names[n]}"
         # What the others include is no help to this one, as long as it comes first: so the solution does, and the skeletons.
         one "$n" "$(headers_of "${files[n]}")" "$(macros_kept "${files[n]}" push)" "namespace subject_$n {" \
-            "static constexpr const char* tested_subject = \"${names[n]}\";" "#include \"${files[n]}\"" "}" \
+            "static constexpr const char* tested_subject = \"${names[n]}\";" "#include \"$(place_of "${files[n]}")\"" "}" \
             "$(macros_kept "${files[n]}" pop)" "template <> struct NothingIsOpen<$n> {};"
     done
     echo
     headers_of "$exercise/test.cpp"
     for ((n = 0; n < ${#names[@]}; n++)); do
-        one "$n" "namespace subject_$n {" "#include \"$exercise/test.cpp\"" \
+        one "$n" "namespace subject_$n {" "#include \"$place/test.cpp\"" \
             "static const ansatz::workbook::RegisteredProbe registered_probe(tested_subject, &probe);" "}"
     done
 }
