@@ -10,7 +10,7 @@
 
 #else
 
-#define CATCH_CONFIG_ENABLE_BENCHMARKING    // version 3 always has BENCHMARK
+#define CATCH_CONFIG_ENABLE_BENCHMARKING // version 3 always has BENCHMARK
 #include <catch2/catch.hpp>
 
 #include <exception>
@@ -28,31 +28,29 @@ inline auto ContainsSubstring(const std::string& part, CaseSensitive::Choice cho
 }
 
 /// Matches an exception whose what() matches: MessageMatches(StartsWith("World::add") && ContainsSubstring("kg")).
-template <class Matcher>
-class MessageMatchesMatcher : public MatcherBase<std::exception> {
-  public:
+template <class Matcher> class MessageMatchesMatcher : public MatcherBase<std::exception> {
+public:
     explicit MessageMatchesMatcher(Matcher matcher) : matcher_{std::move(matcher)} {}
     bool match(const std::exception& error) const override { return matcher_.match(error.what()); }
     std::string describe() const override { return "matches \"" + matcher_.toString() + '"'; }
 
-  private:
+private:
     Matcher matcher_;
 };
 
-template <class Matcher>
-MessageMatchesMatcher<Matcher> MessageMatches(Matcher matcher) {
+template <class Matcher> MessageMatchesMatcher<Matcher> MessageMatches(Matcher matcher) {
     return MessageMatchesMatcher<Matcher>{std::move(matcher)};
 }
 
-}    // namespace Matchers
-}    // namespace Catch
+} // namespace Matchers
+} // namespace Catch
 
 /// Ends the test and has ctest report it as skipped, if nothing failed before. A reason is required.
-#define SKIP(reason)                          \
-    do {                                      \
-        WARN("test skipped: " << reason);     \
-        SUCCEED();                            \
-        return;                               \
+#define SKIP(reason)                                                                                                   \
+    do {                                                                                                               \
+        WARN("test skipped: " << reason);                                                                              \
+        SUCCEED();                                                                                                     \
+        return;                                                                                                        \
     } while (false)
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The one main of all tests, for Catch2 3 and 2.13.
-#define CATCH_CONFIG_RUNNER    // Catch2 2.13: its implementation is compiled here
+#define CATCH_CONFIG_RUNNER // Catch2 2.13: its implementation is compiled here
 #include "tests/catch.hpp"
 #include "tests/project.hpp"
 

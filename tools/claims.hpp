@@ -4,8 +4,8 @@
 /// \file
 /// What a section's program says about the notes, line by line, and whether it turned out to be so.
 ///
-/// A program of the course makes claims; each is printed with its outcome, and the program fails when one does not hold.
-/// So every section is a test as well.
+/// A program of the course makes claims; each is printed with its outcome, and the program fails when one does not
+/// hold. So every section is a test as well.
 
 #include <iostream>
 #include <string_view>

@@ -68,8 +68,10 @@ struct CostsOptions {
                 if (i + 1 == arguments.size()) throw std::invalid_argument(name + " needs a value after it");
                 return arguments[++i];
             };
-            if (name == "--quick") { options.plan.repeats = 3; options.plan.sample_seconds = 0.003; }
-            else if (name == "--untimed") options.untimed = true;
+            if (name == "--quick") {
+                options.plan.repeats = 3;
+                options.plan.sample_seconds = 0.003;
+            } else if (name == "--untimed") options.untimed = true;
             else if (name == "--check") options.check = true;
             else if (name == "--list") options.list = true;
             else if (name == "--help" || name == "-h") options.help = true;
@@ -78,9 +80,9 @@ struct CostsOptions {
             else if (name == "--repeats") {
                 const std::string& number = value();
                 options.plan.repeats = std::atoi(number.c_str());
-                if (options.plan.repeats < 1) throw std::invalid_argument("--repeats takes a whole number from 1, not '" + number + "'");
-            }
-            else throw std::invalid_argument("unknown option '" + name + "'\n" + std::string{text});
+                if (options.plan.repeats < 1)
+                    throw std::invalid_argument("--repeats takes a whole number from 1, not '" + number + "'");
+            } else throw std::invalid_argument("unknown option '" + name + "'\n" + std::string{text});
         }
         return options;
     }
@@ -89,34 +91,47 @@ struct CostsOptions {
 /// The cost table of one module.
 class Costs {
 public:
-    Costs(std::string module, int argc, char** argv) : Costs{std::move(module), std::vector<std::string>(argv + (argc > 0), argv + argc)} {}
-    Costs(std::string module, std::vector<std::string> arguments) : module_{std::move(module)}, arguments_{std::move(arguments)} {}
+    Costs(std::string module, int argc, char** argv)
+        : Costs{std::move(module), std::vector<std::string>(argv + (argc > 0), argv + argc)} {}
+    Costs(std::string module, std::vector<std::string> arguments)
+        : module_{std::move(module)}, arguments_{std::move(arguments)} {}
 
     /// Adds one measurement. Its place in the table is its place in the program.
     void add(const Axis& axis, Case measurement) {
         if (!measurement.per || !(*measurement.per > 0))
-            throw std::invalid_argument("what_it_costs " + module_ + ": '.per' of " + measurement.choice + " must be above zero");
+            throw std::invalid_argument("what_it_costs " + module_ + ": '.per' of " + measurement.choice +
+                                        " must be above zero");
         axes_.push_back(axis);
         cases_.push_back(std::move(measurement));
     }
 
     /// Adds something to be printed below the table: what costs no time, such as bytes.
     void add_below(std::function<void(std::ostream&)> print) {
-        add_summary([print = std::move(print)](std::ostream& out, const Rows&, const std::filesystem::path&) { print(out); });
+        add_summary(
+            [print = std::move(print)](std::ostream& out, const Rows&, const std::filesystem::path&) { print(out); });
     }
 
-    /// Adds what is made of the rows that were measured: where one choice overtakes another, a picture along another axis. It is
-    /// called below the table, with all rows and the folder for pictures.
-    void add_summary(std::function<void(std::ostream&, const Rows&, const std::filesystem::path&)> summary) { below_.push_back(std::move(summary)); }
+    /// Adds what is made of the rows that were measured: where one choice overtakes another, a picture along another
+    /// axis. It is called below the table, with all rows and the folder for pictures.
+    void add_summary(std::function<void(std::ostream&, const Rows&, const std::filesystem::path&)> summary) {
+        below_.push_back(std::move(summary));
+    }
 
     /// Measures everything and reports; the result is the program's exit code.
     int run(std::ostream& out = std::cout) {
         try {
             const CostsOptions options = CostsOptions::parse(arguments_);
-            if (options.help) { out << CostsOptions::text; return 0; }
+            if (options.help) {
+                out << CostsOptions::text;
+                return 0;
+            }
             choose(options.only);
-            if (cases_.empty()) throw std::invalid_argument("no row contains '" + options.only + "'; --list shows what there is");
-            if (options.list) { list(out); return 0; }
+            if (cases_.empty())
+                throw std::invalid_argument("no row contains '" + options.only + "'; --list shows what there is");
+            if (options.list) {
+                list(out);
+                return 0;
+            }
             return report(measure(options), options, out);
         } catch (const std::exception& error) {
             std::cerr << "what_it_costs " << module_ << ": " << error.what() << '\n';
@@ -183,7 +198,8 @@ private:
 
     void list(std::ostream& out) const {
         for (std::size_t i = 0; i < cases_.size(); ++i)
-            out << axes_[i].name << " | " << cases_[i].choice << " | " << cases_[i].problem << " | " << cases_[i].parameter.text() << '\n';
+            out << axes_[i].name << " | " << cases_[i].choice << " | " << cases_[i].problem << " | "
+                << cases_[i].parameter.text() << '\n';
     }
 
     int report(const Rows& rows, const CostsOptions& options, std::ostream& out) const {
@@ -192,7 +208,8 @@ private:
         out << "What accuracy costs: " << module_ << '\n'
             << machine.cpu << ", " << machine.cores << " cores, " << machine.compiler << ", " << machine.flags << '\n';
         if (!options.untimed)
-            out << "thread CPU time, the minimum of " << machine.repeats << " interleaved repeats; spread: how far their median lies above it\n";
+            out << "thread CPU time, the minimum of " << machine.repeats
+                << " interleaved repeats; spread: how far their median lies above it\n";
         out << '\n';
         print_table(out, rows);
 
@@ -205,7 +222,8 @@ private:
         bool off = false;
         for (const Row& row : rows) off = off || order_is_off(row);
         if (options.check && off) {
-            std::cerr << "what_it_costs " << module_ << ": a fitted order is off the known one; the rows are marked with ! above\n";
+            std::cerr << "what_it_costs " << module_
+                      << ": a fitted order is off the known one; the rows are marked with ! above\n";
             return 1;
         }
         return 0;
@@ -218,4 +236,4 @@ private:
     std::vector<std::function<void(std::ostream&, const Rows&, const std::filesystem::path&)>> below_;
 };
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

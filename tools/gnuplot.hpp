@@ -6,7 +6,7 @@
 /// `plot.hpp` (pictures of the sections) and `costs/picture.hpp` (what accuracy costs) describe what
 /// is to be seen; gnuplot draws it. Without gnuplot every picture becomes one line that says so.
 
-#include <stdio.h>     // popen and pclose are POSIX: <cstdio> need not declare them
+#include <stdio.h> // popen and pclose are POSIX: <cstdio> need not declare them
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -89,7 +89,7 @@ inline bool gnuplot_installed() {
 
 /// Runs gnuplot (or a pipe of the shell that begins with it) on a script and waits. True when it ended well.
 inline bool run_gnuplot(std::string_view script, const char* command = "gnuplot") {
-    std::cout.flush();                       // gnuplot may print to the same terminal: keep the order
+    std::cout.flush(); // gnuplot may print to the same terminal: keep the order
     FILE* gnuplot = popen(command, "w");
     if (gnuplot == nullptr) return false;
     // A gnuplot that stops early closes the pipe; that must be a `false` here, not a killed program.
@@ -118,8 +118,8 @@ inline bool draw(const std::filesystem::path& file, std::string_view script) {
 
     const std::filesystem::path part = file.string() + "." + std::to_string(::getpid()) + ".part";
     // gnuplot writes some files even when it fails; what it prints explains the failure.
-    const bool drawn = run_gnuplot("set output " + in_quotes(part.string()) + "\n" + std::string{script} +
-                                   "\nset output\n");
+    const bool drawn =
+        run_gnuplot("set output " + in_quotes(part.string()) + "\n" + std::string{script} + "\nset output\n");
     if (!drawn || !std::filesystem::exists(part) || std::filesystem::file_size(part, error) == 0) {
         std::filesystem::remove(part, error);
         return fail("gnuplot could not draw it; its message stands above");
@@ -130,4 +130,4 @@ inline bool draw(const std::filesystem::path& file, std::string_view script) {
     return true;
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

@@ -13,18 +13,16 @@
 namespace ansatz::workbook {
 
 /// The number in a quantity (in its own unit), or the number itself.
-template <class Value>
-double plain(const Value& value) {
+template <class Value> double plain(const Value& value) {
     if constexpr (std::is_arithmetic_v<Value>) return static_cast<double>(value);
     else if constexpr (requires { value.value(); }) return static_cast<double>(value.value());
-    else return static_cast<double>(value);      // a high-precision scalar
+    else return static_cast<double>(value); // a high-precision scalar
 }
 
 /// The symbol of a value's unit: "m/s"; empty for plain numbers and dimensionless quantities.
-template <class Value>
-std::string unit_of() {
+template <class Value> std::string unit_of() {
     if constexpr (requires { typename Value::unit_type; }) return std::string{symbol(typename Value::unit_type{})};
     else return {};
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

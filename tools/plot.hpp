@@ -48,15 +48,24 @@ public:
     Plot& x(std::string what, std::string unit = {}) { return describe(x_, std::move(what), std::move(unit)); }
     Plot& y(std::string what, std::string unit = {}) { return describe(y_, std::move(what), std::move(unit)); }
 
-    Plot& log_x() { x_.logarithmic = true; return *this; }
-    Plot& log_y() { y_.logarithmic = true; return *this; }
+    Plot& log_x() {
+        x_.logarithmic = true;
+        return *this;
+    }
+    Plot& log_y() {
+        y_.logarithmic = true;
+        return *this;
+    }
 
     /// The part of an axis to show; without it everything is shown.
     template <class Value> Plot& x_range(Value from, Value to) { return limit(x_, from, to); }
     template <class Value> Plot& y_range(Value from, Value to) { return limit(y_, from, to); }
 
     /// One metre as long on the page in both directions: for paths in space and orbits.
-    Plot& equal_axes() { equal_axes_ = true; return *this; }
+    Plot& equal_axes() {
+        equal_axes_ = true;
+        return *this;
+    }
 
     /// A curve. `ys` is a container as long as `xs`, or a function of one element of `xs`.
     template <class Xs, class Ys> Plot& line(std::string name, const Xs& xs, const Ys& ys) {
@@ -121,8 +130,7 @@ private:
         std::string text;
     };
 
-    template <class Xs, class Ys>
-    Plot& add(Style style, std::string name, const Xs& xs, const Ys& ys) {
+    template <class Xs, class Ys> Plot& add(Style style, std::string name, const Xs& xs, const Ys& ys) {
         using X = std::decay_t<decltype(*std::begin(xs))>;
         Curve curve{style, std::move(name), {}};
         if constexpr (std::is_invocable_v<const Ys&, const X&>) {
@@ -187,6 +195,6 @@ private:
     std::vector<Mark> marks_;
 };
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook
 
 #include "plot_draw.hpp"

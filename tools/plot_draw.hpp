@@ -78,7 +78,8 @@ inline std::string with_superscripts(const std::string& unit) {
 inline void Plot::logarithmic_axis(std::ostream& s, char letter, const Axis& axis) const {
     const auto [low, high] = axis.range ? *axis.range : extent(letter);
     const double room = axis.range ? 1 : std::max(std::pow(high / low, 0.04), 1.1);
-    s << "set logscale " << letter << " 10\nset " << letter << "range [" << number(low / room) << ':' << number(high * room) << "]\n";
+    s << "set logscale " << letter << " 10\nset " << letter << "range [" << number(low / room) << ':'
+      << number(high * room) << "]\n";
     if (high / low > 100) {
         s << "set format " << letter << " '10^{%L}'\n";
         return;
@@ -105,31 +106,42 @@ inline void Plot::axes(std::ostream& s) const {
             return;
         }
         s << "set format " << letter << " '%h'\n";
-        if (axis.range) s << "set " << letter << "range [" << number(axis.range->first) << ':' << number(axis.range->second) << "]\n";
+        if (axis.range)
+            s << "set " << letter << "range [" << number(axis.range->first) << ':' << number(axis.range->second)
+              << "]\n";
     };
     one('x', x_);
     one('y', y_);
-    if (!x_.range && !x_.logarithmic) s << "set autoscale xfix\n";   // curves begin and end at the frame
-    if (equal_axes_) s << "set size ratio -1\nset autoscale\nset offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04\n";
+    if (!x_.range && !x_.logarithmic) s << "set autoscale xfix\n"; // curves begin and end at the frame
+    if (equal_axes_)
+        s << "set size ratio -1\nset autoscale\nset offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04\n";
 }
 
 /// One row of samples under the title, left-aligned, wrapped where the picture ends. gnuplot's own key
 /// spreads its entries over the width; a reader finds a curve faster where they stand together.
 inline void Plot::legend(std::ostream& s, double width, double height) const {
-    const double per_letter = 7.4, sample = 24, gap = 26, left = 22;   // pixels at font size 13
+    const double per_letter = 7.4, sample = 24, gap = 26, left = 22; // pixels at font size 13
     double x = left, y = 66;
     std::size_t rows = curves_.empty() ? 0 : 1;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         const Curve& curve = curves_[i];
         const double needs = sample + 7 + per_letter * static_cast<double>(visible_width(curve.name));
-        if (x > left && x + needs > width - left) { x = left; y += 22; ++rows; }
-        const auto at = [&](double px) { return "screen " + number(px / width) + ", screen " + number(1 - y / height); };
+        if (x > left && x + needs > width - left) {
+            x = left;
+            y += 22;
+            ++rows;
+        }
+        const auto at = [&](double px) {
+            return "screen " + number(px / width) + ", screen " + number(1 - y / height);
+        };
         if (curve.style != Style::points)
-            s << "set arrow from " << at(x) << " to " << at(x + sample) << " nohead front lw 2.5 lc rgb '" << colour_of(i) << "'"
-              << (curve.style == Style::reference ? " dt (8,6)\n" : "\n");
+            s << "set arrow from " << at(x) << " to " << at(x + sample) << " nohead front lw 2.5 lc rgb '"
+              << colour_of(i) << "'" << (curve.style == Style::reference ? " dt (8,6)\n" : "\n");
         if (curve.style == Style::points || curve.style == Style::linked_points)
-            s << "set label '' at " << at(x + sample / 2) << " front point pt " << point_shape(i) << " ps 0.8 lc rgb '" << colour_of(i) << "'\n";
-        s << "set label " << in_quotes(curve.name) << " at " << at(x + sample + 7) << " left front noenhanced font ',13' textcolor rgb '#333333'\n";
+            s << "set label '' at " << at(x + sample / 2) << " front point pt " << point_shape(i) << " ps 0.8 lc rgb '"
+              << colour_of(i) << "'\n";
+        s << "set label " << in_quotes(curve.name) << " at " << at(x + sample + 7)
+          << " left front noenhanced font ',13' textcolor rgb '#333333'\n";
         x += needs + gap;
     }
     const double top = 58 + 22 * static_cast<double>(rows) + 12;
@@ -145,12 +157,15 @@ inline void Plot::marks(std::ostream& s) const {
         const std::string beside = in_the_right_part ? " right offset -0.6,0" : " left offset 0.6,0";
         switch (mark.kind) {
         case Mark::vertical:
-            s << "set arrow from first " << number(mark.x) << ", graph 0 to first " << number(mark.x) << ", graph 1" << style;
-            s << "set label " << in_quotes(mark.text) << " at first " << number(mark.x) << ", graph 0.96" << beside << text;
+            s << "set arrow from first " << number(mark.x) << ", graph 0 to first " << number(mark.x) << ", graph 1"
+              << style;
+            s << "set label " << in_quotes(mark.text) << " at first " << number(mark.x) << ", graph 0.96" << beside
+              << text;
             break;
         case Mark::horizontal:
             s << "set arrow from graph 0, first " << number(mark.y) << " to graph 1, first " << number(mark.y) << style;
-            s << "set label " << in_quotes(mark.text) << " at graph 0.99, first " << number(mark.y) << " right offset 0,0.6" << text;
+            s << "set label " << in_quotes(mark.text) << " at graph 0.99, first " << number(mark.y)
+              << " right offset 0,0.6" << text;
             break;
         case Mark::note:
             s << "set label " << in_quotes(mark.text) << " at " << number(mark.x) << ", " << number(mark.y) << beside
@@ -175,8 +190,12 @@ inline std::string Plot::script() const {
     s << house_style(width, height);
     // A claim that is too long for one line is set smaller.
     const std::size_t letters = visible_width(title_);
-    s << "set label " << in_quotes(title_) << " at screen " << number(22.0 / width) << ", screen " << number(1 - 32.0 / height)
-      << " left front noenhanced font '," << (letters <= 72 ? 18 : letters <= 86 ? 15 : 13) << "' textcolor rgb '#222222'\n";
+    s << "set label " << in_quotes(title_) << " at screen " << number(22.0 / width) << ", screen "
+      << number(1 - 32.0 / height) << " left front noenhanced font ',"
+      << (letters <= 72   ? 18
+          : letters <= 86 ? 15
+                          : 13)
+      << "' textcolor rgb '#222222'\n";
     axes(s);
     legend(s, width, height);
     marks(s);
@@ -208,12 +227,14 @@ inline bool Plot::write() const {
 inline bool Plot::terminal() const {
     if (nothing_to_draw() || !gnuplot_installed()) return false;
     std::ostringstream s;
-    s << "set encoding utf8\nset terminal dumb size 78,20 noenhanced mono\nset key below\nset tics nomirror scale 0.5\nset border 3\n"
+    s << "set encoding utf8\nset terminal dumb size 78,20 noenhanced mono\nset key below\nset tics nomirror scale "
+         "0.5\nset border 3\n"
       << "set title " << in_quotes(title_) << "\n";
     std::ostringstream described;
     axes(described);
-    std::string text = described.str();      // letters cannot be raised: 1e-3 for 10^{-3}
-    for (auto at = text.find("10^{%L}"); at != std::string::npos; at = text.find("10^{%L}")) text.replace(at, 7, "1e%L");
+    std::string text = described.str(); // letters cannot be raised: 1e-3 for 10^{-3}
+    for (auto at = text.find("10^{%L}"); at != std::string::npos; at = text.find("10^{%L}"))
+        text.replace(at, 7, "1e%L");
     s << text;
     data(s, 400);
     for (std::size_t i = 0; i < curves_.size(); ++i)
@@ -224,4 +245,4 @@ inline bool Plot::terminal() const {
     return run_gnuplot(s.str(), "gnuplot | tr -d '\\f' | sed 's/ *$//' | sed '/./,$!d'");
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

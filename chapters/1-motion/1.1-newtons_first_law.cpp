@@ -2,8 +2,9 @@
 // 1.1 Newton's first law: left alone, a body keeps its velocity; what must not move is never computed
 
 // In an inertial frame a body moves straight on unless a force acts. In a world this is what happens when its list of
-// policies names no force. The notes add two things for games: what stands for ever (the ground) is immune to physics, and
-// what stands for now rests until something makes it move. Here the first is `fixed` and the second the policy Rest.
+// policies names no force. The notes add two things for games: what stands for ever (the ground) is immune to physics,
+// and what stands for now rests until something makes it move. Here the first is `fixed` and the second the policy
+// Rest.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -25,8 +26,8 @@ int main() {
     const auto probe = space.add(velocity(metres_per_second(3, 4, 0)));
     while (space.tick() < 3600) space.step(dt);
     //! [free]
-    std::cout << "A probe in empty space after " << space.time() << ": velocity " << space.velocity(probe) << ", distance "
-              << norm(space.position(probe)) << '\n';
+    std::cout << "A probe in empty space after " << space.time() << ": velocity " << space.velocity(probe)
+              << ", distance " << norm(space.position(probe)) << '\n';
     claim("its velocity is what it was, to the last bit", space.velocity(probe) == metres_per_second(3, 4, 0));
     claim("it is 300 m from where it started", abs(norm(space.position(probe)) - 300.0 * metre) < 1e-9 * metre);
 
@@ -50,10 +51,12 @@ int main() {
         high_alone.push_back(y(metres(0, 1, 0) + garden.time() * metres_per_second(3, 4, 0)));
         garden.step(dt);
     }
-    std::cout << "A ball thrown in the garden after " << garden.time() << ": velocity " << garden.velocity(ball) << '\n';
+    std::cout << "A ball thrown in the garden after " << garden.time() << ": velocity " << garden.velocity(ball)
+              << '\n';
     claim("a force, and the velocity changes", garden.velocity(ball) != metres_per_second(3, 4, 0));
     claim("only along the force", x(garden.velocity(ball)) == 3.0 * metre_per_second);
-    claim("the ground is where it was", garden.position(ground) == metres(0, 0, 0) && garden.motion(ground) == Motion::fixed);
+    claim("the ground is where it was",
+          garden.position(ground) == metres(0, 0, 0) && garden.motion(ground) == Motion::fixed);
 
     // Nothing reaches a fixed body, no push from outside either: it has infinite mass.
     //! [immune]

@@ -2,9 +2,9 @@
 // 1.2 Newton's second law: forces add up as vectors, and the sum is mass times acceleration
 
 // F = m a. Two things follow that games rely on. Forces on one body are summed as vectors, in any order. And a force is
-// shared by the mass that it must move, while gravity, whose force grows with the mass, accelerates everything alike: this
-// is why the policy Gravity answers with an acceleration and needs no mass, and AppliedForces answers with a force and
-// does. The units keep the two apart.
+// shared by the mass that it must move, while gravity, whose force grows with the mass, accelerates everything alike:
+// this is why the policy Gravity answers with an acceleration and needs no mass, and AppliedForces answers with a force
+// and does. The units keep the two apart.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -50,9 +50,11 @@ int main() {
         snow.step(dt);
         //! [pull]
     }
-    std::cout << "After a second the sledge does " << snow.velocity(light) << ", one of twice the mass " << snow.velocity(heavy) << '\n';
+    std::cout << "After a second the sledge does " << snow.velocity(light) << ", one of twice the mass "
+              << snow.velocity(heavy) << '\n';
     claim("v = a t", norm(snow.velocity(light) - metres_per_second(2, 0, 0)) < 1e-12 * metre_per_second);
-    claim("twice the mass, half the velocity", norm(snow.velocity(heavy) - metres_per_second(1, 0, 0)) < 1e-12 * metre_per_second);
+    claim("twice the mass, half the velocity",
+          norm(snow.velocity(heavy) - metres_per_second(1, 0, 0)) < 1e-12 * metre_per_second);
 
     // A force is there for one step only: nobody has to remember to clear it.
     const auto before = snow.velocity(light);
@@ -65,7 +67,8 @@ int main() {
     const auto feather = tower.add(mass(0.001 * kilogram)), anvil = tower.add(mass(100.0 * kilogram));
     for (int i = 0; i < 60; ++i) tower.step(dt);
     //! [feather]
-    claim("without air a feather falls like an anvil, to the last bit", tower.position(feather) == tower.position(anvil));
+    claim("without air a feather falls like an anvil, to the last bit",
+          tower.position(feather) == tower.position(anvil));
 
     workbook::Plot plot("1.2", "The same force on twice the mass: half the acceleration");
     plot.x("time").y("velocity").line("20 kg", times, speed_light).line("40 kg", times, speed_heavy).write();

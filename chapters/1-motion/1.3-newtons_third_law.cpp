@@ -2,8 +2,8 @@
 // 1.3 Newton's third law: a force between two bodies acts on both, equal and opposite, at once
 
 // Who writes a force between two bodies writes it once, and the world adds it to the first and takes it from the second
-// (`view.add_force_pair`). The policy Attraction is such a force. Forget the second half, and a pair of bodies pulls itself
-// through space by its own bootstraps: Lopsided below does, and the momentum of the closed system gives it away.
+// (`view.add_force_pair`). The policy Attraction is such a force. Forget the second half, and a pair of bodies pulls
+// itself through space by its own bootstraps: Lopsided below does, and the momentum of the closed system gives it away.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -62,21 +62,24 @@ template <class Force> Path watch(Force force) {
 int main() {
     workbook::Claims claim;
     const auto push = newtons(0, 0, 5);
-    claim("what the wall does to the hand is minus what the hand does to the wall", mechanics::reaction(push) == newtons(0, 0, -5));
+    claim("what the wall does to the hand is minus what the hand does to the wall",
+          mechanics::reaction(push) == newtons(0, 0, -5));
 
     // A constant of gravitation that lets a game see something within seconds.
     Attraction attraction;
     attraction.constant = 1.0 * (cubic_metre / (kilogram * second * second));
     const auto both = watch(attraction);
     const auto one = watch(Lopsided{});
-    std::cout << "Two bodies attract each other for 2 s; they come to " << both.first.back() << " and " << both.second.back()
-              << ", their centre of mass is at " << both.centre.back() << '\n'
-              << "momentum with the third law: " << both.momentum << "\nmomentum without:            " << one.momentum << '\n';
+    std::cout << "Two bodies attract each other for 2 s; they come to " << both.first.back() << " and "
+              << both.second.back() << ", their centre of mass is at " << both.centre.back() << '\n'
+              << "momentum with the third law: " << both.momentum << "\nmomentum without:            " << one.momentum
+              << '\n';
     claim("the centre of mass stays at 3 m", abs(both.centre.back() - 3.0 * metre) < 1e-12 * metre);
     claim("the light one went three times as far as the heavy one",
           abs((both.first.back() - 0.0 * metre) - 3.0 * (4.0 * metre - both.second.back())) < 1e-12 * metre);
     claim("momentum is zero, as it was", norm(both.momentum) < 1e-12 * kilogram_metre_per_second);
-    claim("without the reaction the pair gains momentum from nothing", norm(one.momentum) > 1.0 * kilogram_metre_per_second);
+    claim("without the reaction the pair gains momentum from nothing",
+          norm(one.momentum) > 1.0 * kilogram_metre_per_second);
 
     workbook::Plot plot("1.3", "Action and reaction: the centre of mass does not move");
     plot.x("time").y("position").line("1 kg", both.times, both.first).line("3 kg", both.times, both.second);

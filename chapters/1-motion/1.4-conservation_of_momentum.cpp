@@ -2,9 +2,9 @@
 // 1.4 Law of conservation of momentum: m1 u1 + m2 u2 = m1 v1 + m2 v2, whatever the two do to each other
 
 // Follows from the third law: every force inside a closed system comes with its opposite, so the impulses cancel in the
-// sum. It holds at every restitution e, for putty as for steel. What a collision loses is kinetic energy: a share 1 - e^2
-// of that part which the relative motion carries, (1/2) mu (u1 - u2)^2 with the reduced mass mu. (The notes' 2.2.1 says
-// that in an inelastic collision all momentum is dissipated; the table below says otherwise.)
+// sum. It holds at every restitution e, for putty as for steel. What a collision loses is kinetic energy: a share 1 -
+// e^2 of that part which the relative motion carries, (1/2) mu (u1 - u2)^2 with the reduced mass mu. (The notes' 2.2.1
+// says that in an inelastic collision all momentum is dissipated; the table below says otherwise.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -30,18 +30,19 @@ int main() {
     const auto mu = mechanics::reduced_mass(cart.mass, wagon.mass);
     const auto closing = cart.velocity - wagon.velocity;
 
-    std::cout << "before: " << cart.velocity << " and " << wagon.velocity << ", momentum " << before << ", energy " << energy(cart, wagon)
-              << "\n\n   e   cart         wagon        momentum       energy\n";
+    std::cout << "before: " << cart.velocity << " and " << wagon.velocity << ", momentum " << before << ", energy "
+              << energy(cart, wagon) << "\n\n   e   cart         wagon        momentum       energy\n";
     std::vector<double> restitutions;
     std::vector<Quantity<unit::Energy>> energies;
     bool conserved = true, parted = true;
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         //! [collide]
         const auto [one, other] = mechanics::collide(cart, wagon, e);
-        const auto after = mechanics::momentum(one.mass, one.velocity) + mechanics::momentum(other.mass, other.velocity);
+        const auto after =
+            mechanics::momentum(one.mass, one.velocity) + mechanics::momentum(other.mass, other.velocity);
         //! [collide]
-        std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   " << after << "   "
-                  << energy(one, other) << '\n';
+        std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   "
+                  << after << "   " << energy(one, other) << '\n';
         conserved = conserved && abs(after - before) < 1e-14 * kilogram_metre_per_second;
         parted = parted && abs((other.velocity - one.velocity) - e * closing) < 1e-14 * metre_per_second;
         restitutions.push_back(e);
@@ -49,8 +50,10 @@ int main() {
     }
     claim("momentum is the same before and after, at every e", conserved);
     claim("they part with e times the speed at which they met", parted);
-    claim("e = 1: -2.5 m/s and 0.5 m/s, and no energy is lost", abs(energies.back() - energy(cart, wagon)) < 1e-13 * joule);
-    claim("e = 0: they go on together, 3.375 J are gone", abs(energies.front() - energy(cart, wagon) + 3.375 * joule) < 1e-13 * joule);
+    claim("e = 1: -2.5 m/s and 0.5 m/s, and no energy is lost",
+          abs(energies.back() - energy(cart, wagon)) < 1e-13 * joule);
+    claim("e = 0: they go on together, 3.375 J are gone",
+          abs(energies.front() - energy(cart, wagon) + 3.375 * joule) < 1e-13 * joule);
 
     // In a world: a closed system of three that attract each other, and none of them knows of the law.
     //! [closed]
@@ -65,7 +68,8 @@ int main() {
     while (system.time() < 10.0 * second) system.step(0.01 * second);
     //! [closed]
     std::cout << "\nThree bodies, ten seconds: momentum " << total << ", then " << total_momentum(system) << '\n';
-    claim("three bodies in each other's field keep the sum of their momenta", norm(total_momentum(system) - total) < 1e-12 * kilogram_metre_per_second);
+    claim("three bodies in each other's field keep the sum of their momenta",
+          norm(total_momentum(system) - total) < 1e-12 * kilogram_metre_per_second);
 
     workbook::Plot plot("1.4", "A collision may lose energy, never momentum");
     plot.x("restitution e").y("kinetic energy after the collision");

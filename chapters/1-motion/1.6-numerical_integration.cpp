@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 1.6 Numerical integration: one time step after another, and what its length costs
 
-// A computer cannot follow a ball through every instant. It takes steps of length dt = t_{x+1} - t_x, and within one step
-// it pretends that something is constant: explicit Euler the velocity, Verlet the acceleration, Runge and Kutta a
+// A computer cannot follow a ball through every instant. It takes steps of length dt = t_{x+1} - t_x, and within one
+// step it pretends that something is constant: explicit Euler the velocity, Verlet the acceleration, Runge and Kutta a
 // polynomial. What is left out makes the error of one step; how fast that error falls when the step is made shorter is
-// the *order* of the method. Halve the step, and a method of order one is twice as accurate, order two four times, order
-// four sixteen times. This program drops the same body from the same height in the air with three integrators and
+// the *order* of the method. Halve the step, and a method of order one is twice as accurate, order two four times,
+// order four sixteen times. This program drops the same body from the same height in the air with three integrators and
 // measures exactly that.
 
 #include "claims.hpp"
@@ -27,7 +27,8 @@ const auto terminal = 50.0 * metre_per_second;
 /// How far from the closed form the body ends, after a fall of five seconds in steps of dt.
 //! [error]
 template <class Integrator> Quantity<unit::Length> error(Quantity<unit::Time> dt, int steps) {
-    World world{Integrator{}, Gravity{}, QuadraticDrag::with_terminal_speed(terminal, 1.0 * kilogram, 9.81 * metre_per_second_squared)};
+    World world{Integrator{}, Gravity{},
+                QuadraticDrag::with_terminal_speed(terminal, 1.0 * kilogram, 9.81 * metre_per_second_squared)};
     const auto body = world.add(mass(1.0 * kilogram));
     for (int i = 0; i < steps; ++i) world.step(dt);
     const auto exact = problems::fall_with_quadratic_drag(terminal, 9.81 * metre_per_second_squared, fall_time);
@@ -56,7 +57,8 @@ int main() {
     const double euler = measured_order<SemiImplicitEuler>("semi-implicit Euler", plot);
     const double verlet = measured_order<VelocityVerlet>("velocity Verlet", plot);
     const double runge_kutta = measured_order<RungeKutta4>("Runge-Kutta 4", plot);
-    std::cout << "Orders, measured between the last two steps: " << euler << ", " << verlet << ", " << runge_kutta << '\n';
+    std::cout << "Orders, measured between the last two steps: " << euler << ", " << verlet << ", " << runge_kutta
+              << '\n';
 
     Claims claim;
     claim("semi-implicit Euler: half the step, half the error (order 1)", std::abs(euler - 1) < 0.05);

@@ -3,8 +3,8 @@
 
 // The notes call explicit Euler "unstable at high dt". For a swinging mass it is worse than that: with
 // v' = v - w^2 x dt and x' = x + v dt, the energy of the new state is exactly (1 + (w dt)^2) times that of the old one.
-// The factor is above one for *every* dt, so a shorter step only makes the explosion slower. This program lets a mass on
-// a spring swing for three seconds and holds the energy against that factor.
+// The factor is above one for *every* dt, so a shorter step only makes the explosion slower. This program lets a mass
+// on a spring swing for three seconds and holds the energy against that factor.
 
 #include "claims.hpp"
 #include "oscillation.hpp"
@@ -17,7 +17,8 @@ using namespace ansatz;
 
 int main() {
     const auto omega = 10.0 / second;
-    std::cout << "A mass on a spring, omega = " << omega << ", for 3 s. Energy at the end, in parts of that at the start:\n";
+    std::cout << "A mass on a spring, omega = " << omega
+              << ", for 3 s. Energy at the end, in parts of that at the start:\n";
     workbook::Plot plot("1.6.1", "Explicit Euler gains energy at every step, however short");
     plot.x("time").y("energy per mass").log_y();
     workbook::Claims claim;
@@ -32,7 +33,8 @@ int main() {
         //! [growth]
         std::cout << "  " << rate << " steps/s: measured " << measured << ", (1 + (w dt)^2)^n = " << predicted << '\n';
         plot.line(std::to_string(rate) + " steps/s", run.times, run.energies);
-        claim("the energy has grown by the factor (1 + (w dt)^2) in each step", std::abs(measured / predicted - 1) < 1e-9);
+        claim("the energy has grown by the factor (1 + (w dt)^2) in each step",
+              std::abs(measured / predicted - 1) < 1e-9);
         claim("it has grown, although " + std::to_string(rate) + " steps a second were taken", measured > 1);
     }
     plot.write();

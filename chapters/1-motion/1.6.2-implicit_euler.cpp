@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
 // 1.6.2 Implicit Euler: stable at any step, because it solves for the next state; the price is damping nobody ordered
 
-// Implicit Euler uses the rate of change in the state that it does not know yet, so it has to *solve* an equation in every
-// step; for a spring that is what makes it "computationally expensive". It never grows: the energy is multiplied by
-// 1 / (1 + (w dt)^2) in each step. That is the notes' "stable", and it is also a brake: at omega = 10/s and 60 Hz, four
-// fifths of the energy are gone after a second in which nothing should have been lost.
+// Implicit Euler uses the rate of change in the state that it does not know yet, so it has to *solve* an equation in
+// every step; for a spring that is what makes it "computationally expensive". It never grows: the energy is multiplied
+// by 1 / (1 + (w dt)^2) in each step. That is the notes' "stable", and it is also a brake: at omega = 10/s and 60 Hz,
+// four fifths of the energy are gone after a second in which nothing should have been lost.
 //
-// And it must really be solved. Guessing the next state, computing the acceleration there, and repeating that a few times
-// looks like the same thing, but it converges only while w dt < 1, where no implicit method was needed. The second half
-// shows such "sweeps" on a stiff spring beside Newton's method, which the library uses.
+// And it must really be solved. Guessing the next state, computing the acceleration there, and repeating that a few
+// times looks like the same thing, but it converges only while w dt < 1, where no implicit method was needed. The
+// second half shows such "sweeps" on a stiff spring beside Newton's method, which the library uses.
 
 #include "claims.hpp"
 #include "oscillation.hpp"
@@ -45,9 +45,10 @@ int main() {
     const double step_angle = omega * dt;
     const double predicted = std::pow(1 + step_angle * step_angle, -60);
     //! [solved]
-    std::cout << "omega = " << omega << ", 60 Hz: after a second " << 100 * left << " % of the energy are left (predicted "
-              << 100 * predicted << " %)\n";
-    claim("the energy shrinks by 1 / (1 + (w dt)^2) in each step: 81 % are lost in a second", std::abs(left / predicted - 1) < 1e-12);
+    std::cout << "omega = " << omega << ", 60 Hz: after a second " << 100 * left
+              << " % of the energy are left (predicted " << 100 * predicted << " %)\n";
+    claim("the energy shrinks by 1 / (1 + (w dt)^2) in each step: 81 % are lost in a second",
+          std::abs(left / predicted - 1) < 1e-12);
 
     const auto stiff = 1000.0 / second; // w dt = 16.7: any explicit method explodes
     const auto solved = problems::oscillate<ImplicitEuler>(stiff, dt, 60);
@@ -65,7 +66,10 @@ int main() {
     const auto kept = problems::oscillate<SemiImplicitEuler>(omega, dt, 60);
     workbook::Plot plot("1.6.2", "Implicit Euler is stable, and brakes what should swing for ever");
     plot.x("time").y("displacement");
-    plot.reference("exact", run.times, [&](const auto& t) { return problems::oscillator(omega, {1.0 * metre, 0.0 * metre_per_second}, t).x; })
+    plot.reference("exact", run.times,
+                   [&](const auto& t) {
+                       return problems::oscillator(omega, {1.0 * metre, 0.0 * metre_per_second}, t).x;
+                   })
         .line("implicit Euler", run.times, run.places)
         .line("semi-implicit Euler", kept.times, kept.places)
         .write();

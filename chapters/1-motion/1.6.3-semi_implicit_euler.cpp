@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // 1.6.3 Semi-implicit Euler: explicit Euler with two lines swapped, and the energy stays
 
-// Update the velocity first and move with the *new* one: that is the whole difference to explicit Euler, it costs nothing,
-// and it makes the method symplectic. Its energy is not exact, it swings about the true one, but it never drifts: what it
-// keeps exactly is a neighbouring energy, H~ = v^2/2 + w^2 x^2/2 - dt w^2 x v / 2.
+// Update the velocity first and move with the *new* one: that is the whole difference to explicit Euler, it costs
+// nothing, and it makes the method symplectic. Its energy is not exact, it swings about the true one, but it never
+// drifts: what it keeps exactly is a neighbouring energy, H~ = v^2/2 + w^2 x^2/2 - dt w^2 x v / 2.
 //
 // "Stable", say the notes. For a spring this means omega dt < 2, and not a hair more. Explicit damping makes the limit
 // smaller: with a_damping = -c v it is (sqrt(c^2 + 4 w^2) - c) / w^2.
@@ -39,7 +39,9 @@ int main() {
     const auto run = problems::oscillate<SemiImplicitEuler>(omega, dt, 60000, 3.0 * metre_per_second);
 
     //! [shadow]
-    auto shadow = [&](std::size_t i) { return run.energies[i] - 0.5 * dt * omega * omega * run.places[i] * run.velocities[i]; };
+    auto shadow = [&](std::size_t i) {
+        return run.energies[i] - 0.5 * dt * omega * omega * run.places[i] * run.velocities[i];
+    };
     //! [shadow]
     double least = 1e9, most = 0, drift = 0;
     for (std::size_t i = 0; i < run.energies.size(); ++i) {
@@ -52,8 +54,8 @@ int main() {
     claim("after 60000 steps the energy still swings about its start", most < 1.25 && least > 0.75);
     claim("what is kept exactly is H~, to rounding", drift < 1e-11);
 
-    std::cout << "The limit omega dt = 2: within 2000 steps the mass reaches " << reach(1.999) << " m at 1.999, " << reach(2.001)
-              << " m at 2.001\n";
+    std::cout << "The limit omega dt = 2: within 2000 steps the mass reaches " << reach(1.999) << " m at 1.999, "
+              << reach(2.001) << " m at 2.001\n";
     claim("stable just below omega dt = 2", reach(1.999) < 100);
     claim("unstable just above", reach(2.001) > 1e9);
 
@@ -62,7 +64,8 @@ int main() {
     //! [damped]
     std::cout << "With explicit damping c = 2/s the limit is " << limit << " s instead of 2 s\n";
     claim("stable at 0.99 of it", reach(0.99 * limit, problems::LinearDamping{c / second}) < 100);
-    claim("unstable at 1.01 of it: damping made the step smaller", reach(1.01 * limit, problems::LinearDamping{c / second}) > 1e9);
+    claim("unstable at 1.01 of it: damping made the step smaller",
+          reach(1.01 * limit, problems::LinearDamping{c / second}) > 1e9);
 
     const std::size_t shown = 240;
     const std::vector times(run.times.begin(), run.times.begin() + shown);

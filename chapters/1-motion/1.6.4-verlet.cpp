@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 1.6.4 Verlet: the velocity is in the history of positions, and time can be run backwards
 
-// Put v = (s_x - s_{x-1}) / dt into Euler's equations and the velocity disappears: s_{x+1} = s_x + (s_x - s_{x-1}) + a dt^2.
-// Three things that the notes leave out decide whether this is a good method:
-// - The start. There is no s_{-1}; it must be made as s_0 - v_0 dt + a_0 dt^2 / 2. Without the last term the method is of
+// Put v = (s_x - s_{x-1}) / dt into Euler's equations and the velocity disappears: s_{x+1} = s_x + (s_x - s_{x-1}) + a
+// dt^2. Three things that the notes leave out decide whether this is a good method:
+// - The start. There is no s_{-1}; it must be made as s_0 - v_0 dt + a_0 dt^2 / 2. Without the last term the method is
+// of
 //   first order, and with s_{-1} = s_0 it computes the path of a body that started at rest.
 // - The velocity (s_x - s_{x-1}) / dt belongs to half a step ago. World::velocity brings it to the present.
 // - "Reversible" holds without damping, for a fixed step and forces of position.
@@ -75,8 +76,9 @@ int main() {
     std::cout << "10000 steps forth and 10000 back: " << missed << " from the start\n";
     claim("run backwards, it returns to where it began", missed < 1e-10 * metre);
 
-    std::cout << "Bytes of a body: " << World<Verlet>::bytes_per_body << " with history, " << World<SemiImplicitEuler>::bytes_per_body
-              << " with velocity\n";
-    claim("the history costs as much room as the velocity that it replaces", World<Verlet>::bytes_per_body == World<SemiImplicitEuler>::bytes_per_body);
+    std::cout << "Bytes of a body: " << World<Verlet>::bytes_per_body << " with history, "
+              << World<SemiImplicitEuler>::bytes_per_body << " with velocity\n";
+    claim("the history costs as much room as the velocity that it replaces",
+          World<Verlet>::bytes_per_body == World<SemiImplicitEuler>::bytes_per_body);
     return claim.result();
 }

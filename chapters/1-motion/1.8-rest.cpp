@@ -3,9 +3,10 @@
 
 // The notes set a velocity close to zero to zero, to save work. Taken to the letter (policy StopBelow) this does two
 // wrong things: it saves nothing, since the body is computed in the next step all the same, and it stops a ball at the
-// top of its flight. In a world of weak gravity, where one step adds less than the threshold, the ball only creeps on, by
-// g dt^2 in a step, for ever. The policy Rest asks for more: slow for a while, and at velocity zero nothing may pull. Such
-// a body leaves the range that the step walks, so that it costs nothing, and anything that touches it wakes it.
+// top of its flight. In a world of weak gravity, where one step adds less than the threshold, the ball only creeps on,
+// by g dt^2 in a step, for ever. The policy Rest asks for more: slow for a while, and at velocity zero nothing may
+// pull. Such a body leaves the range that the step walks, so that it costs nothing, and anything that touches it wakes
+// it.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -59,8 +60,8 @@ int main() {
             if (event.kind == Event::Kind::slept) slept_at = ice.time();
     }
     //! [puck]
-    std::cout << "A puck on rough ice fell asleep after " << slept_at << "; it is now " << name_of(ice.motion(puck)) << ", velocity "
-              << ice.velocity(puck) << '\n';
+    std::cout << "A puck on rough ice fell asleep after " << slept_at << "; it is now " << name_of(ice.motion(puck))
+              << ", velocity " << ice.velocity(puck) << '\n';
     claim("a body that is slow for half a second, and that nothing pulls, rests", ice.motion(puck) == Motion::resting);
     claim("its velocity is exactly zero", ice.velocity(puck) == metres_per_second(0, 0, 0));
     //! [push]
@@ -68,9 +69,14 @@ int main() {
     ice.step(1.0 / 60 * second);
     //! [push]
     std::cout << "Pushed, it is " << name_of(ice.motion(puck)) << ", velocity " << ice.velocity(puck) << '\n';
-    claim("a force wakes it within the step", ice.motion(puck) == Motion::awake && z(ice.velocity(puck)) > 0.0 * metre_per_second);
+    claim("a force wakes it within the step",
+          ice.motion(puck) == Motion::awake && z(ice.velocity(puck)) > 0.0 * metre_per_second);
 
     workbook::Plot plot("1.8", "Speed alone puts a thrown ball to rest in mid-air");
-    plot.x("time").y("height").line("velocity close to zero set to zero", naive.times, naive.heights).line("Rest", safe.times, safe.heights).write();
+    plot.x("time")
+        .y("height")
+        .line("velocity close to zero set to zero", naive.times, naive.heights)
+        .line("Rest", safe.times, safe.heights)
+        .write();
     return claim.result();
 }

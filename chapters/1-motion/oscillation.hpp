@@ -22,7 +22,8 @@ struct Recording {
 
 /// Starts at 1 m with the velocity `v0` and takes `steps` steps of `dt`.
 template <class Integrator>
-Recording oscillate(Quantity<unit::Frequency> omega, Quantity<unit::Time> dt, int steps, Quantity<unit::Velocity> v0 = 0.0 * metre_per_second) {
+Recording oscillate(Quantity<unit::Frequency> omega, Quantity<unit::Time> dt, int steps,
+                    Quantity<unit::Velocity> v0 = 0.0 * metre_per_second) {
     World world{Integrator{}, Oscillator{omega}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(v0 * Vector<double, 3>(1, 0, 0)));
     Recording run;

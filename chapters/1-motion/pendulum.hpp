@@ -25,7 +25,8 @@ inline OnALine pendulum(const Pendulum& p, double k, Quantity<unit::Time> t) {
     const Quantity<unit::Frequency> omega = sqrt(Quantity<unit::FrequencySquared>(p.gravity / p.length));
     double cn, dn;
     const double sn = boost::math::jacobi_elliptic(k, (omega * t).value(), &cn, &dn);
-    return {2 * std::asin(k * sn) * Quantity<unit::Length>(p.length), 2 * k * cn * omega * Quantity<unit::Length>(p.length)};
+    return {2 * std::asin(k * sn) * Quantity<unit::Length>(p.length),
+            2 * k * cn * omega * Quantity<unit::Length>(p.length)};
 }
 
 /// The time of one swing there and back when it is released at rest from an angle: \f$ 4 K(\sin(\theta_0/2)) / \omega \f$.

@@ -4,10 +4,10 @@
 /// \file
 /// The problems that integrators are measured on, each with its exact solution or its invariant (chapter 1).
 ///
-/// Every force here is a policy as you would write one yourself: a struct that names its role, lists the columns it reads,
-/// keeps its parameters as quantities, and has an `In<S>` that computes with one body's values. Copy the nearest one when
-/// you need a law of your own. Nobody but an implicit integrator asks for `jacobian`, nobody but potential_energy() for
-/// `potential`. The tests of tests/motion and what_it_costs.cpp run them in the real World.
+/// Every force here is a policy as you would write one yourself: a struct that names its role, lists the columns it
+/// reads, keeps its parameters as quantities, and has an `In<S>` that computes with one body's values. Copy the nearest
+/// one when you need a law of your own. Nobody but an implicit integrator asks for `jacobian`, nobody but
+/// potential_energy() for `potential`. The tests of tests/motion and what_it_costs.cpp run them in the real World.
 ///
 /// | symbol      | meaning                                        | unit     |
 /// |-------------|------------------------------------------------|----------|
@@ -39,7 +39,8 @@ struct InAPlane {
 };
 
 /// A multiple of the unit matrix, which is what most Jacobians here are made of.
-template <class S, class Unit> typename S::template MatrixOf<Unit> diagonal(const typename S::template ScalarOf<Unit>& entry) {
+template <class S, class Unit>
+typename S::template MatrixOf<Unit> diagonal(const typename S::template ScalarOf<Unit>& entry) {
     using Matrix = typename S::template MatrixOf<Unit>::value_type;
     Matrix m = Matrix::Zero();
     for (int i = 0; i < S::dimension; ++i) m(i, i) = entry.value();
@@ -62,13 +63,18 @@ struct Oscillator {
         typename S::template ScalarOf<unit::FrequencySquared> omega_squared;
         typename S::Position centre;
         explicit In(const Oscillator& o)
-            : omega_squared(S::convert(o.omega) * S::convert(o.omega)), centre(S::convert("Oscillator::centre", o.centre)) {}
+            : omega_squared(S::convert(o.omega) * S::convert(o.omega)),
+              centre(S::convert("Oscillator::centre", o.centre)) {}
 
-        typename S::Acceleration acceleration(const typename S::Position& x, const auto&) const { return -omega_squared * (x - centre); }
+        typename S::Acceleration acceleration(const typename S::Position& x, const auto&) const {
+            return -omega_squared * (x - centre);
+        }
         Jacobian<S> jacobian(const typename S::Position&, const auto&) const {
             return {diagonal<S, unit::FrequencySquared>(-omega_squared), {}};
         }
-        auto potential(const typename S::Position& x, const auto&) const { return 0.5 * omega_squared * squared_norm(x - centre); }
+        auto potential(const typename S::Position& x, const auto&) const {
+            return 0.5 * omega_squared * squared_norm(x - centre);
+        }
     };
 };
 
@@ -88,7 +94,9 @@ struct PointSpring {
         explicit In(const PointSpring& s) : k(S::convert(s.k)), centre(S::convert("PointSpring::centre", s.centre)) {}
 
         typename S::Force force(const typename S::Position& x, const auto&) const { return -k * (x - centre); }
-        ForceJacobian<S> jacobian(const typename S::Position&, const auto&) const { return {diagonal<S, unit::Stiffness>(-k), {}}; }
+        ForceJacobian<S> jacobian(const typename S::Position&, const auto&) const {
+            return {diagonal<S, unit::Stiffness>(-k), {}};
+        }
         auto potential(const typename S::Position& x, const auto&) const { return 0.5 * k * squared_norm(x - centre); }
     };
 };
@@ -107,14 +115,17 @@ struct LinearDamping {
         explicit In(const LinearDamping& d) : c(S::convert(d.c)) {}
 
         typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const { return -c * v; }
-        Jacobian<S> jacobian(const typename S::Velocity&, const auto&) const { return {{}, diagonal<S, unit::Frequency>(-c)}; }
+        Jacobian<S> jacobian(const typename S::Velocity&, const auto&) const {
+            return {{}, diagonal<S, unit::Frequency>(-c)};
+        }
     };
 };
 
 /// x'' = -omega^2 x - c v from (x0, v0), whichever way it is damped. With d = c/2 and w^2 = omega^2 - d^2,
 /// \f$ x = e^{-dt} (x_0 C + (v_0 + d x_0) S), \quad v = e^{-dt} (v_0 C - (d v_0 + \omega^2 x_0) S) \f$, where C = cos wt and
 /// S = sin(wt)/w; above critical damping (w imaginary) they are cosh and sinh, at it 1 and t.
-inline OnALine damped_oscillator(Quantity<unit::Frequency> omega, Quantity<unit::Frequency> c, const OnALine& start, Quantity<unit::Time> t) {
+inline OnALine damped_oscillator(Quantity<unit::Frequency> omega, Quantity<unit::Frequency> c, const OnALine& start,
+                                 Quantity<unit::Time> t) {
     const auto d = 0.5 * c;
     const double time = t.value(), square = (omega * omega - d * d).value(), w = std::sqrt(std::abs(square));
     const double cosine = square > 0 ? std::cos(w * time) : std::cosh(w * time);
@@ -143,7 +154,8 @@ struct Forcing {
         typename S::Acceleration amplitude;
         Quantity<unit::Frequency, typename S::ClockScalar> omega;
         explicit In(const Forcing& f)
-            : amplitude(S::convert("Forcing::amplitude", f.amplitude)), omega(scalar_cast<typename S::ClockScalar>(Quantity<unit::Frequency>(f.omega))) {}
+            : amplitude(S::convert("Forcing::amplitude", f.amplitude)),
+              omega(scalar_cast<typename S::ClockScalar>(Quantity<unit::Frequency>(f.omega))) {}
 
         typename S::Acceleration acceleration(const auto& context) const {
             using std::cos;
@@ -156,8 +168,9 @@ struct Forcing {
 /// x'' = -omega^2 x - c v + A cos(Omega t) from (x0, v0), not undamped at resonance: the driven part
 /// \f$ p \cos\Omega t + q \sin\Omega t \f$ with \f$ p = A (\omega^2 - \Omega^2)/D,\ q = A c\,\Omega/D,\ D = (\omega^2 - \Omega^2)^2 + c^2 \Omega^2 \f$,
 /// and a free oscillation that makes up the start.
-inline OnALine driven_oscillator(Quantity<unit::Frequency> omega, Quantity<unit::Frequency> c, Quantity<unit::Acceleration> A,
-                                 Quantity<unit::Frequency> Omega, const OnALine& start, Quantity<unit::Time> t) {
+inline OnALine driven_oscillator(Quantity<unit::Frequency> omega, Quantity<unit::Frequency> c,
+                                 Quantity<unit::Acceleration> A, Quantity<unit::Frequency> Omega, const OnALine& start,
+                                 Quantity<unit::Time> t) {
     const auto gap = omega * omega - Omega * Omega, loss = c * Omega;
     const auto D = gap * gap + loss * loss;
     const Quantity<unit::Length> p = A * gap / D, q = A * loss / D;
@@ -169,7 +182,8 @@ inline OnALine driven_oscillator(Quantity<unit::Frequency> omega, Quantity<unit:
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// m^3/s^2: G times a mass.
-using GravitationalParameter = typename boost::units::multiply_typeof_helper<unit::GravitationalConstant, unit::Mass>::type;
+using GravitationalParameter =
+    typename boost::units::multiply_typeof_helper<unit::GravitationalConstant, unit::Mass>::type;
 
 /// A heavy body at the origin: \f$ \mathbf a = -\mu\,\mathbf x / |\mathbf x|^3 \f$ (Kepler's problem).
 struct CentralGravity {
@@ -192,14 +206,16 @@ struct CentralGravity {
             const Scalar r = norm(x).value();
             auto m = diagonal<S, unit::FrequencySquared>(-(mu / (norm(x) * norm(x) * norm(x)))).value();
             for (int i = 0; i < S::dimension; ++i)
-                for (int j = 0; j < S::dimension; ++j) m(i, j) += 3 * mu.value() / (r * r * r * r * r) * x.value()[i] * x.value()[j];
+                for (int j = 0; j < S::dimension; ++j)
+                    m(i, j) += 3 * mu.value() / (r * r * r * r * r) * x.value()[i] * x.value()[j];
             return {S::template MatrixOf<unit::FrequencySquared>::from_value(m), {}};
         }
         auto potential(const typename S::Position& x, const auto&) const { return -mu / norm(x); }
     };
 };
 
-/// The orbit of eccentricity e with mu = 1 m^3/s^2 and the major half-axis 1 m, so that it takes 2 pi s, at the time t after
+/// The orbit of eccentricity e with mu = 1 m^3/s^2 and the major half-axis 1 m, so that it takes 2 pi s, at the time t
+/// after
 /// the point nearest to the centre: \f$ x = (\cos E - e, \sqrt{1-e^2} \sin E) \f$ with Kepler's equation \f$ E - e \sin E = t \f$.
 inline InAPlane kepler(double e, double t = 0) {
     double E = t;
@@ -216,7 +232,8 @@ inline InAPlane kepler(double e, double t = 0) {
 struct HenonHeiles {
     using role = roles::Force;
     using reads = Columns<Position>;
-    using PerLengthTimeSquared = typename boost::units::divide_typeof_helper<unit::FrequencySquared, unit::Length>::type;
+    using PerLengthTimeSquared =
+        typename boost::units::divide_typeof_helper<unit::FrequencySquared, unit::Length>::type;
 
     Parameter<unit::Frequency> omega = 1.0 / second;
     Parameter<PerLengthTimeSquared> lambda = 1.0 * PerLengthTimeSquared{};
@@ -224,7 +241,8 @@ struct HenonHeiles {
     template <class S> struct In {
         typename S::template ScalarOf<unit::FrequencySquared> omega_squared;
         typename S::template ScalarOf<PerLengthTimeSquared> lambda;
-        explicit In(const HenonHeiles& h) : omega_squared(S::convert(h.omega) * S::convert(h.omega)), lambda(S::convert(h.lambda)) {}
+        explicit In(const HenonHeiles& h)
+            : omega_squared(S::convert(h.omega) * S::convert(h.omega)), lambda(S::convert(h.lambda)) {}
 
         typename S::Acceleration acceleration(const typename S::Position& at, const auto&) const {
             const auto x = component(at, 0), y = component(at, 1);
@@ -293,8 +311,8 @@ struct Pendulum {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// A satellite between earth (at x = -mu) and moon (at x = 1 - mu), seen from axes that turn with them, in units of their
-/// distance (1 m) and with one turn in 2 pi s. The force depends on the velocity (Coriolis), but not on the time:
+/// A satellite between earth (at x = -mu) and moon (at x = 1 - mu), seen from axes that turn with them, in units of
+/// their distance (1 m) and with one turn in 2 pi s. The force depends on the velocity (Coriolis), but not on the time:
 /// \f[ \ddot x = x + 2 \dot y - (1-\mu) \frac{x + \mu}{D_1} - \mu \frac{x - (1-\mu)}{D_2}, \qquad
 ///     \ddot y = y - 2 \dot x - (1-\mu) \frac{y}{D_1} - \mu \frac{y}{D_2} \f]
 /// with D_1 and D_2 the cubes of the distances from earth and moon. R. F. Arenstorf, Amer. J. Math. 85, 27 (1963).
@@ -315,7 +333,8 @@ struct Arenstorf {
         explicit In(const Arenstorf& a) : moon(static_cast<Scalar>(a.mu)), earth(1 - moon) {}
 
         // Plain numbers in these units: writing the turning axes' 1/s beside each term would hide the formula.
-        typename S::Acceleration acceleration(const typename S::Position& at, const typename S::Velocity& velocity, const auto&) const {
+        typename S::Acceleration acceleration(const typename S::Position& at, const typename S::Velocity& velocity,
+                                              const auto&) const {
             const Scalar x = at.value()[0], y = at.value()[1];
             const Scalar D1 = cube_of_norm(x + moon, y), D2 = cube_of_norm(x - earth, y);
             auto a = S::template zero_vector<unit::Acceleration>().value();
@@ -326,11 +345,13 @@ struct Arenstorf {
 
         /// What the orbit keeps (half of Jacobi's constant, with the sign of an energy), in m^2/s^2:
         /// \f$ \tfrac12 |\mathbf v|^2 - \tfrac12 (x^2 + y^2) - (1-\mu)/d_1 - \mu/d_2 \f$
-        Quantity<unit::SpecificEnergy, Scalar> invariant(const typename S::Position& at, const typename S::Velocity& velocity) const {
+        Quantity<unit::SpecificEnergy, Scalar> invariant(const typename S::Position& at,
+                                                         const typename S::Velocity& velocity) const {
             using std::sqrt;
             const Scalar x = at.value()[0], y = at.value()[1];
             const Scalar d1 = sqrt((x + moon) * (x + moon) + y * y), d2 = sqrt((x - earth) * (x - earth) + y * y);
-            return Quantity<unit::SpecificEnergy, Scalar>::from_value((squared_norm(velocity).value() - x * x - y * y) / 2 - earth / d1 - moon / d2);
+            return Quantity<unit::SpecificEnergy, Scalar>::from_value(
+                (squared_norm(velocity).value() - x * x - y * y) / 2 - earth / d1 - moon / d2);
         }
 
     private:
@@ -346,14 +367,18 @@ struct Arenstorf {
 
 /// A fall from rest through air with quadratic drag: the distance fallen and the speed, both downwards.
 /// \f$ v = v_t \tanh(g t / v_t), \quad s = (v_t^2 / g) \ln\cosh(g t / v_t) \f$
-inline OnALine fall_with_quadratic_drag(Quantity<unit::Velocity> terminal_speed, Quantity<unit::Acceleration> g, Quantity<unit::Time> t) {
+inline OnALine fall_with_quadratic_drag(Quantity<unit::Velocity> terminal_speed, Quantity<unit::Acceleration> g,
+                                        Quantity<unit::Time> t) {
     const double u = (g * t / terminal_speed).value();
     // ln cosh u without the overflow of cosh
-    return {terminal_speed * terminal_speed / g * (u + std::log1p(std::exp(-2 * u)) - std::log(2.0)), terminal_speed * std::tanh(u)};
+    return {terminal_speed * terminal_speed / g * (u + std::log1p(std::exp(-2 * u)) - std::log(2.0)),
+            terminal_speed * std::tanh(u)};
 }
 
-static_assert(DifferentiableIn<Oscillator, Space<>> && DifferentiableIn<PointSpring, Space<float, 2>> && DifferentiableIn<LinearDamping, Space<>>);
-static_assert(LawIn<Forcing, Space<>> && DifferentiableIn<CentralGravity, Space<>> && LawIn<HenonHeiles, Space<float, 2>>);
+static_assert(DifferentiableIn<Oscillator, Space<>> && DifferentiableIn<PointSpring, Space<float, 2>> &&
+              DifferentiableIn<LinearDamping, Space<>>);
+static_assert(LawIn<Forcing, Space<>> && DifferentiableIn<CentralGravity, Space<>> &&
+              LawIn<HenonHeiles, Space<float, 2>>);
 static_assert(DifferentiableIn<Pendulum, Space<float, 2>> && LawIn<Arenstorf, Space<>>);
 
 } // namespace problems

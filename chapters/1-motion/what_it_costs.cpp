@@ -35,7 +35,8 @@ using workbook::Outcome;
 
 using Fehlberg78 = Odeint<boost::numeric::odeint::runge_kutta_fehlberg78<std::array<double, 6>>>;
 /// 50 digits: what float and double are measured against.
-using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using Reference =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
 constexpr int bodies = 100;
 
@@ -61,7 +62,8 @@ template <class Law> struct Problem {
     Law law;
     problems::InAPlane start;
     Quantity<unit::Time> duration;
-    /// the error of a world that has run, from its body; called at every step with `last` false and at the end with true
+    /// the error of a world that has run, from its body; called at every step with `last` false and at the end with
+    /// true
     double (*error)(const problems::InAPlane& now, const problems::InAPlane& start, double duration);
     bool at_every_step = false;
 };
@@ -80,8 +82,7 @@ template <class World_> Handle add_at(World_& world, const problems::InAPlane& s
     const auto& v = start.v.value();
     if constexpr (World_::S::dimension == 2)
         return world.add(position(metres(r[0], r[1])), velocity(metres_per_second(v[0], v[1])));
-    else
-        return world.add(position(metres(r[0], r[1], 0)), velocity(metres_per_second(v[0], v[1], 0)));
+    else return world.add(position(metres(r[0], r[1], 0)), velocity(metres_per_second(v[0], v[1], 0)));
 }
 
 template <class Integrator, class Law> Outcome run_once(const Problem<Law>& problem, int steps) {
@@ -105,11 +106,16 @@ template <class Integrator, class Law> Outcome run_once(const Problem<Law>& prob
 
 template <class Integrator, class Law>
 void add_rows(Costs& costs, const char* choice, double order, const Problem<Law>& problem, int coarsest, int halvings) {
-    const Axis axis{.name = "integrator", .error_norm = problem.error_norm, .work_unit = "force evaluations",
+    const Axis axis{.name = "integrator",
+                    .error_norm = problem.error_norm,
+                    .work_unit = "force evaluations",
                     .time_unit = "ns per simulated second per body"};
     for (int k = 0; k <= halvings; ++k) {
         const int steps = coarsest << k;
-        costs.add(axis, {.choice = choice, .problem = problem.name, .parameter = {"dt", problem.duration / double(steps)}, .n = bodies,
+        costs.add(axis, {.choice = choice,
+                         .problem = problem.name,
+                         .parameter = {"dt", problem.duration / double(steps)},
+                         .n = bodies,
                          .known_order = order,
                          .error_run = [=] { return run_once<Integrator>(problem, steps); },
                          .timed_run =
@@ -126,7 +132,8 @@ void add_rows(Costs& costs, const char* choice, double order, const Problem<Law>
 /// Every integrator on one problem.
 /// \param order_of_rk4 4, except where the error is that of the energy: there the leading term of Runge-Kutta 4 is one
 ///                     of phase, and what it loses goes with dt^5
-template <class Law> void add_problem(Costs& costs, const Problem<Law>& problem, int coarsest, int halvings, double order_of_rk4 = 4) {
+template <class Law>
+void add_problem(Costs& costs, const Problem<Law>& problem, int coarsest, int halvings, double order_of_rk4 = 4) {
     add_rows<ExplicitEuler>(costs, "ExplicitEuler", 1, problem, coarsest, halvings);
     add_rows<SemiImplicitEuler>(costs, "SemiImplicitEuler", 1, problem, coarsest, halvings);
     add_rows<ImplicitEuler>(costs, "ImplicitEuler", 1, problem, coarsest, halvings);
@@ -138,7 +145,9 @@ template <class Law> void add_problem(Costs& costs, const Problem<Law>& problem,
 
 /// Kepler's problem with Runge-Kutta 4 in one scalar: where rounding takes over from the method.
 template <class Scalar> void add_scalar(Costs& costs, const char* choice, int halvings) {
-    const Axis axis{.name = "scalar", .error_norm = "final |x - exact| (m)", .work_unit = "force evaluations",
+    const Axis axis{.name = "scalar",
+                    .error_norm = "final |x - exact| (m)",
+                    .work_unit = "force evaluations",
                     .time_unit = "ns per simulated second per body"};
     const double orbit = 2 * std::numbers::pi;
     for (int k = 0; k <= halvings; ++k) {
@@ -149,14 +158,18 @@ template <class Scalar> void add_scalar(Costs& costs, const char* choice, int ha
             for (int i = 0; i < steps; ++i) world.step(orbit / steps * second);
             return in_a_plane(world, body);
         };
-        costs.add(axis, {.choice = choice, .problem = "Kepler e = 0.6, one orbit, RungeKutta4", .parameter = {"dt", orbit / steps * second}, .n = 1,
+        costs.add(axis, {.choice = choice,
+                         .problem = "Kepler e = 0.6, one orbit, RungeKutta4",
+                         .parameter = {"dt", orbit / steps * second},
+                         .n = 1,
                          .known_order = 4,
                          .error_run =
                              [=] {
                                  const double error = norm_in_metres(run().x - problems::kepler(0.6, orbit).x);
                                  return Outcome{.error = error, .work = 4.0 * steps};
                              },
-                         .timed_run = run, .per = orbit});
+                         .timed_run = run,
+                         .per = orbit});
     }
 }
 
@@ -170,13 +183,18 @@ void print_bytes(std::ostream& out) {
     row("SemiImplicitEuler", World{SemiImplicitEuler{}});
     row("SemiImplicitEuler, Space<float, 2>", World{plane, SemiImplicitEuler{}});
     row("SemiImplicitEuler, Gravity, Drag", World{SemiImplicitEuler{}, Gravity{}, Drag{}});
-    row("SemiImplicitEuler, Gravity, QuadraticDrag      the mass", World{SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}});
-    row("SemiImplicitEuler, Gravity, Rest               how long it has been slow", World{SemiImplicitEuler{}, Gravity{}, Rest{}});
-    row("SemiImplicitEuler, Gravity, Interpolation      where it was", World{SemiImplicitEuler{}, Gravity{}, Interpolation{}});
-    row("SemiImplicitEuler, AppliedForces               the mass, the force", World{SemiImplicitEuler{}, AppliedForces{}});
+    row("SemiImplicitEuler, Gravity, QuadraticDrag      the mass",
+        World{SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}});
+    row("SemiImplicitEuler, Gravity, Rest               how long it has been slow",
+        World{SemiImplicitEuler{}, Gravity{}, Rest{}});
+    row("SemiImplicitEuler, Gravity, Interpolation      where it was",
+        World{SemiImplicitEuler{}, Gravity{}, Interpolation{}});
+    row("SemiImplicitEuler, AppliedForces               the mass, the force",
+        World{SemiImplicitEuler{}, AppliedForces{}});
     row("Verlet, Gravity", World{Verlet{}, Gravity{}});
     row("RungeKutta4, Gravity                           its stages live in registers", World{RungeKutta4{}, Gravity{}});
-    row("RungeKutta4, Attraction                        bodies are coupled: stages become columns", World{RungeKutta4{}, Attraction{}});
+    row("RungeKutta4, Attraction                        bodies are coupled: stages become columns",
+        World{RungeKutta4{}, Attraction{}});
 }
 
 int main(int argc, char** argv) {
@@ -185,9 +203,16 @@ int main(int argc, char** argv) {
 
     const problems::InAPlane swing{metres(1, 0), metres_per_second(0.5, 0)};
     const auto oscillator_error = [](const problems::InAPlane& now, const problems::InAPlane&, double t) {
-        return std::abs(in(x(now.x) - problems::oscillator(1.0 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second).x, metre));
+        return std::abs(in(
+            x(now.x) - problems::oscillator(1.0 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second).x, metre));
     };
-    add_problem(costs, Problem<problems::Oscillator>{"oscillator, omega = 1/s, 10 s", "final |x - exact| (m)", {1.0 / second}, swing, 10.0 * second, oscillator_error},
+    add_problem(costs,
+                Problem<problems::Oscillator>{"oscillator, omega = 1/s, 10 s",
+                                              "final |x - exact| (m)",
+                                              {1.0 / second},
+                                              swing,
+                                              10.0 * second,
+                                              oscillator_error},
                 50, 6);
 
     // From a point between the nearest and the farthest, for a time that is no whole orbit: over a symmetric path even
@@ -195,8 +220,11 @@ int main(int argc, char** argv) {
     const auto kepler_error = [](const problems::InAPlane& now, const problems::InAPlane&, double t) {
         return norm_in_metres(now.x - problems::kepler(0.6, 0.5 + t).x);
     };
-    add_problem(costs, Problem<problems::CentralGravity>{"Kepler e = 0.6, 8 s", "final |x - exact| (m)", {}, problems::kepler(0.6, 0.5), 8.0 * second, kepler_error},
-                500, 6);
+    add_problem(
+        costs,
+        Problem<problems::CentralGravity>{
+            "Kepler e = 0.6, 8 s", "final |x - exact| (m)", {}, problems::kepler(0.6, 0.5), 8.0 * second, kepler_error},
+        500, 6);
 
     const auto energy_error = [](const problems::InAPlane& now, const problems::InAPlane& start, double) {
         auto energy = [](const problems::InAPlane& s) {
@@ -205,15 +233,28 @@ int main(int argc, char** argv) {
         };
         return std::abs(energy(now) - energy(start));
     };
-    add_problem(costs, Problem<problems::HenonHeiles>{"Henon-Heiles, E = 0.13, 100 s", "max |E - E_0| (m^2/s^2)", {}, {metres(0.1, 0), metres_per_second(0, 0.5)},
-                                                      100.0 * second, energy_error, true},
+    add_problem(costs,
+                Problem<problems::HenonHeiles>{"Henon-Heiles, E = 0.13, 100 s",
+                                               "max |E - E_0| (m^2/s^2)",
+                                               {},
+                                               {metres(0.1, 0), metres_per_second(0, 0.5)},
+                                               100.0 * second,
+                                               energy_error,
+                                               true},
                 500, 5, 5);
 
     const auto stiff_error = [](const problems::InAPlane& now, const problems::InAPlane&, double t) {
-        return std::abs(in(x(now.x) - problems::oscillator(1000.0 / second, {1.0 * metre, 0.0 * metre_per_second}, t * second).x, metre));
+        return std::abs(
+            in(x(now.x) - problems::oscillator(1000.0 / second, {1.0 * metre, 0.0 * metre_per_second}, t * second).x,
+               metre));
     };
-    add_problem(costs, Problem<problems::Oscillator>{"stiff spring, omega = 1000/s, 0.1 s", "final |x - exact| (m)", {1000.0 / second},
-                                                     {metres(1, 0), metres_per_second(0, 0)}, 0.1 * second, stiff_error},
+    add_problem(costs,
+                Problem<problems::Oscillator>{"stiff spring, omega = 1000/s, 0.1 s",
+                                              "final |x - exact| (m)",
+                                              {1000.0 / second},
+                                              {metres(1, 0), metres_per_second(0, 0)},
+                                              0.1 * second,
+                                              stiff_error},
                 12, 11);
 
     add_scalar<float>(costs, "float", 6);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1 Detection: looking at every pair, or only at those that may touch
 
-// N bodies make N (N - 1) / 2 pairs: twice as many bodies, four times as many looks. The notes divide the work into a broadphase,
-// which leaves out what cannot touch, and a narrowphase, which looks closely at the rest. The world is the same with both, to
-// the last bit; only the broadphase in its list is another one.
+// N bodies make N (N - 1) / 2 pairs: twice as many bodies, four times as many looks. The notes divide the work into a
+// broadphase, which leaves out what cannot touch, and a narrowphase, which looks closely at the rest. The world is the
+// same with both, to the last bit; only the broadphase in its list is another one.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -22,7 +22,8 @@ namespace {
 struct Looks : Narrowphase<Sphere> {
     static inline long count = 0;
     template <class S>
-    static bool collide_bodies(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b, const typename S::Position& xb, Touch<S>& touch) {
+    static bool collide_bodies(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa,
+                               std::uint32_t b, const typename S::Position& xb, Touch<S>& touch) {
         ++count;
         return Narrowphase<Sphere>::collide_bodies<S>(shapes, a, xa, b, xb, touch);
     }
@@ -32,8 +33,8 @@ struct Looks : Narrowphase<Sphere> {
 template <class Broadphase> std::uint64_t gas(int n) {
     World world{SemiImplicitEuler{}, Broadphase{}, Looks{}, Impulse<>{}};
     for (int i = 0; i < n; ++i) // on a lattice, each flying off in a direction of its own
-        world.add(Sphere{0.2 * metre}, position(metres(i % 10, i / 10 % 10, i / 100)), velocity(metres_per_second(i % 7 - 3, i % 5 - 2, i % 3 - 1)),
-                  mass(1.0 * kilogram), restitution(1));
+        world.add(Sphere{0.2 * metre}, position(metres(i % 10, i / 10 % 10, i / 100)),
+                  velocity(metres_per_second(i % 7 - 3, i % 5 - 2, i % 3 - 1)), mass(1.0 * kilogram), restitution(1));
     for (int step = 0; step < 30; ++step) world.step(1.0 / 60 * second);
     return world.hash();
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.1.1 The bounding box test: a few comparisons in place of a complex check, and never a collision less
 
-// A bounding box is "defined by the extremes of an entity in each axis". Two boxes touch when they do on every axis; where they
-// are apart on one of them, nothing inside can touch. The other way round it does not hold: boxes touch at their corners, where
-// balls are not. The notes promise the method for "low numbers of entities": each check has become cheap, but there are still
-// N (N - 1) / 2 of them. (One of the four methods that the notes describe in 2.1.1 without numbers.)
+// A bounding box is "defined by the extremes of an entity in each axis". Two boxes touch when they do on every axis;
+// where they are apart on one of them, nothing inside can touch. The other way round it does not hold: boxes touch at
+// their corners, where balls are not. The notes promise the method for "low numbers of entities": each check has become
+// cheap, but there are still N (N - 1) / 2 of them. (One of the four methods that the notes describe in 2.1.1 without
+// numbers.)
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
@@ -25,7 +26,8 @@ int main() {
     boxes.push_back(metres(2, 0, 1.5), metres(3, 1, 3));     // beside the second: they share a part of a face
     boxes.push_back(metres(0, 5, 0), metres(1, 6, 1));       // apart on one axis: that is enough
     boxes.set_active(boxes.size());                          // all four may move
-    for (const auto& [i, j] : find_pairs(BoundingBoxes{}, boxes)) std::cout << "boxes " << i << " and " << j << " touch\n";
+    for (const auto& [i, j] : find_pairs(BoundingBoxes{}, boxes))
+        std::cout << "boxes " << i << " and " << j << " touch\n";
     //! [by hand]
     claim("one overlap and one shared face; boxes are closed", find_pairs(BoundingBoxes{}, boxes).size() == 2);
 
@@ -48,7 +50,8 @@ int main() {
         by_boxes.push_back(double(pairs.size()));
         truly.push_back(double(right));
         checks_of_boxes += double(pairs.size()), collisions += double(right);
-        std::cout << n << " balls: " << all.back() << " pairs, " << pairs.size() << " whose boxes touch, " << right << " that do\n";
+        std::cout << n << " balls: " << all.back() << " pairs, " << pairs.size() << " whose boxes touch, " << right
+                  << " that do\n";
     }
     claim("no collision is lost", none_lost);
     claim("at 1600 balls fewer than one check in 500 is left", by_boxes.back() < all.back() / 500);
@@ -56,11 +59,16 @@ int main() {
 
     // How many boxes touch without their balls: a cube of side 4r around a centre, against a ball of radius 2r in it.
     const double expected = 64 / (4.0 / 3 * M_PI * 8);
-    std::cout << "Of boxes that touch there are " << checks_of_boxes / collisions << " for each collision; the volumes say " << expected << '\n';
-    claim("that is 6/pi, the volume of a cube by that of its ball", std::abs(checks_of_boxes / collisions / expected - 1) < 0.1);
+    std::cout << "Of boxes that touch there are " << checks_of_boxes / collisions
+              << " for each collision; the volumes say " << expected << '\n';
+    claim("that is 6/pi, the volume of a cube by that of its ball",
+          std::abs(checks_of_boxes / collisions / expected - 1) < 0.1);
 
     workbook::Plot plot("2.1.1.1", "The box test leaves few checks, but is itself made for every pair");
     plot.x("balls").y("pairs").log_x().log_y();
-    plot.linked_points("box tests", numbers, all).linked_points("boxes that touch", numbers, by_boxes).linked_points("collisions", numbers, truly).write();
+    plot.linked_points("box tests", numbers, all)
+        .linked_points("boxes that touch", numbers, by_boxes)
+        .linked_points("collisions", numbers, truly)
+        .write();
     return claim.result();
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.1.2 World partitioning: many small n^2 in place of one large N^2, unless everybody is in one place
 
-// The world is divided into cells, and only what shares a cell is compared. The notes name what goes wrong with it: an entity on
-// a boundary is in more than one partition, and where all are in the same one nothing is won. The first is about being right:
-// who sorts bodies by their centres and looks in each cell alone loses every pair across a wall. The second is about time. (One of
-// the four methods that the notes describe in 2.1.1 without numbers.)
+// The world is divided into cells, and only what shares a cell is compared. The notes name what goes wrong with it: an
+// entity on a boundary is in more than one partition, and where all are in the same one nothing is won. The first is
+// about being right: who sorts bodies by their centres and looks in each cell alone loses every pair across a wall. The
+// second is about time. (One of the four methods that the notes describe in 2.1.1 without numbers.)
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
@@ -46,14 +46,17 @@ int main() {
     //! [grid]
     const auto boxes = balls.boxes();
     const auto right = find_pairs(BoundingBoxes{}, boxes);
-    const auto by_cells = find_pairs(UniformGrid{2.0 * metre}, boxes); // or UniformGrid{}, which chooses the width itself
+    const auto by_cells =
+        find_pairs(UniformGrid{2.0 * metre}, boxes); // or UniformGrid{}, which chooses the width itself
     //! [grid]
     const std::size_t inside = pairs_inside_cells(balls, 2);
-    std::cout << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; looking in each cell alone finds " << inside << " of them\n";
+    std::cout << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; looking in each cell alone finds "
+              << inside << " of them\n";
     claim("without provision for boundaries more than half of the pairs are lost", 2 * inside < right.size());
     claim("the grid finds the very pairs that the box test finds", by_cells == right);
     bool same = true;
-    for (const double cell : {0.1, 0.7, 1.0, 5.0, 80.0}) same = same && find_pairs(UniformGrid{cell * metre}, boxes) == right;
+    for (const double cell : {0.1, 0.7, 1.0, 5.0, 80.0})
+        same = same && find_pairs(UniformGrid{cell * metre}, boxes) == right;
     claim("whatever the width of its cells", same);
 
     // How many tests, as there are more and more bodies.
@@ -63,7 +66,8 @@ int main() {
         Work work, one_place;
         //! [count]
         find_pairs(UniformGrid<Counting>{{}, scenes::counted(work)}, scenes::uniform(n).boxes());
-        find_pairs(UniformGrid<Counting>{1000.0 * metre, scenes::counted(one_place)}, scenes::uniform(n).boxes()); // one cell holds them all
+        find_pairs(UniformGrid<Counting>{1000.0 * metre, scenes::counted(one_place)},
+                   scenes::uniform(n).boxes()); // one cell holds them all
         //! [count]
         numbers.push_back(n);
         all.push_back(0.5 * n * (n - 1));
@@ -80,7 +84,10 @@ int main() {
 
     workbook::Plot plot("2.1.1.2", "Cells make the tests grow with N, not with its square, if the bodies are spread");
     plot.x("bodies").y("box tests").log_x().log_y();
-    plot.linked_points("every pair", numbers, all).linked_points("by cells", numbers, by_grid).points("by cells, all in one place", numbers, crowded);
-    plot.reference("in proportion to N", numbers, [&](double n) { return by_grid.front() * n / numbers.front(); }).write();
+    plot.linked_points("every pair", numbers, all)
+        .linked_points("by cells", numbers, by_grid)
+        .points("by cells, all in one place", numbers, crowded);
+    plot.reference("in proportion to N", numbers, [&](double n) { return by_grid.front() * n / numbers.front(); })
+        .write();
     return claim.result();
 }

@@ -2,10 +2,10 @@
 // 2.1.1.3 Binary search partitioning: cells are divided where bodies are, and the threshold can be wrong at both ends
 
 // Cells of one width do not suit a world of heaps and empty space. Divide a cell only while it holds more bodies than a
-// threshold, and the cells are small where it is crowded. An octree halves the cell on each axis; a binary split halves the
-// bodies, along the longest axis. Of the threshold the notes say: too high and there is no benefit, too low and the sorting
-// takes over. Both ends can be counted: the tests inside the cells, and the bodies that were handed to a cell. (One of the four
-// methods that the notes describe in 2.1.1 without numbers.)
+// threshold, and the cells are small where it is crowded. An octree halves the cell on each axis; a binary split halves
+// the bodies, along the longest axis. Of the threshold the notes say: too high and there is no benefit, too low and the
+// sorting takes over. Both ends can be counted: the tests inside the cells, and the bodies that were handed to a cell.
+// (One of the four methods that the notes describe in 2.1.1 without numbers.)
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
@@ -30,7 +30,8 @@ int main() {
     const auto by_halves = find_pairs(BinarySplit{}, boxes);
     //! [octree]
     std::cout << n << " balls in heaps: " << right.size() << " pairs touch\n";
-    claim("the octree and the binary split find the very pairs that the box test finds", by_cubes == right && by_halves == right);
+    claim("the octree and the binary split find the very pairs that the box test finds",
+          by_cubes == right && by_halves == right);
 
     // As many equal cells as the world has room for, against cells where they are needed.
     Work cells, cubes;
@@ -54,13 +55,17 @@ int main() {
         members.push_back(work.members / n);
         std::cout << "  " << threshold << "          " << tests.back() << "          " << members.back() << '\n';
     }
-    claim("too high, and there is no benefit: (N - 1) / 2 tests a body", tests.back() == 0.5 * (n - 1) && members.back() == 1);
+    claim("too high, and there is no benefit: (N - 1) / 2 tests a body",
+          tests.back() == 0.5 * (n - 1) && members.back() == 1);
     // It would be worse still, if the octree did not refuse a division that hands on twice as many bodies as there are.
-    claim("too low, and bodies are sorted into several cells each, for hardly fewer tests", members.front() > 1.4 * members[5] && tests.front() > 0.8 * tests[5]);
+    claim("too low, and bodies are sorted into several cells each, for hardly fewer tests",
+          members.front() > 1.4 * members[5] && tests.front() > 0.8 * tests[5]);
     claim("between 16 and 64 it hardly matters", tests[6] < 4 * tests[4] && members[4] < 2 * members[6]);
 
     workbook::Plot plot("2.1.1.3", "The threshold of an octree: too low is sorting, too high is testing");
     plot.x("threshold").y("for each body").log_x().log_y();
-    plot.linked_points("tests", thresholds, tests).linked_points("cells that it is sorted into", thresholds, members).write();
+    plot.linked_points("tests", thresholds, tests)
+        .linked_points("cells that it is sorted into", thresholds, members)
+        .write();
     return claim.result();
 }

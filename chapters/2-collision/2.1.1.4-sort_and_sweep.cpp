@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.1.4 Sort and sweep: on one axis only neighbours in the order can meet, and the order hardly changes
 
-// All boxes are projected onto one axis and sorted by where they begin. From each the sweep looks ahead to where it ends; who
-// begins later cannot touch it. Which axis matters: the one along which the bodies are spread. The notes recommend it "in
-// conjunction with any other method", inside the cells of a partition. What makes it cheap in a simulation they do not say: from
-// one step to the next few bodies overtake each other, and an order that is nearly right is repaired by insertion. (One of the four
-// methods that the notes describe in 2.1.1 without numbers.)
+// All boxes are projected onto one axis and sorted by where they begin. From each the sweep looks ahead to where it
+// ends; who begins later cannot touch it. Which axis matters: the one along which the bodies are spread. The notes
+// recommend it "in conjunction with any other method", inside the cells of a partition. What makes it cheap in a
+// simulation they do not say: from one step to the next few bodies overtake each other, and an order that is nearly
+// right is repaired by insertion. (One of the four methods that the notes describe in 2.1.1 without numbers.)
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
@@ -29,7 +29,8 @@ std::size_t left_by_sweep(const Boxes<Space<>>& boxes, int axis) {
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return low[a] < low[b]; });
     std::size_t left = 0;
     for (std::size_t p = 0; p < order.size(); ++p)
-        for (std::size_t q = p + 1; q < order.size() && low[order[q]] <= high[order[p]]; ++q) ++left; // a pair to be tested further
+        for (std::size_t q = p + 1; q < order.size() && low[order[q]] <= high[order[p]]; ++q)
+            ++left; // a pair to be tested further
     //! [sweep]
     return left;
 }
@@ -63,8 +64,10 @@ int main() {
     sweep.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
     //! [library]
     const std::size_t across = left_by_sweep(boxes, 0), along = left_by_sweep(boxes, 1);
-    std::cout << "A tower of 1000 balls: of 499500 pairs, " << across << " overlap on the x axis, " << along << " on y, " << pairs << " on all three\n";
-    claim("the sweep finds the very pairs that the box test finds", pairs == right.size() && find_pairs(SortAndSweep{}, boxes) == right);
+    std::cout << "A tower of 1000 balls: of 499500 pairs, " << across << " overlap on the x axis, " << along
+              << " on y, " << pairs << " on all three\n";
+    claim("the sweep finds the very pairs that the box test finds",
+          pairs == right.size() && find_pairs(SortAndSweep{}, boxes) == right);
     claim("along the tower it leaves less than a twentieth of what it leaves across", along < across / 20);
     claim("the library takes the axis along which the centres vary most", sweep.axis() == 1);
 
@@ -74,7 +77,8 @@ int main() {
     const auto in_cells = find_pairs(UniformGrid<SortAndSweep>{}, heaps);
     const auto in_cubes = find_pairs(Octree<SortAndSweep>{}, heaps);
     //! [inside]
-    claim("inside the cells of a grid or an octree it finds the same", in_cells == find_pairs(BoundingBoxes{}, heaps) && in_cubes == in_cells);
+    claim("inside the cells of a grid or an octree it finds the same",
+          in_cells == find_pairs(BoundingBoxes{}, heaps) && in_cubes == in_cells);
 
     // Coherence: how far bodies go in a step, and how far they move in the order.
     std::vector<double> ways, moves;
@@ -89,13 +93,17 @@ int main() {
     }
     claim("in small steps hardly anybody is overtaken: a move for a hundred bodies", moves.front() < 0.01);
     claim("in large ones the old order is worth little, and sorting anew is cheaper", moves.back() > 10);
-    // Two at a distance d change places when their ways, each uniform in [-w, w], differ by more: of 4 a metre, w/3 * 4 a body.
+    // Two at a distance d change places when their ways, each uniform in [-w, w], differ by more: of 4 a metre, w/3 * 4
+    // a body.
     const double expected = 4 * ways[8] / 3;
-    std::cout << "At " << ways[8] << " m a step: " << moves[8] << " moves a body, and the density says " << expected << '\n';
+    std::cout << "At " << ways[8] << " m a step: " << moves[8] << " moves a body, and the density says " << expected
+              << '\n';
     claim("it is the density times a third of the way", std::abs(moves[8] / expected - 1) < 0.2);
 
     workbook::Plot plot("2.1.1.4", "The less bodies move in a step, the cheaper it is to keep their order");
     plot.x("way in a step", "m").y("moves a body").log_x().log_y();
-    plot.linked_points("insertion sort", ways, moves).reference("density times w/3", ways, [](double w) { return 4 * w / 3; }).write();
+    plot.linked_points("insertion sort", ways, moves)
+        .reference("density times w/3", ways, [](double w) { return 4 * w / 3; })
+        .write();
     return claim.result();
 }

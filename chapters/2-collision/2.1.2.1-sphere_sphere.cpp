@@ -2,9 +2,10 @@
 // 2.1.2.1 Sphere and sphere: a contact point, a normal, a depth
 
 // Two spheres intersect where their centres are nearer than both radii. The notes give p = r1 + r2 - d and
-// N = |S1 - S2|. A length is no direction: meant is (S1 - S2) / |S1 - S2|. The formula for the impulse survives the slip, because it divides
-// by N . N; the contact point and the projection do not, and are wrong by more the further the centres are apart. Their point
-// S1 - N (r1 - p) lies on the second sphere; taken halfway, it is the same whichever sphere comes first. (A part of 2.1.2.)
+// N = |S1 - S2|. A length is no direction: meant is (S1 - S2) / |S1 - S2|. The formula for the impulse survives the
+// slip, because it divides by N . N; the contact point and the projection do not, and are wrong by more the further the
+// centres are apart. Their point S1 - N (r1 - p) lies on the second sphere; taken halfway, it is the same whichever
+// sphere comes first. (A part of 2.1.2.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -23,7 +24,8 @@ int main() {
     //! [contact]
     const Sphere ball{0.5 * metre};
     const auto touch = contact(ball, metres(0, 0, 0), ball, metres(0.6, 0, 0));
-    std::cout << "depth " << touch->depth << ", point " << touch->point << ", normal (" << touch->normal.transpose() << ")\n";
+    std::cout << "depth " << touch->depth << ", point " << touch->point << ", normal (" << touch->normal.transpose()
+              << ")\n";
     //! [contact]
     const auto other = contact(ball, metres(0.6, 0, 0), ball, metres(0, 0, 0));
     claim("exchanged, the normal turns round", touch->normal == -other->normal);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.2.2 Sphere and plane: how high the centre is above the surface
 
-// With the plane's equation N . x + d = 0 the height of a centre S is s = N . S + d, and the sphere intersects the plane where s < r,
-// by p = r - s. The notes call d "the distance from the centre of the sphere" two lines after it was the plane's own constant. Read so, the
-// depth depends on where the world has its origin: move plane and sphere together along N, and it changes. (A part of 2.1.2.)
+// With the plane's equation N . x + d = 0 the height of a centre S is s = N . S + d, and the sphere intersects the
+// plane where s < r, by p = r - s. The notes call d "the distance from the centre of the sphere" two lines after it was
+// the plane's own constant. Read so, the depth depends on where the world has its origin: move plane and sphere
+// together along N, and it changes. (A part of 2.1.2.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -21,14 +22,16 @@ int main() {
     workbook::Claims claim;
     //! [plane]
     const auto touch = contact(Sphere{0.5 * metre}, metres(0, 2.4, 0), Plane::ground(2.0 * metre), metres(0, 0, 0));
-    std::cout << "A ball of 0.5 m at 2.4 m over ground at 2 m: " << touch->depth << " deep, at " << touch->point << '\n';
+    std::cout << "A ball of 0.5 m at 2.4 m over ground at 2 m: " << touch->depth << " deep, at " << touch->point
+              << '\n';
     //! [plane]
     claim("p = r - s", std::abs(in(touch->depth, metre) - 0.1) < 1e-12);
 
     std::vector<Quantity<unit::Length>> heights, depths, misread;
     for (double h = 0; h <= 10; h += 0.5) {
         heights.push_back(h * metre);
-        depths.push_back(contact(Sphere{0.5 * metre}, metres(0, h + 0.4, 0), Plane::ground(h * metre), metres(0, 0, 0))->depth);
+        depths.push_back(
+            contact(Sphere{0.5 * metre}, metres(0, h + 0.4, 0), Plane::ground(h * metre), metres(0, 0, 0))->depth);
         const double distance = 0.4; // read as "the distance from the centre of the sphere"
         misread.push_back((0.5 - (h + 0.4 + distance)) * metre);
     }
@@ -40,8 +43,10 @@ int main() {
     //! [below]
     const auto below = contact(Sphere{0.5 * metre}, metres(0, -3, 0), Plane::ground(), metres(0, 0, 0));
     //! [below]
-    std::cout << "3 m below the ground it is still pushed out: " << below->depth << " along (" << below->normal.transpose() << ")\n";
-    claim("a plane is a half-space: whoever is below is pushed out along N", below->depth == 3.5 * metre && below->normal[1] == 1);
+    std::cout << "3 m below the ground it is still pushed out: " << below->depth << " along ("
+              << below->normal.transpose() << ")\n";
+    claim("a plane is a half-space: whoever is below is pushed out along N",
+          below->depth == 3.5 * metre && below->normal[1] == 1);
 
     workbook::Plot plot("2.1.2.2", "The depth does not depend on where the origin is");
     plot.x("height of the plane").y("depth");

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.2.3 A step that is too large: through the wall, or out of it on the wrong side
 
-// Collisions are not detected, intersections are. "The time step must be small enough such that the contact point is on the correct
-// side of both entities, otherwise the interface will be resolved in the opposite direction". A ball of radius r that moves more
-// than 2 r + w in a step is never seen in a wall of thickness w; one that ends beyond the middle of the wall is pushed out behind
-// it. Two answers besides a smaller step: a narrowphase that follows the motion through the step and keeps the ball where it first
-// touches (Swept), and a response that looks ahead for what may come to touch within the step (SoftSubsteps). (A part of 2.1.2.)
+// Collisions are not detected, intersections are. "The time step must be small enough such that the contact point is on
+// the correct side of both entities, otherwise the interface will be resolved in the opposite direction". A ball of
+// radius r that moves more than 2 r + w in a step is never seen in a wall of thickness w; one that ends beyond the
+// middle of the wall is pushed out behind it. Two answers besides a smaller step: a narrowphase that follows the motion
+// through the step and keeps the ball where it first touches (Swept), and a response that looks ahead for what may come
+// to touch within the step (SoftSubsteps). (A part of 2.1.2.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -31,7 +32,8 @@ constexpr auto dt = 1.0 / 60 * second;
 template <class... Policy> double shot(double speed, double from, Policy... narrowphase_and_response) {
     World world{SemiImplicitEuler{}, BoundingBoxes{}, narrowphase_and_response...};
     world.add(Box{metres(w / 2, 5, 5)}, fixed);
-    const auto ball = world.add(Sphere{r * metre}, position(metres(-from, 0, 0)), velocity(metres_per_second(speed, 0, 0)), mass(1.0 * kilogram));
+    const auto ball = world.add(Sphere{r * metre}, position(metres(-from, 0, 0)),
+                                velocity(metres_per_second(speed, 0, 0)), mass(1.0 * kilogram));
     for (int i = 0; i < 30; ++i) world.step(dt);
     return in(x(world.position(ball)), metre);
 }
@@ -45,7 +47,8 @@ int main() {
     std::cout << "Critical speed (2 r + w) / dt = " << critical << " m/s\n";
     auto behind = [&](double speed, auto... policy) {
         int through = 0;
-        for (int i = 0; i < 100; ++i) through += shot(speed, 1 + i * speed / 6000, policy...) > 0; // from a hundred places
+        for (int i = 0; i < 100; ++i)
+            through += shot(speed, 1 + i * speed / 6000, policy...) > 0; // from a hundred places
         return through;
     };
     const Narrowphase<Sphere, Box> now;
@@ -57,18 +60,28 @@ int main() {
         ahead.push_back(behind(v, now, SoftSubsteps<>{}));
         swept.push_back(behind(v, throughout, Impulse<>{}, Projection{}));
     }
-    std::cout << "Of 100 balls at 8 m/s " << plain[3] << " come out behind the wall, at 30 m/s " << plain[14] << "; with Swept " << swept[3] << " and " << swept[14] << '\n'
-              << "At 500 m/s: " << behind(500, now, Impulse<>{}, Projection{}) << ", with Swept " << behind(500, throughout, Impulse<>{}, Projection{})
-              << "; it keeps a ball at " << std::fixed << std::setprecision(3) << shot(500, 1, throughout, Impulse<>{}, Projection{}) << " m, where it touches\n";
-    claim("while a step is shorter than half of the way through, all are stopped", plain[2] == 0 && shot(8.9, 1, now, Impulse<>{}, Projection{}) < 0);
-    claim("beyond the middle a ball is resolved in the opposite direction, below the critical speed already", behind(16, now, Impulse<>{}, Projection{}) > 0);
+    std::cout << "Of 100 balls at 8 m/s " << plain[3] << " come out behind the wall, at 30 m/s " << plain[14]
+              << "; with Swept " << swept[3] << " and " << swept[14] << '\n'
+              << "At 500 m/s: " << behind(500, now, Impulse<>{}, Projection{}) << ", with Swept "
+              << behind(500, throughout, Impulse<>{}, Projection{}) << "; it keeps a ball at " << std::fixed
+              << std::setprecision(3) << shot(500, 1, throughout, Impulse<>{}, Projection{})
+              << " m, where it touches\n";
+    claim("while a step is shorter than half of the way through, all are stopped",
+          plain[2] == 0 && shot(8.9, 1, now, Impulse<>{}, Projection{}) < 0);
+    claim("beyond the middle a ball is resolved in the opposite direction, below the critical speed already",
+          behind(16, now, Impulse<>{}, Projection{}) > 0);
     claim("above it some are never seen", plain.back() > 50);
     claim("a response that looks ahead stops all of them", ahead.back() == 0);
-    claim("Swept stops all of them, at 500 m/s, too", *std::max_element(swept.begin(), swept.end()) == 0 && behind(500, throughout, Impulse<>{}, Projection{}) == 0);
-    claim("and keeps a ball where it touches the wall", std::abs(shot(500, 1, throughout, Impulse<>{}, Projection{}) + r + w / 2) < 1e-12);
+    claim("Swept stops all of them, at 500 m/s, too", *std::max_element(swept.begin(), swept.end()) == 0 &&
+                                                          behind(500, throughout, Impulse<>{}, Projection{}) == 0);
+    claim("and keeps a ball where it touches the wall",
+          std::abs(shot(500, 1, throughout, Impulse<>{}, Projection{}) + r + w / 2) < 1e-12);
 
     workbook::Plot plot("2.1.2.3", "Fast balls come out behind the wall");
     plot.x("speed (m/s)").y("balls of 100 behind the wall").vertical(critical, "(2r + w) / dt");
-    plot.line("Impulse and Projection", speeds, plain).line("SoftSubsteps", speeds, ahead).line("Swept", speeds, swept).write();
+    plot.line("Impulse and Projection", speeds, plain)
+        .line("SoftSubsteps", speeds, ahead)
+        .line("Swept", speeds, swept)
+        .write();
     return claim.result();
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.2 Response: places, velocities, accelerations
 
-// Projection moves bodies apart and touches nothing else; impulse changes their velocities; penalty pushes with a force. They act
-// at three levels, so that they can be combined: an impulse ends the approach, a projection the intersection. What a
-// projection must share is the distance, by inverse mass, or the centre of mass moves with every contact.
+// Projection moves bodies apart and touches nothing else; impulse changes their velocities; penalty pushes with a
+// force. They act at three levels, so that they can be combined: an impulse ends the approach, a projection the
+// intersection. What a projection must share is the distance, by inverse mass, or the centre of mass moves with every
+// contact.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -45,11 +46,15 @@ template <class... Response> Fall drop(Response... response) {
 
 int main() {
     workbook::Claims claim;
-    const auto projected = drop(Projection{}), stopped = drop(Impulse<>{}), both = drop(Impulse<>{}, Projection{0.001 * metre});
+    const auto projected = drop(Projection{}), stopped = drop(Impulse<>{}),
+               both = drop(Impulse<>{}, Projection{0.001 * metre});
     const auto pushed = drop(Penalty{5000.0 * newton_per_metre, 60.0 * newton_second_per_metre});
-    std::cout << "After 1 s: Projection " << projected.heights.back() << " at " << projected.last_speed << " m/s, Impulse " << stopped.heights.back() << ",\n"
-              << "both " << both.heights.back() << " at " << both.last_speed << " m/s, Penalty " << pushed.heights.back() << '\n';
-    claim("a projection alone holds the place and lets the velocity grow", projected.heights.back() > 0.09 * metre && projected.last_speed < -9);
+    std::cout << "After 1 s: Projection " << projected.heights.back() << " at " << projected.last_speed
+              << " m/s, Impulse " << stopped.heights.back() << ",\n"
+              << "both " << both.heights.back() << " at " << both.last_speed << " m/s, Penalty "
+              << pushed.heights.back() << '\n';
+    claim("a projection alone holds the place and lets the velocity grow",
+          projected.heights.back() > 0.09 * metre && projected.last_speed < -9);
     claim("an impulse alone ends the velocity and lets the ball sink", stopped.heights.back() < 0.09 * metre);
     claim("together they hold both", both.heights.back() > 0.098 * metre && std::abs(both.last_speed) < 0.05);
     claim("a penalty lets it lie mg/k deep", std::abs(in(pushed.heights.back(), metre) - (0.1 - 9.81 / 5000)) < 1e-3);
@@ -59,7 +64,8 @@ int main() {
     const auto heavy = pair.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)), mass(9.0 * kilogram));
     pair.step(1e-9 * second);
     const auto centre = (x(pair.position(light)) + 9.0 * x(pair.position(heavy))) / 10.0;
-    std::cout << "Two that overlap by 0.1 m, of 1 kg and 9 kg, are moved by " << x(pair.position(light)) << " and " << x(pair.position(heavy)) - 0.9 * metre << '\n';
+    std::cout << "Two that overlap by 0.1 m, of 1 kg and 9 kg, are moved by " << x(pair.position(light)) << " and "
+              << x(pair.position(heavy)) - 0.9 * metre << '\n';
     claim("shared by inverse mass, the centre of mass stays", std::abs(in(centre, metre) - 0.81) < 1e-15);
 
     workbook::Plot plot("2.2", "What each response makes of a ball that is dropped");

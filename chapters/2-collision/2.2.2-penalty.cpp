@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.2.2 The penalty method: a spring while they touch, and what its damping does
 
-// The notes set F = -kp - c N.(v_a - v_b) on both bodies. With their own normal, from the second body to the first, it must be +kp: the
-// deeper, the stronger they are pushed apart. The second body gets -F, by Newton's third law, or two bodies at rest push each other
-// off with momentum from nowhere. And "a higher value [of c] gives a more bouncy collision" is the other way round: they part with
-// e = exp(-pi zeta / sqrt(1 - zeta^2)), zeta = c / (2 sqrt(k mu)), which falls as c grows. k decides how deep and how long they touch.
+// The notes set F = -kp - c N.(v_a - v_b) on both bodies. With their own normal, from the second body to the first, it
+// must be +kp: the deeper, the stronger they are pushed apart. The second body gets -F, by Newton's third law, or two
+// bodies at rest push each other off with momentum from nowhere. And "a higher value [of c] gives a more bouncy
+// collision" is the other way round: they part with e = exp(-pi zeta / sqrt(1 - zeta^2)), zeta = c / (2 sqrt(k mu)),
+// which falls as c grows. k decides how deep and how long they touch.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -31,7 +32,8 @@ Met meet(double k, double zeta) {
     const Penalty penalty{k * newton_per_metre, 2 * zeta * std::sqrt(k * mu) * newton_second_per_metre};
     World world{VelocityVerlet{}, BoundingBoxes{}, Narrowphase<Sphere>{}, penalty};
     const auto a = world.add(Sphere{0.5 * metre}, velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
-    const auto b = world.add(Sphere{0.5 * metre}, position(metres(1, 0, 0)), velocity(metres_per_second(-1, 0, 0)), mass(1.0 * kilogram));
+    const auto b = world.add(Sphere{0.5 * metre}, position(metres(1, 0, 0)), velocity(metres_per_second(-1, 0, 0)),
+                             mass(1.0 * kilogram));
     //! [meet]
     double deepest = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -55,7 +57,8 @@ int main() {
     std::cout << "zeta 0, 0.1, 0.5: e = " << measured[0] << ", " << measured[2] << ", " << measured[10] << '\n';
     claim("without damping they part as fast as they met", std::abs(measured[0] - 1) < 0.01);
     claim("the more damping, the less they bounce", std::is_sorted(measured.rbegin(), measured.rend()));
-    claim("a contact that never pulls gives back a little more than the formula", measured[10] > formula[10] && measured[2] - formula[2] < 0.03);
+    claim("a contact that never pulls gives back a little more than the formula",
+          measured[10] > formula[10] && measured[2] - formula[2] < 0.03);
 
     const auto soft = meet(1e4, 0.1), hard = meet(1e6, 0.1);
     std::cout << "k = 1e4 N/m: " << soft.deepest << " m deep; k = 1e6 N/m: " << hard.deepest << " m deep\n";

@@ -4,9 +4,9 @@
 /// \file
 /// What the programs of 2.1.1 share: balls that lie about, their boxes, and a count of what a partition does.
 ///
-/// What a broadphase is: collision/broadphase/broadphase.hpp; what may test the inside of a cell, as `Counting` does here:
-/// collision/broadphase/inside.hpp, on a Lot of boxes. How cells are divided is in collision/broadphase/recursion.hpp, how a grid
-/// is laid out in collision/broadphase/uniform_grid_level.hpp.
+/// What a broadphase is: collision/broadphase/broadphase.hpp; what may test the inside of a cell, as `Counting` does
+/// here: collision/broadphase/inside.hpp, on a Lot of boxes. How cells are divided is in
+/// collision/broadphase/recursion.hpp, how a grid is laid out in collision/broadphase/uniform_grid_level.hpp.
 
 #include <ansatz/collision/broadphase.hpp>
 
@@ -90,7 +90,8 @@ struct Counting : BoundingBoxes {
             Base::among(lot, first, last, touch);
         }
         template <class F>
-        void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first, std::size_t other_last, F&& touch) const {
+        void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first,
+                     std::size_t other_last, F&& touch) const {
             work_->tests += double(last - first) * double(other_last - other_first);
             Base::between(lot, first, last, other_first, other_last, touch);
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a broadphase costs: pairs compared for one that touches, and time, against number, spread and threshold
 
-// Errors there are none: each of them tells every pair of boxes that touch, once. What stands in the place of the error is the
-// waste: pairs of boxes that were compared, for one that touches. It is counted in an untimed run, in which each comparison of
-// two boxes goes through a counter, whoever makes it. The time is that of a step: the search in boxes that have moved a little
-// since the last one, and the narrowphase's look at each pair of balls that was told. AllPairs compares no boxes, so that every
-// pair is looked at; that is why the look is timed with all of them.
+// Errors there are none: each of them tells every pair of boxes that touch, once. What stands in the place of the error
+// is the waste: pairs of boxes that were compared, for one that touches. It is counted in an untimed run, in which each
+// comparison of two boxes goes through a counter, whoever makes it. The time is that of a step: the search in boxes
+// that have moved a little since the last one, and the narrowphase's look at each pair of balls that was told. AllPairs
+// compares no boxes, so that every pair is looked at; that is why the look is timed with all of them.
 
 #include "what_it_costs.hpp"
 
@@ -37,11 +37,13 @@ template <class F> void scan(const Lot<Counted>& lot, std::size_t p, std::size_t
     if (last > first) compared += last - first;
     for (std::size_t q = first; q < last; ++q) {
         bool touch = true;
-        for (std::size_t k = 0; k < 3; ++k) touch = touch && lot[q].lower(k) <= lot[p].upper(k) && lot[p].lower(k) <= lot[q].upper(k);
+        for (std::size_t k = 0; k < 3; ++k)
+            touch = touch && lot[q].lower(k) <= lot[p].upper(k) && lot[p].lower(k) <= lot[q].upper(k);
         if (touch) found(q);
     }
 }
-template <class F> void scan(const Boxes<Counted>& boxes, std::size_t p, std::size_t first, std::size_t last, F&& found) {
+template <class F>
+void scan(const Boxes<Counted>& boxes, std::size_t p, std::size_t first, std::size_t last, F&& found) {
     if (last > first) compared += last - first;
     for (std::size_t q = first; q < last; ++q)
         if (boxes.touch(p, q)) found(q);
@@ -53,7 +55,9 @@ class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
     double between(double low, double high) { return low + (high - low) * double(engine_() >> 11) * 0x1p-53; }
-    double bell() { return between(-1, 1) + between(-1, 1) + between(-1, 1); } // of variance 1, near enough to a normal one
+    double bell() {
+        return between(-1, 1) + between(-1, 1) + between(-1, 1);
+    } // of variance 1, near enough to a normal one
     Eigen::Vector3d in_cube(double half) {
         Eigen::Vector3d x;
         for (int k = 0; k < 3; ++k) x[k] = between(-half, half);
@@ -150,7 +154,9 @@ public:
         double depths = 0;
         bound_.find(boxes_[frame], [&](std::size_t i, std::size_t j) {
             Touch<Space<>> touch;
-            if (collide(balls_[i], Space<>::Position::from_value(centres[i]), balls_[j], Space<>::Position::from_value(centres[j]), touch)) depths += touch.depth.value();
+            if (collide(balls_[i], Space<>::Position::from_value(centres[i]), balls_[j],
+                        Space<>::Position::from_value(centres[j]), touch))
+                depths += touch.depth.value();
         });
         return depths;
     }
@@ -168,10 +174,13 @@ template <class P> Outcome count(const Scene& scene, const P& policy, std::size_
     typename P::template In<Counted> bound(policy);
     compared = 0;
     std::uint64_t told = 0;
-    for (int f = 0; f < Scene::frames; ++f) bound.find(scene.boxes<Counted>(f), [&](std::size_t, std::size_t) { ++told; });
+    for (int f = 0; f < Scene::frames; ++f)
+        bound.find(scene.boxes<Counted>(f), [&](std::size_t, std::size_t) { ++told; });
     const bool blind = compared == 0; // it tells every pair, and the look is the comparison
     const double all = double(blind ? told : compared);
-    return {.error = all / double(touching), .work = std::round(all / Scene::frames), .diverged = !blind && told != touching};
+    return {.error = all / double(touching),
+            .work = std::round(all / Scene::frames),
+            .diverged = !blind && told != touching};
 }
 
 /// Pairs whose boxes touch, in all frames.
@@ -181,21 +190,34 @@ std::size_t touching_boxes(const Scene& scene) {
     return n;
 }
 
-const Axis broadphase{.name = "broadphase", .error_norm = "pairs compared for one whose boxes touch", .work_unit = "pairs compared",
-                      .time_unit = "ns per body and step", .has_order = false};
-const Axis threshold{.name = "threshold", .error_norm = broadphase.error_norm, .work_unit = broadphase.work_unit, .time_unit = broadphase.time_unit, .has_order = false};
+const Axis broadphase{.name = "broadphase",
+                      .error_norm = "pairs compared for one whose boxes touch",
+                      .work_unit = "pairs compared",
+                      .time_unit = "ns per body and step",
+                      .has_order = false};
+const Axis threshold{.name = "threshold",
+                     .error_norm = broadphase.error_norm,
+                     .work_unit = broadphase.work_unit,
+                     .time_unit = broadphase.time_unit,
+                     .has_order = false};
 
 template <class P>
-void add_row(Costs& costs, const Axis& axis, const char* choice, const std::string& problem, const workbook::Parameter& parameter,
-             const std::shared_ptr<const Scene>& scene, std::size_t touching, const P& policy) {
-    costs.add(axis, {.choice = choice, .problem = problem, .parameter = parameter, .n = scene->size(),
+void add_row(Costs& costs, const Axis& axis, const char* choice, const std::string& problem,
+             const workbook::Parameter& parameter, const std::shared_ptr<const Scene>& scene, std::size_t touching,
+             const P& policy) {
+    costs.add(axis, {.choice = choice,
+                     .problem = problem,
+                     .parameter = parameter,
+                     .n = scene->size(),
                      .error_run = [=] { return count(*scene, policy, touching); },
                      .timed_run = [search = std::make_shared<Search<P>>(scene, policy)] { return (*search)(); },
                      .per = scene->size()});
 }
 
 using Scenes = std::vector<std::pair<std::shared_ptr<const Scene>, std::size_t>>;
-template <class P> void add_rows(Costs& costs, const char* choice, const std::string& problem, const Scenes& scenes, const P& policy, int most = 1 << 20) {
+template <class P>
+void add_rows(Costs& costs, const char* choice, const std::string& problem, const Scenes& scenes, const P& policy,
+              int most = 1 << 20) {
     for (const auto& [scene, touching] : scenes)
         if (scene->size() <= most) add_row(costs, broadphase, choice, problem, {}, scene, touching, policy);
 }
@@ -219,8 +241,8 @@ void add_spread(Costs& costs, const std::string& problem, Scene (*make)(int), co
 }
 
 // ---------------------------------------------------------------- what is made of the rows
-/// From which number of bodies on `a` is faster than `b` by a twentieth, which is more than noise: between two neighbours of the
-/// table, by powers.
+/// From which number of bodies on `a` is faster than `b` by a twentieth, which is more than noise: between two
+/// neighbours of the table, by powers.
 struct Crossing {
     bool always = false, never = false;
     double n = 0;
@@ -229,7 +251,8 @@ std::optional<Crossing> crossing(const Rows& rows, const std::string& a, const s
     std::vector<std::pair<double, double>> points; // log n, log of how many times faster a is
     for (const workbook::Row& of_a : workbook::where(rows, &workbook::Row::choice, a))
         for (const workbook::Row& of_b : workbook::where(rows, &workbook::Row::choice, b))
-            if (of_a.n && of_b.n && *of_a.n == *of_b.n && of_a.time && of_b.time) points.emplace_back(std::log(*of_a.n), std::log(*of_b.time / *of_a.time / 1.05));
+            if (of_a.n && of_b.n && *of_a.n == *of_b.n && of_a.time && of_b.time)
+                points.emplace_back(std::log(*of_a.n), std::log(*of_b.time / *of_a.time / 1.05));
     if (points.empty()) return {};
     if (!(points.back().second > 0)) return Crossing{.never = true};
     std::size_t last = points.size(); // where it is slower for the last time
@@ -246,9 +269,14 @@ void summarise(std::ostream& out, const Rows& all, const std::filesystem::path& 
     for (const workbook::Row& row : rows) timed = timed || row.time;
     if (!timed) return;
     out << "\nFrom how many bodies on the first is faster than the second by more than 5 %:\n";
-    const std::vector<std::pair<std::string, std::string>> contests{{"BoundingBoxes", "AllPairs"}, {"SortAndSweep", "AllPairs"}, {"UniformGrid", "AllPairs"}, {"Octree", "AllPairs"}, {"SortAndSweep", "BoundingBoxes"}, {"UniformGrid", "BoundingBoxes"},
-        {"Octree", "BoundingBoxes"}, {"BinarySplit", "BoundingBoxes"}, {"UniformGrid", "SortAndSweep"}, {"Octree", "SortAndSweep"}, {"UniformGrid", "Octree"},
-        {"UniformGrid<SortAndSweep>", "UniformGrid"}, {"Octree<SortAndSweep>", "Octree"}};
+    const std::vector<std::pair<std::string, std::string>> contests{
+        {"BoundingBoxes", "AllPairs"},     {"SortAndSweep", "AllPairs"},
+        {"UniformGrid", "AllPairs"},       {"Octree", "AllPairs"},
+        {"SortAndSweep", "BoundingBoxes"}, {"UniformGrid", "BoundingBoxes"},
+        {"Octree", "BoundingBoxes"},       {"BinarySplit", "BoundingBoxes"},
+        {"UniformGrid", "SortAndSweep"},   {"Octree", "SortAndSweep"},
+        {"UniformGrid", "Octree"},         {"UniformGrid<SortAndSweep>", "UniformGrid"},
+        {"Octree<SortAndSweep>", "Octree"}};
     const auto problems = workbook::different(rows, &workbook::Row::problem);
     out << "  " << std::left << std::setw(42) << "";
     for (const auto& problem : problems) out << std::right << std::setw(14) << problem.substr(0, problem.find(','));
@@ -257,7 +285,11 @@ void summarise(std::ostream& out, const Rows& all, const std::filesystem::path& 
         out << "  " << std::left << std::setw(42) << std::string(a).append(" : ").append(b);
         for (const auto& problem : problems) {
             const auto at = crossing(workbook::where(rows, &workbook::Row::problem, problem), a, b);
-            out << std::right << std::setw(14) << (!at ? "" : at->always ? "always" : at->never ? "never" : workbook::grouped(std::stod(workbook::significant(at->n, 2))));
+            out << std::right << std::setw(14)
+                << (!at          ? ""
+                    : at->always ? "always"
+                    : at->never  ? "never"
+                                 : workbook::grouped(std::stod(workbook::significant(at->n, 2))));
         }
         out << '\n';
     }
@@ -271,7 +303,9 @@ void summarise(std::ostream& out, const Rows& all, const std::filesystem::path& 
                 if (row.time) n.push_back(*row.n), time.push_back(*row.time);
             if (!n.empty()) plot.linked_points(choice, n, time);
         }
-        collision_costs::write(plot, folder, workbook::file_name(std::string("collision-broadphase-against-n-").append(problem, 0, problem.find(','))));
+        collision_costs::write(
+            plot, folder,
+            workbook::file_name(std::string("collision-broadphase-against-n-").append(problem, 0, problem.find(','))));
     }
 }
 
@@ -289,7 +323,8 @@ void collision_costs::add_broadphase(Costs& costs) {
     const auto touching = touching_boxes(*scene);
     const auto each_threshold = [&](const char* choice, auto with_threshold) {
         for (int most = 1; most <= 4096; most *= 2)
-            add_row(costs, threshold, choice, "clustered, 4096 balls", {"threshold", double(most)}, scene, touching, with_threshold(most));
+            add_row(costs, threshold, choice, "clustered, 4096 balls", {"threshold", double(most)}, scene, touching,
+                    with_threshold(most));
     };
     each_threshold("Octree", [](int most) { return Octree<>{.threshold = most}; });
     each_threshold("Octree<SortAndSweep>", [](int most) { return Octree<SortAndSweep>{.threshold = most}; });

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a contact costs: how wrong its depth and its normal are, in float and double, near the origin and far from it
 
-// The pairs are built from the answer: a normal and a depth are drawn, and the second body is put where the two are so deep in each
-// other along it. What a scalar makes of that is wrong by the rounding of the places, which grows with the distance from the
-// origin, and by the arithmetic, which does not. A contact that is not found any more has a depth of zero, so that its error is
-// all of its depth; how many are lost stands beside it. Depths are 0.01 to 0.3 of the radius (of the half-width of a box).
+// The pairs are built from the answer: a normal and a depth are drawn, and the second body is put where the two are so
+// deep in each other along it. What a scalar makes of that is wrong by the rounding of the places, which grows with the
+// distance from the origin, and by the arithmetic, which does not. A contact that is not found any more has a depth of
+// zero, so that its error is all of its depth; how many are lost stands beside it. Depths are 0.01 to 0.3 of the radius
+// (of the half-width of a box).
 
 #include "what_it_costs.hpp"
 
@@ -28,18 +29,20 @@ using Exact = Eigen::Matrix<long double, 3, 1>;
 
 /// Two bodies of which the answer is known. Which of the numbers mean something is the pair's kind's affair.
 struct Pair {
-    Exact xa = Exact::Zero(), xb = Exact::Zero();          ///< m
-    long double ra = 0, rb = 0;                            ///< m, radii
-    Exact half_a = Exact::Zero(), half_b = Exact::Zero();  ///< m
-    Exact plane = Exact::Zero();                           ///< its normal
-    Exact normal = Exact::Zero();                          ///< the right answer
-    long double depth = 0, size = 1;                       ///< m: the right answer, and what it is held against
+    Exact xa = Exact::Zero(), xb = Exact::Zero();         ///< m
+    long double ra = 0, rb = 0;                           ///< m, radii
+    Exact half_a = Exact::Zero(), half_b = Exact::Zero(); ///< m
+    Exact plane = Exact::Zero();                          ///< its normal
+    Exact normal = Exact::Zero();                         ///< the right answer
+    long double depth = 0, size = 1;                      ///< m: the right answer, and what it is held against
 };
 
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    long double between(long double low, long double high) { return low + (high - low) * (long double)(engine_() >> 11) * 0x1p-53L; }
+    long double between(long double low, long double high) {
+        return low + (high - low) * (long double)(engine_() >> 11) * 0x1p-53L;
+    }
     int below(int n) { return int(engine_() % std::uint64_t(n)); }
     /// A unit vector: a point of the ball, made longer.
     Exact direction() {
@@ -78,7 +81,10 @@ struct SphereSphere {
         p.xa = p.normal * (p.ra + p.rb - p.depth);
         return p;
     }
-    template <class S> static auto shapes(const Pair& p) { return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}), typename Sphere::In<S>(Sphere{double(p.rb) * metre})); }
+    template <class S> static auto shapes(const Pair& p) {
+        return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}),
+                         typename Sphere::In<S>(Sphere{double(p.rb) * metre}));
+    }
 };
 struct SpherePlane {
     static constexpr const char* name = "Sphere, Plane";
@@ -91,12 +97,14 @@ struct SpherePlane {
         return p;
     }
     template <class S> static auto shapes(const Pair& p) {
-        return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}), typename Plane::In<S>(Plane{Eigen::Vector3d(p.plane.cast<double>()), 0.0 * metre}));
+        return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}),
+                         typename Plane::In<S>(Plane{Eigen::Vector3d(p.plane.cast<double>()), 0.0 * metre}));
     }
 };
 struct SphereBox {
     static constexpr const char* name = "Sphere, Box";
-    static Pair draw(Dice& dice) { // at a face, an edge or a corner: where one, two or three components of the normal are not zero
+    static Pair
+    draw(Dice& dice) { // at a face, an edge or a corner: where one, two or three components of the normal are not zero
         Pair p;
         p.ra = p.size = short_number(dice.between(0.25L, 0.5L));
         p.depth = p.size * dice.between(0.01L, 0.3L);
@@ -114,7 +122,9 @@ struct SphereBox {
         return p;
     }
     template <class S> static auto shapes(const Pair& p) {
-        return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}), typename Box::In<S>(Box{VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(p.half_b.cast<double>()))}));
+        return std::pair(typename Sphere::In<S>(Sphere{double(p.ra) * metre}),
+                         typename Box::In<S>(Box{
+                             VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(p.half_b.cast<double>()))}));
     }
 };
 struct BoxBox {
@@ -127,14 +137,18 @@ struct BoxBox {
         p.depth = p.size * dice.between(0.01L, 0.3L);
         const int axis = dice.below(3);
         for (int k = 0; k < 3; ++k) {
-            const long double side = dice.between(-1, 1) < 0 ? -1 : 1, overlap = k == axis ? p.depth : p.size * dice.between(0.6L, 1);
+            const long double side = dice.between(-1, 1) < 0 ? -1 : 1,
+                              overlap = k == axis ? p.depth : p.size * dice.between(0.6L, 1);
             if (k == axis) p.normal[k] = side;
             p.xa[k] = side * (p.half_a[k] + p.half_b[k] - overlap);
         }
         return p;
     }
     template <class S> static auto shapes(const Pair& p) {
-        const auto box = [](const Exact& half) { return typename Box::In<S>(Box{VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(half.cast<double>()))}); };
+        const auto box = [](const Exact& half) {
+            return typename Box::In<S>(
+                Box{VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(half.cast<double>()))});
+        };
         return std::pair(box(p.half_a), box(p.half_b));
     }
 };
@@ -150,7 +164,8 @@ struct BoxPlane {
         return p;
     }
     template <class S> static auto shapes(const Pair& p) {
-        return std::pair(typename Box::In<S>(Box{VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(p.half_a.cast<double>()))}),
+        return std::pair(typename Box::In<S>(Box{
+                             VectorQuantity<unit::Length, 3>::from_value(Eigen::Vector3d(p.half_a.cast<double>()))}),
                          typename Plane::In<S>(Plane{Eigen::Vector3d(p.plane.cast<double>()), 0.0 * metre}));
     }
 };
@@ -171,7 +186,9 @@ template <class Kind, class S> struct Scene {
         for (int i = 0; i < pairs; ++i) {
             const Pair p = Kind::draw(dice);
             using Scalar = typename S::Scalar;
-            const auto place = [&](const Exact& x) { return S::Position::from_value(Vector<Scalar, 3>(Exact(x + away).template cast<Scalar>())); };
+            const auto place = [&](const Exact& x) {
+                return S::Position::from_value(Vector<Scalar, 3>(Exact(x + away).template cast<Scalar>()));
+            };
             items.push_back({Kind::template shapes<S>(p), place(p.xa), place(p.xb)});
             answers.push_back(p);
         }
@@ -180,7 +197,9 @@ template <class Kind, class S> struct Scene {
 
 /// The library's own function for two shapes.
 struct Collide {
-    template <class S, class Item> static bool at(const Item& item, Touch<S>& touch) { return collide(item.shapes.first, item.xa, item.shapes.second, item.xb, touch); }
+    template <class S, class Item> static bool at(const Item& item, Touch<S>& touch) {
+        return collide(item.shapes.first, item.xa, item.shapes.second, item.xb, touch);
+    }
 };
 /// Notes 2.1.2 to the letter, N = S1 - S2: cheaper by a division, and as long as the two are far apart.
 struct RawDifference {
@@ -221,19 +240,25 @@ template <class Kind, class S, class How> Outcome wrong(double distance, Norm no
 template <class Kind, class S, class How = Collide> void add_rows(Costs& costs, const char* choice) {
     for (const auto norm : {Norm::depth, Norm::normal}) {
         const bool depth = norm == Norm::depth;
-        const Axis axis{.name = "narrowphase", .error_norm = depth ? "max |p - exact| / r" : "max |N - exact|", .work_unit = "contacts lost of 1000", .time_unit = "ns per pair",
+        const Axis axis{.name = "narrowphase",
+                        .error_norm = depth ? "max |p - exact| / r" : "max |N - exact|",
+                        .work_unit = "contacts lost of 1000",
+                        .time_unit = "ns per pair",
                         .has_order = false};
         for (const double distance : {0.0, 1e2, 1e4, 1e6}) {
             const auto scene = std::make_shared<const Scene<Kind, S>>(distance);
-            costs.add(axis, {.choice = choice, .problem = std::string(Kind::name) + (depth ? ": depth" : ": normal"),
-                             .parameter = {"distance from the origin", distance * metre}, .n = pairs,
+            costs.add(axis, {.choice = choice,
+                             .problem = std::string(Kind::name) + (depth ? ": depth" : ": normal"),
+                             .parameter = {"distance from the origin", distance * metre},
+                             .n = pairs,
                              .error_run = [=] { return wrong<Kind, S, How>(distance, norm); },
                              .timed_run =
                                  [scene] {
                                      typename S::Scalar sum(0);
                                      for (const auto& item : scene->items) {
                                          Touch<S> touch;
-                                         if (How::template at<S>(item, touch)) sum += touch.depth.value() + touch.normal[0] + touch.point.value()[1];
+                                         if (How::template at<S>(item, touch))
+                                             sum += touch.depth.value() + touch.normal[0] + touch.point.value()[1];
                                      }
                                      return sum;
                                  },
@@ -245,7 +270,8 @@ template <class Kind, class S, class How = Collide> void add_rows(Costs& costs, 
 template <class Kind> void add_kind(Costs& costs) {
     add_rows<Kind, Space<float, 3>>(costs, "float");
     add_rows<Kind, Space<double, 3>>(costs, "double");
-    if constexpr (std::is_same_v<Kind, SphereSphere>) add_rows<Kind, Space<double, 3>, RawDifference>(costs, "double, N = S1 - S2 of the notes");
+    if constexpr (std::is_same_v<Kind, SphereSphere>)
+        add_rows<Kind, Space<double, 3>, RawDifference>(costs, "double, N = S1 - S2 of the notes");
 }
 
 } // namespace

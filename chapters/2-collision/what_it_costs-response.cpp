@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a response costs: every integrator with every response, on a ball that should come back to its height for ever
 
-// A ball of radius 0.5 m and 1 kg is dropped from 10 m onto the ground with e = 1 and bounces twenty times. Two errors: how far any
-// apex is from the first height, which is the energy that was won or lost, and how deep the ball is in the ground at the end of
-// a step. Integrator and response are right or wrong as a pair: the formula of notes 2.2.1 alone is exact with one integrator and
-// loses half of the energy with another.
+// A ball of radius 0.5 m and 1 kg is dropped from 10 m onto the ground with e = 1 and bounces twenty times. Two errors:
+// how far any apex is from the first height, which is the energy that was won or lost, and how deep the ball is in the
+// ground at the end of a step. Integrator and response are right or wrong as a pair: the formula of notes 2.2.1 alone
+// is exact with one integrator and loses half of the energy with another.
 //
-// An apex is that of the parabola through the three highest places of a flight, so that the step's length adds nothing to it.
+// An apex is that of the parabola through the three highest places of a flight, so that the step's length adds nothing
+// to it.
 
 #include "what_it_costs.hpp"
 
@@ -65,31 +66,33 @@ struct Count {
 constexpr double height = 10, radius = 0.5, first_apex = height - radius, longest = 100; // m, m, m above the ground, s
 constexpr int bounces_wanted = 20;
 
-/// The ball and its world: the same kind for the count and for the clock, because each of these worlds takes a compiler seconds.
+/// The ball and its world: the same kind for the count and for the clock, because each of these worlds takes a compiler
+/// seconds.
 template <class Integrator, class... Response> struct Drop {
     std::uint64_t asked = 0;
     World<Space<>, Integrator, Gravity, Count, BoundingBoxes, Narrowphase<Sphere, Plane>, Response...> world;
     Handle ball;
     explicit Drop(const Response&... response)
-        : world(Space<>{}, Integrator{}, Gravity{}, Count{&asked}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{}, response...) {
+        : world(Space<>{}, Integrator{}, Gravity{}, Count{&asked}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{},
+                response...) {
         world.add(Plane::ground(), fixed);
         if constexpr (decltype(world)::composition::template stores<Restitution>)
-            ball = world.add(Sphere{radius * metre}, position(metres(0, height, 0)), mass(1.0 * kilogram), restitution(1));
-        else
-            ball = world.add(Sphere{radius * metre}, position(metres(0, height, 0)), mass(1.0 * kilogram));
+            ball =
+                world.add(Sphere{radius * metre}, position(metres(0, height, 0)), mass(1.0 * kilogram), restitution(1));
+        else ball = world.add(Sphere{radius * metre}, position(metres(0, height, 0)), mass(1.0 * kilogram));
     }
     Drop(const Drop&) = delete; // its counter is where it is
     Drop& operator=(const Drop&) = delete;
 };
 
 struct Bounces {
-    double worst = 0;      ///< max |apex / first - 1|
-    double last = 0;       ///< the last apex over the first height
-    double depth = 0;      ///< m
+    double worst = 0; ///< max |apex / first - 1|
+    double last = 0;  ///< the last apex over the first height
+    double depth = 0; ///< m
     int count = 0;
-    double asked = 0;      ///< evaluations of the forces
-    double time = 0;       ///< simulated, s
-    bool sound = true;     ///< every number is one
+    double asked = 0;  ///< evaluations of the forces
+    double time = 0;   ///< simulated, s
+    bool sound = true; ///< every number is one
 };
 
 template <class Integrator, class... Response> Bounces bounce(double dt, const Response&... response) {
@@ -110,7 +113,8 @@ template <class Integrator, class... Response> Bounces bounce(double dt, const R
         }
         result.depth = std::max(result.depth, radius - next);
         if (next < now) fell = true;
-        // Behind a fall, the first place from which it does not rise any more is the next apex. Within the ground there is none.
+        // Behind a fall, the first place from which it does not rise any more is the next apex. Within the ground there
+        // is none.
         const double bend = 2 * now - before - next;
         if (result.time > 0.5 && now > before && next <= now && now > radius + 0.1 && fell) {
             const double apex = now + (next - before) * (next - before) / (8 * bend) - radius;
@@ -127,33 +131,46 @@ template <class Integrator, class... Response> Bounces bounce(double dt, const R
     return result;
 }
 
-const Axis apex_axis{.name = "response", .error_norm = "max |apex / first height - 1| of 20 bounces", .work_unit = "force evaluations",
-                     .time_unit = "ns per simulated second", .has_order = false};
-const Axis depth_axis{.name = "response", .error_norm = "max depth at the end of a step (m)", .work_unit = "force evaluations", .time_unit = "ns per simulated second",
+const Axis apex_axis{.name = "response",
+                     .error_norm = "max |apex / first height - 1| of 20 bounces",
+                     .work_unit = "force evaluations",
+                     .time_unit = "ns per simulated second",
+                     .has_order = false};
+const Axis depth_axis{.name = "response",
+                      .error_norm = "max depth at the end of a step (m)",
+                      .work_unit = "force evaluations",
+                      .time_unit = "ns per simulated second",
                       .has_order = false};
 
-template <class Integrator, class... Response> void add_rows(Costs& costs, const char* choice, const std::string& problem, const Response&... response) {
+template <class Integrator, class... Response>
+void add_rows(Costs& costs, const char* choice, const std::string& problem, const Response&... response) {
     for (const bool depth : {false, true})
         for (const double rate : {30.0, 60.0, 120.0, 240.0, 960.0}) {
-            costs.add(depth ? depth_axis : apex_axis,
-                      {.choice = choice, .problem = problem + (depth ? ": depth" : ": apex"), .parameter = {"dt", 1 / rate * second}, .n = 1,
-                       .error_run =
-                           [=] {
-                               const auto b = bounce<Integrator>(1 / rate, response...);
-                               // Ten times the first height is no bounce any more.
-                               return Outcome{.error = depth ? b.depth : b.worst, .work = b.asked, .diverged = !b.sound || b.worst > 10};
-                           },
-                       .timed_run =
-                           [=] {
-                               Drop<Integrator, Response...> drop(response...);
-                               for (int i = 0; i < 10 * rate; ++i) drop.world.step(1 / rate * second);
-                               return drop.world.position(drop.ball);
-                           },
-                       .per = 10.0});
+            costs.add(depth ? depth_axis : apex_axis, {.choice = choice,
+                                                       .problem = problem + (depth ? ": depth" : ": apex"),
+                                                       .parameter = {"dt", 1 / rate * second},
+                                                       .n = 1,
+                                                       .error_run =
+                                                           [=] {
+                                                               const auto b = bounce<Integrator>(1 / rate, response...);
+                                                               // Ten times the first height is no bounce any more.
+                                                               return Outcome{.error = depth ? b.depth : b.worst,
+                                                                              .work = b.asked,
+                                                                              .diverged = !b.sound || b.worst > 10};
+                                                           },
+                                                       .timed_run =
+                                                           [=] {
+                                                               Drop<Integrator, Response...> drop(response...);
+                                                               for (int i = 0; i < 10 * rate; ++i)
+                                                                   drop.world.step(1 / rate * second);
+                                                               return drop.world.position(drop.ball);
+                                                           },
+                                                       .per = 10.0});
         }
 }
 
-template <class... Response> void add_response_rows(Costs& costs, const std::string& problem, const Response&... response) {
+template <class... Response>
+void add_response_rows(Costs& costs, const std::string& problem, const Response&... response) {
     add_rows<ExplicitEuler>(costs, "ExplicitEuler", problem, response...);
     add_rows<SemiImplicitEuler>(costs, "SemiImplicitEuler", problem, response...);
     add_rows<ImplicitEuler>(costs, "ImplicitEuler", problem, response...);
@@ -173,22 +190,27 @@ std::string cell(const workbook::Row& apex, const workbook::Row& depth) {
 void summarise(std::ostream& out, const Rows& all, const std::filesystem::path&) {
     const Rows rows = rows_of(all, apex_axis.name);
     if (rows.empty()) return;
-    out << "\nThe grid of integrators and responses, 60 steps a second: max |apex / first height - 1| of 20 bounces, and the depth\n";
+    out << "\nThe grid of integrators and responses, 60 steps a second: max |apex / first height - 1| of 20 bounces, "
+           "and the depth\n";
     std::vector<std::string> responses;
     for (const auto& problem : workbook::different(rows, &workbook::Row::problem))
-        if (const auto at = problem.rfind(": apex"); at != std::string::npos) responses.push_back(problem.substr(0, at));
+        if (const auto at = problem.rfind(": apex"); at != std::string::npos)
+            responses.push_back(problem.substr(0, at));
     const auto at_60 = [&](const std::string& problem, const std::string& choice) {
         for (const workbook::Row& row : rows_of(rows, apex_axis.name, problem, choice))
             if (row.parameter.value && std::abs(*row.parameter.value - 1.0 / 60) < 1e-9) return row;
         return workbook::Row{};
     };
     out << "  " << std::left << std::setw(20) << "";
-    for (std::size_t n = 0; n < responses.size(); ++n) out << std::setw(n + 1 < responses.size() ? 24 : 0) << responses[n];
+    for (std::size_t n = 0; n < responses.size(); ++n)
+        out << std::setw(n + 1 < responses.size() ? 24 : 0) << responses[n];
     out << '\n';
     for (const auto& integrator : workbook::different(rows, &workbook::Row::choice)) {
         std::ostringstream line;
         line << "  " << std::left << std::setw(20) << integrator;
-        for (const auto& response : responses) line << std::setw(24) << cell(at_60(response + ": apex", integrator), at_60(response + ": depth", integrator));
+        for (const auto& response : responses)
+            line << std::setw(24)
+                 << cell(at_60(response + ": apex", integrator), at_60(response + ": depth", integrator));
         std::string text = line.str();
         text.erase(text.find_last_not_of(' ') + 1);
         out << text << '\n';

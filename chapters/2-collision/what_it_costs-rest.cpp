@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
 // What rest costs: how far a world is from one in which nobody falls asleep, and what it saves
 
-// The reference is the same world without Rest. A body that falls asleep stops where it is. As long as everybody who sleeps would
-// have lain still anyway, nothing differs; the first who is put to sleep although he would have rolled on makes an error as large
-// as his way. So the error is a step: almost nothing, and then all of it. Where the step is, the threshold of the velocity says.
+// The reference is the same world without Rest. A body that falls asleep stops where it is. As long as everybody who
+// sleeps would have lain still anyway, nothing differs; the first who is put to sleep although he would have rolled on
+// makes an error as large as his way. So the error is a step: almost nothing, and then all of it. Where the step is,
+// the threshold of the velocity says.
 //
-// Towers and rollers: what stands, stands; what rolls does so for ever, without friction, from 1 mm/s to 1 m/s. A pile: three hundred
-// balls with friction that are dropped into a pit.
+// Towers and rollers: what stands, stands; what rolls does so for ever, without friction, from 1 mm/s to 1 m/s. A pile:
+// three hundred balls with friction that are dropped into a pit.
 
 #include "what_it_costs.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
-
 
 using namespace ansatz;
 using namespace collision_costs;
@@ -31,10 +31,12 @@ struct TowersAndRollers {
     template <class World_> static void add(World_& world) {
         world.add(Plane::ground(), fixed);
         for (int i = 0; i < 40; ++i)
-            for (int k = 0; k < 5; ++k) world.add(Sphere{0.5 * metre}, position(metres(3 * i, 0.5 + k, 0)), mass(1.0 * kilogram));
+            for (int k = 0; k < 5; ++k)
+                world.add(Sphere{0.5 * metre}, position(metres(3 * i, 0.5 + k, 0)), mass(1.0 * kilogram));
         for (int i = 0; i < 40; ++i) {
             const double speed = std::pow(10.0, -3 + 3 * i / 39.0);
-            world.add(Sphere{0.5 * metre}, position(metres(3 * i, 0.5, 20)), velocity(metres_per_second(0, 0, speed)), mass(1.0 * kilogram));
+            world.add(Sphere{0.5 * metre}, position(metres(3 * i, 0.5, 20)), velocity(metres_per_second(0, 0, speed)),
+                      mass(1.0 * kilogram));
         }
     }
 };
@@ -43,20 +45,25 @@ struct Pit {
     static constexpr int steps = 1200;
     using Response = SoftSubsteps<Friction>;
     template <class World_> static void add(World_& world) {
-        const auto wall = [&](double x, double z) { world.add(Plane{Eigen::Vector3d(x, 0, z), -1.5 * metre}, fixed, friction(0.3)); };
+        const auto wall = [&](double x, double z) {
+            world.add(Plane{Eigen::Vector3d(x, 0, z), -1.5 * metre}, fixed, friction(0.3));
+        };
         world.add(Plane::ground(), fixed, friction(0.3));
         wall(1, 0);
         wall(-1, 0);
         wall(0, 1);
         wall(0, -1);
         for (int i = 0; i < 300; ++i)
-            world.add(Sphere{0.2 * metre}, position(metres(-1.2 + 0.45 * (i % 6) + 0.01 * (i % 7), 0.5 + 0.45 * (i / 36), -1.2 + 0.45 * (i / 6 % 6) + 0.01 * (i % 5))),
+            world.add(Sphere{0.2 * metre},
+                      position(metres(-1.2 + 0.45 * (i % 6) + 0.01 * (i % 7), 0.5 + 0.45 * (i / 36),
+                                      -1.2 + 0.45 * (i / 6 % 6) + 0.01 * (i % 5))),
                       mass(1.0 * kilogram), friction(0.3));
     }
 };
 
 template <class Scene, class... Resting> auto world_of(const Resting&... rest) {
-    World world{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, typename Scene::Response{}, rest...};
+    World world{SemiImplicitEuler{},        Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{},
+                typename Scene::Response{}, rest...};
     Scene::add(world);
     return world;
 }
@@ -75,12 +82,19 @@ template <class Scene> const Places& reference() {
     return places_;
 }
 
-const Axis axis{.name = "rest", .error_norm = "max |x - x without Rest| at the end (m)", .work_unit = "steps of awake bodies", .time_unit = "ns per body and step",
+const Axis axis{.name = "rest",
+                .error_norm = "max |x - x without Rest| at the end (m)",
+                .work_unit = "steps of awake bodies",
+                .time_unit = "ns per body and step",
                 .has_order = false};
 
-template <class Scene, class... Resting> void add_row(Costs& costs, const std::string& choice, const workbook::Parameter& parameter, const Resting&... rest) {
+template <class Scene, class... Resting>
+void add_row(Costs& costs, const std::string& choice, const workbook::Parameter& parameter, const Resting&... rest) {
     const int bodies = int(world_of<Scene>().count(Motion::awake));
-    costs.add(axis, {.choice = choice, .problem = Scene::name, .parameter = parameter, .n = bodies,
+    costs.add(axis, {.choice = choice,
+                     .problem = Scene::name,
+                     .parameter = parameter,
+                     .n = bodies,
                      .error_run =
                          [=] {
                              auto world = world_of<Scene>(rest...);
@@ -91,7 +105,8 @@ template <class Scene, class... Resting> void add_row(Costs& costs, const std::s
                              }
                              const auto now = places(world);
                              const auto& right = reference<Scene>();
-                             for (std::size_t i = 0; i < now.size(); ++i) worst = std::max(worst, (now[i] - right[i]).norm());
+                             for (std::size_t i = 0; i < now.size(); ++i)
+                                 worst = std::max(worst, (now[i] - right[i]).norm());
                              return Outcome{.error = worst, .work = awake, .diverged = !world.status().ok()};
                          },
                      .timed_run =
@@ -108,7 +123,8 @@ template <class Scene> void add_rows(Costs& costs) {
     for (const double time : {0.1, 0.5, 2.0})
         for (const double threshold : {0.001, 0.005, 0.02, 0.05, 0.2, 1.0}) {
             const std::string choice = std::string("Rest, ").append(workbook::significant(time, 2)).append(" s");
-            add_row<Scene>(costs, choice, {"threshold", threshold * metre_per_second}, Rest{threshold * metre_per_second, time * second});
+            add_row<Scene>(costs, choice, {"threshold", threshold * metre_per_second},
+                           Rest{threshold * metre_per_second, time * second});
         }
 }
 
@@ -122,8 +138,8 @@ void summarise(std::ostream& out, const Rows& all, const std::filesystem::path&)
         for (const auto& row : rows) {
             if (row.choice == "without Rest" || !row.time || !row.error) continue;
             char text[160];
-            std::snprintf(text, sizeof text, "  %-14s %-26s %4.0f %%   %.1e m\n", row.choice.c_str(), row.parameter.text().c_str(),
-                          100 * (1 - *row.time / *without.front().time), *row.error);
+            std::snprintf(text, sizeof text, "  %-14s %-26s %4.0f %%   %.1e m\n", row.choice.c_str(),
+                          row.parameter.text().c_str(), 100 * (1 - *row.time / *without.front().time), *row.error);
             out << text;
         }
     }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // What the solver costs: what is left after so many sweeps, and how heavy a body may be that lies on a light one
 
-// Two views of one thing. First the passes alone, run as plain Gauss-Seidel: SoftContacts::relax goes through all contacts once and
-// makes each of them right, which makes its neighbours a little wrong again. For a body of mass R m on one of mass m on the ground
-// what is wrong falls by R / (R + 1) with each sweep, so that a digit takes 2.3 R of them: no number of sweeps that a game can pay
-// solves a ratio of a thousand in one step. What does is memory, the impulses of the step before (warm start), as the second table shows.
-// Then the response as it is used, SoftSubsteps: how far the light body is moved within ten seconds, and how deep the deepest contact is.
+// Two views of one thing. First the passes alone, run as plain Gauss-Seidel: SoftContacts::relax goes through all
+// contacts once and makes each of them right, which makes its neighbours a little wrong again. For a body of mass R m
+// on one of mass m on the ground what is wrong falls by R / (R + 1) with each sweep, so that a digit takes 2.3 R of
+// them: no number of sweeps that a game can pay solves a ratio of a thousand in one step. What does is memory, the
+// impulses of the step before (warm start), as the second table shows. Then the response as it is used, SoftSubsteps:
+// how far the light body is moved within ten seconds, and how deep the deepest contact is.
 
 #include "what_it_costs.hpp"
 
@@ -66,7 +67,11 @@ private:
 std::string with_ratio(double ratio) { return std::string("R = ").append(workbook::significant(ratio, 6)); }
 
 void add_sweeps(Costs& costs) {
-    const Axis axis{.name = "solver", .error_norm = "max |v| / (g h) that is left", .work_unit = "contacts solved", .time_unit = "ns", .has_order = false};
+    const Axis axis{.name = "solver",
+                    .error_norm = "max |v| / (g h) that is left",
+                    .work_unit = "contacts solved",
+                    .time_unit = "ns",
+                    .has_order = false};
     for (const double ratio : {1.0, 10.0, 100.0, 1000.0})
         for (int sweeps = 1; sweeps <= 1024; sweeps *= 4) {
             const auto run = [=] {
@@ -75,8 +80,12 @@ void add_sweeps(Costs& costs) {
                 for (int i = 0; i < sweeps; ++i) column.sweep();
                 return column.residual();
             };
-            costs.add(axis, {.choice = with_ratio(ratio), .problem = "sweeps of one step, R m on m", .parameter = {"sweeps", sweeps}, .n = 2,
-                             .error_run = [=] { return Outcome{.error = run(), .work = 2 * sweeps}; }, .timed_run = run});
+            costs.add(axis, {.choice = with_ratio(ratio),
+                             .problem = "sweeps of one step, R m on m",
+                             .parameter = {"sweeps", sweeps},
+                             .n = 2,
+                             .error_run = [=] { return Outcome{.error = run(), .work = 2 * sweeps}; },
+                             .timed_run = run});
         }
     for (const double top : {100.0, 1000.0})
         for (const bool warm : {false, true})
@@ -91,8 +100,11 @@ void add_sweeps(Costs& costs) {
                     }
                     return column.residual();
                 };
-                costs.add(axis, {.choice = std::string(warm ? "warm start, " : "cold, ").append(with_ratio(top)), .problem = "ten bodies, the top R, 10 sweeps a step",
-                                 .parameter = {"steps", steps}, .n = 10, .error_run = [=] { return Outcome{.error = run(), .work = 10.0 * 10 * steps}; },
+                costs.add(axis, {.choice = std::string(warm ? "warm start, " : "cold, ").append(with_ratio(top)),
+                                 .problem = "ten bodies, the top R, 10 sweeps a step",
+                                 .parameter = {"steps", steps},
+                                 .n = 10,
+                                 .error_run = [=] { return Outcome{.error = run(), .work = 10.0 * 10 * steps}; },
                                  .timed_run = run});
             }
 }
@@ -121,13 +133,15 @@ constexpr double usual = 60; // 1/s, what SoftSubsteps has by itself
 double stiffest(int parts) { return parts / h / 4; }
 
 struct Held {
-    double moved = 0, deepest = 0, speed = 0; ///< m: the light one, and the deepest contact; m/s: the light one's, in the last second
+    double moved = 0, deepest = 0,
+           speed = 0; ///< m: the light one, and the deepest contact; m/s: the light one's, in the last second
     bool sound = true;
 };
 template <class Response> struct Pile {
     World<Space<>, SemiImplicitEuler, Gravity, BoundingBoxes, Narrowphase<Sphere, Plane>, Response> world;
     Handle light, heavy;
-    Pile(double ratio, const Response& response) : world(Space<>{}, SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{}, response) {
+    Pile(double ratio, const Response& response)
+        : world(Space<>{}, SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{}, response) {
         world.add(Plane::ground(), fixed);
         light = world.add(Sphere{0.5 * metre}, position(metres(0, 0.5, 0)), mass(1.0 * kilogram));
         heavy = world.add(Sphere{0.5 * metre}, position(metres(0, 1.5, 0)), mass(ratio * kilogram));
@@ -138,33 +152,44 @@ template <class Response> Held hold(double ratio, const Response& response, int 
     Held held;
     for (int i = 0; i < steps; ++i) {
         pile.world.step(h * second);
-        const double low = in(y(pile.world.position(pile.light)), metre), high = in(y(pile.world.position(pile.heavy)), metre);
+        const double low = in(y(pile.world.position(pile.light)), metre),
+                     high = in(y(pile.world.position(pile.heavy)), metre);
         held.sound = held.sound && std::isfinite(low) && std::isfinite(high) && high > low;
         held.moved = std::max(held.moved, std::abs(low - 0.5));
         held.deepest = std::max({held.deepest, 0.5 - low, 1 - (high - low)});
-        if (i >= steps - 60) held.speed = std::max(held.speed, std::abs(in(y(pile.world.velocity(pile.light)), metre_per_second)));
+        if (i >= steps - 60)
+            held.speed = std::max(held.speed, std::abs(in(y(pile.world.velocity(pile.light)), metre_per_second)));
     }
     return held;
 }
 
 template <class Response> void add_held(Costs& costs, const std::string& choice, const Response& response) {
     for (const bool depth : {false, true}) {
-        const Axis axis{.name = "solver", .error_norm = depth ? "the deepest contact (m)" : "how far the light body is moved (m)", .work_unit = "passes over the contacts",
-                        .time_unit = "ns per step", .has_order = false};
+        const Axis axis{.name = "solver",
+                        .error_norm = depth ? "the deepest contact (m)" : "how far the light body is moved (m)",
+                        .work_unit = "passes over the contacts",
+                        .time_unit = "ns per step",
+                        .has_order = false};
         for (const double ratio : {1.0, 10.0, 60.0, 100.0, 300.0, 400.0, 1000.0})
-            costs.add(axis, {.choice = choice, .problem = depth ? "SoftSubsteps, R kg on 1 kg: depth" : "SoftSubsteps, R kg on 1 kg: moved", .parameter = {"R", ratio}, .n = 2,
-                             .error_run =
-                                 [=] {
-                                     const auto held = hold(ratio, response);
-                                     return Outcome{.error = depth ? held.deepest : held.moved, .work = 600.0 * 2 * response.parts, .diverged = !held.sound};
-                                 },
-                             .timed_run =
-                                 [=] {
-                                     Pile<Response> pile(ratio, response);
-                                     for (int i = 0; i < 600; ++i) pile.world.step(h * second);
-                                     return pile.world.position(pile.light);
-                                 },
-                             .per = 600});
+            costs.add(axis,
+                      {.choice = choice,
+                       .problem = depth ? "SoftSubsteps, R kg on 1 kg: depth" : "SoftSubsteps, R kg on 1 kg: moved",
+                       .parameter = {"R", ratio},
+                       .n = 2,
+                       .error_run =
+                           [=] {
+                               const auto held = hold(ratio, response);
+                               return Outcome{.error = depth ? held.deepest : held.moved,
+                                              .work = 600.0 * 2 * response.parts,
+                                              .diverged = !held.sound};
+                           },
+                       .timed_run =
+                           [=] {
+                               Pile<Response> pile(ratio, response);
+                               for (int i = 0; i < 600; ++i) pile.world.step(h * second);
+                               return pile.world.position(pile.light);
+                           },
+                       .per = 600});
     }
 }
 
@@ -178,8 +203,9 @@ void print_contraction(std::ostream& out) {
         const double before = column.residual();
         column.sweep();
         const double factor = column.residual() / before;
-        out << "  R = " << std::left << std::setw(6) << ratio << std::fixed << std::setprecision(6) << " " << factor << ", by the law R / (R + 1) " << ratio / (ratio + 1)
-            << std::defaultfloat << std::setprecision(6) << (std::abs(factor - ratio / (ratio + 1)) < 1e-4 ? "" : "   NOT THE LAW") << '\n';
+        out << "  R = " << std::left << std::setw(6) << ratio << std::fixed << std::setprecision(6) << " " << factor
+            << ", by the law R / (R + 1) " << ratio / (ratio + 1) << std::defaultfloat << std::setprecision(6)
+            << (std::abs(factor - ratio / (ratio + 1)) < 1e-4 ? "" : "   NOT THE LAW") << '\n';
     }
 }
 
@@ -202,7 +228,8 @@ void draw_sweeps(const std::filesystem::path& folder) {
     collision_costs::write(plot, folder, "collision-solver-sweeps");
 }
 
-/// The largest ratio up to which a measure stays within a centimetre, by halving the logarithm; 0 where even 1:1 does not.
+/// The largest ratio up to which a measure stays within a centimetre, by halving the logarithm; 0 where even 1:1 does
+/// not.
 template <class Measure> double supported(Measure&& measure) {
     constexpr double most = 1e4;
     if (!(measure(1) <= 0.01)) return 0;
@@ -213,8 +240,11 @@ template <class Measure> double supported(Measure&& measure) {
 
 void summarise(std::ostream& out, const std::filesystem::path& folder) {
     out << "\nThe largest R that is held within 1 cm for ten seconds, by the parts of a step of 1/60 s\n"
-        << "  " << std::left << std::setw(8) << "parts" << std::setw(44) << "frequency 60/s, what there is by itself" << "frequency parts/(4 dt)\n"
-        << "  " << std::setw(8) << "" << std::setw(22) << "the light one moved" << std::setw(22) << "no contact deeper" << std::setw(22) << "the light one moved" << "no contact deeper\n";
+        << "  " << std::left << std::setw(8) << "parts" << std::setw(44) << "frequency 60/s, what there is by itself"
+        << "frequency parts/(4 dt)\n"
+        << "  " << std::setw(8) << "" << std::setw(22) << "the light one moved" << std::setw(22) << "no contact deeper"
+        << std::setw(22) << "the light one moved"
+        << "no contact deeper\n";
     std::vector<double> parts;
     std::array<std::vector<double>, 4> ratios;
     for (const int n : {1, 2, 3, 4, 6, 8, 12, 16, 32}) {
@@ -233,7 +263,8 @@ void summarise(std::ostream& out, const std::filesystem::path& folder) {
     }
     workbook::Plot plot("", "How heavy a body may lie on one of 1 kg, held within 1 cm");
     plot.x("parts of a step").y("R").log_x().log_y();
-    const std::array<const char*, 4> names{"60/s: light one moved", "60/s: deepest contact", "parts/(4 dt): light one moved", "parts/(4 dt): deepest contact"};
+    const std::array<const char*, 4> names{"60/s: light one moved", "60/s: deepest contact",
+                                           "parts/(4 dt): light one moved", "parts/(4 dt): deepest contact"};
     for (std::size_t which = 0; which < 4; ++which) plot.linked_points(names[which], parts, ratios[which]);
     collision_costs::write(plot, folder, "collision-solver-supported-ratio");
 }
@@ -242,7 +273,8 @@ void summarise(std::ostream& out, const std::filesystem::path& folder) {
 
 void collision_costs::add_solver(Costs& costs) {
     add_sweeps(costs);
-    for (const int parts : {1, 2, 4, 8, 16}) add_held(costs, std::string("parts = ").append(std::to_string(parts)), with<SoftSubsteps<>>(parts, usual));
+    for (const int parts : {1, 2, 4, 8, 16})
+        add_held(costs, std::string("parts = ").append(std::to_string(parts)), with<SoftSubsteps<>>(parts, usual));
     add_held(costs, "parts = 8, 120/s", with<SoftSubsteps<>>(8, 120));
     add_held(costs, "parts = 4, cold", with<ColdStart>(4, usual));
     costs.add_summary([](std::ostream& out, const Rows& rows, const std::filesystem::path& folder) {

@@ -3,7 +3,8 @@
 
 // Five axes, each in a file of its own beside this one:
 //
-// - broadphase: how many pairs each looks at for one that touches, and how long a body takes, against the number of bodies and how
+// - broadphase: how many pairs each looks at for one that touches, and how long a body takes, against the number of
+// bodies and how
 //   they are spread. No broadphase misses a pair; what differs is the waste.
 // - narrowphase: how wrong depth and normal of a contact are, in float and double, near the origin and far from it.
 // - response: every integrator with every response, on a ball that should come back to its height for ever.

@@ -25,10 +25,12 @@ void add_solver(Costs& costs);
 void add_rest(Costs& costs);
 
 /// The rows of an axis, or of one of its problems, or of a choice in that.
-inline Rows rows_of(const Rows& rows, const std::string& axis, const std::string& problem = {}, const std::string& choice = {}) {
+inline Rows rows_of(const Rows& rows, const std::string& axis, const std::string& problem = {},
+                    const std::string& choice = {}) {
     Rows chosen;
     for (const ansatz::workbook::Row& row : rows)
-        if (row.axis == axis && (problem.empty() || row.problem == problem) && (choice.empty() || row.choice == choice)) chosen.push_back(row);
+        if (row.axis == axis && (problem.empty() || row.problem == problem) && (choice.empty() || row.choice == choice))
+            chosen.push_back(row);
     return chosen;
 }
 

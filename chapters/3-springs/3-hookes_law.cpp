@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // 3 Springs: a spring pulls back in proportion to its displacement, and a damper along its axis brings it to rest
 
-// "The force required to displace a spring by distance x is F = -kx", say the notes. -kx is what the spring does to whoever
-// displaces it; the force required is the opposite, +kx. A weight that hangs from a spring shows it: the spring must carry
-// it, so it is displaced *along* the weight, by m g / k.
+// "The force required to displace a spring by distance x is F = -kx", say the notes. -kx is what the spring does to
+// whoever displaces it; the force required is the opposite, +kx. A weight that hangs from a spring shows it: the spring
+// must carry it, so it is displaced *along* the weight, by m g / k.
 //
-// For a simulation the notes add a damping, F = -kx - cv, where v is the velocity "in the axis of the spring". What moves
-// across the axis is no lengthening, and a spring that damped it would stop a pendulum.
+// For a simulation the notes add a damping, F = -kx - cv, where v is the velocity "in the axis of the spring". What
+// moves across the axis is no lengthening, and a spring that damped it would stop a pendulum.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -27,11 +27,13 @@ int main() {
     //! [law]
     const auto k = 200.0 * newton_per_metre;
     const auto x = 0.1 * metre;
-    std::cout << "Displaced by " << x << ", the spring pulls with " << springs::force(k, x) << " and holds " << springs::energy(k, x) << '\n';
+    std::cout << "Displaced by " << x << ", the spring pulls with " << springs::force(k, x) << " and holds "
+              << springs::energy(k, x) << '\n';
     //! [law]
     claim("the force of the spring is against the displacement", springs::force(k, x) < 0.0 * newton);
     claim("twice as far, twice the force, four times the energy",
-          springs::force(k, 2.0 * x) == 2.0 * springs::force(k, x) && springs::energy(k, 2.0 * x) == 4.0 * springs::energy(k, x));
+          springs::force(k, 2.0 * x) == 2.0 * springs::force(k, x) &&
+              springs::energy(k, 2.0 * x) == 4.0 * springs::energy(k, x));
 
     // A scale: each weight hangs where the spring carries it.
     //! [scale]
@@ -70,6 +72,8 @@ int main() {
 
     workbook::Plot plot("3", "A spring is displaced in proportion to what it carries");
     plot.x("displacement").y("force of the weight");
-    plot.reference("kx", displaced, [&](Quantity<unit::Length> d) { return k * d; }).points("the scale", displaced, weights).write();
+    plot.reference("kx", displaced, [&](Quantity<unit::Length> d) { return k * d; })
+        .points("the scale", displaced, weights)
+        .write();
     return claim.result();
 }

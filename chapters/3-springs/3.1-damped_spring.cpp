@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // 3.1 The damped spring: it swings, it returns, or it creeps
 
-// One number says which: zeta = c / (2 sqrt(k m)). Below 1 the mass swings about its rest, each swing smaller than the last;
-// at 1 it returns fastest without swinging over; above 1 it creeps. The critical damping is 2 sqrt(k m), not sqrt(k m): with
-// the half of it the mass still swings over. (A part of section 3, which the notes do not divide.)
+// One number says which: zeta = c / (2 sqrt(k m)). Below 1 the mass swings about its rest, each swing smaller than the
+// last; at 1 it returns fastest without swinging over; above 1 it creeps. The critical damping is 2 sqrt(k m), not
+// sqrt(k m): with the half of it the mass still swings over. (A part of section 3, which the notes do not divide.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -46,7 +46,8 @@ Run run(double ratio) {
 /// The closed form for zeta below 1.
 Quantity<unit::Length> swinging(Quantity<unit::Time> t, double ratio) {
     const double omega = 2 * M_PI, damped = omega * std::sqrt(1 - ratio * ratio), s = in(t, second);
-    return 0.2 * std::exp(-ratio * omega * s) * (std::cos(damped * s) + ratio * omega / damped * std::sin(damped * s)) * metre;
+    return 0.2 * std::exp(-ratio * omega * s) * (std::cos(damped * s) + ratio * omega / damped * std::sin(damped * s)) *
+           metre;
 }
 
 } // namespace
@@ -70,7 +71,9 @@ int main() {
 
     workbook::Plot plot("3.1", "Below the critical damping it swings, above it creeps");
     plot.x("time").y("displacement");
-    plot.line("zeta 0.1", swings.times, swings.places).line("zeta 1", critical.times, critical.places).line("zeta 3", creeps.times, creeps.places);
+    plot.line("zeta 0.1", swings.times, swings.places)
+        .line("zeta 1", critical.times, critical.places)
+        .line("zeta 3", creeps.times, creeps.places);
     std::vector<Quantity<unit::Time>> seldom; // points, or the curve would hide them
     for (std::size_t i = 0; i < swings.times.size(); i += 24) seldom.push_back(swings.times[i]);
     plot.points("closed form", seldom, [](Quantity<unit::Time> t) { return swinging(t, 0.1); }).write();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 3.2 Two bodies and a spring: what one feels the other feels, and the pair swings with its reduced mass
 
-// A spring between two bodies pulls at both, with opposite signs (notes 1.3), so nothing inside the pair moves its centre of
-// mass. Seen from each other the two behave like one mass on a spring: mu = m M / (m + M). When one is much heavier, mu is the
-// light one, and the spring might as well hang at a wall. (A part of section 3, which the notes do not divide.)
+// A spring between two bodies pulls at both, with opposite signs (notes 1.3), so nothing inside the pair moves its
+// centre of mass. Seen from each other the two behave like one mass on a spring: mu = m M / (m + M). When one is much
+// heavier, mu is the light one, and the spring might as well hang at a wall. (A part of section 3, which the notes do
+// not divide.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -41,7 +42,8 @@ int main() {
         centre.push_back(x(centre_of_mass(space)));
         space.step(1.0 / 1000 * second);
         const double stretched = x(space.position(b) - space.position(a)) / metre - 1;
-        if (times.size() > 1 && last < 0 && stretched >= 0) crossings.push_back(space.time() / second - 0.001 * stretched / (stretched - last));
+        if (times.size() > 1 && last < 0 && stretched >= 0)
+            crossings.push_back(space.time() / second - 0.001 * stretched / (stretched - last));
         last = stretched;
         swing = std::max<double>(swing, std::abs(total_energy(space) / energy - 1));
     }
@@ -53,10 +55,14 @@ int main() {
     std::cout << "Reduced mass " << mu << ": one swing should take " << period << ", and takes " << measured << " s\n";
     claim("the pair swings with its reduced mass", std::abs(measured / in(period, second) - 1) < 1e-4);
     std::cout << "Momentum before " << momentum << ", after " << total_momentum(space) << '\n';
-    claim("the spring gives the pair no momentum", norm(total_momentum(space) - momentum) < 1e-12 * kilogram_metre_per_second);
-    claim("the centre of mass goes straight on", abs(centre.back() - centre.front() - times.back() * (momentum.value()[0] / 4) * metre_per_second) < 1e-12 * metre);
+    claim("the spring gives the pair no momentum",
+          norm(total_momentum(space) - momentum) < 1e-12 * kilogram_metre_per_second);
+    claim("the centre of mass goes straight on",
+          abs(centre.back() - centre.front() - times.back() * (momentum.value()[0] / 4) * metre_per_second) <
+              1e-12 * metre);
     claim("the energy swings by less than (omega dt)^2 and does not drift", swing < 2e-4);
-    claim("beside a mountain, the reduced mass is the light one", abs(springs::reduced_mass(light, 1e9 * kilogram) - light) < 1e-8 * kilogram);
+    claim("beside a mountain, the reduced mass is the light one",
+          abs(springs::reduced_mass(light, 1e9 * kilogram) - light) < 1e-8 * kilogram);
 
     workbook::Plot plot("3.2", "Two bodies on a spring swing about a centre that goes straight on");
     plot.x("time").y("place");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 3.3 A hanging chain: every link carries what hangs below it, and a disturbance travels
 
-// Link i of N carries the N - i + 1 masses below it, so the chain is longer by m g N (N + 1) / 2k. Pull at its lower end and
-// the upper one knows nothing of it: a disturbance runs along the chain at sqrt(k/m) links a second. A chain is the simplest
-// world in which every body depends on every other, one link at a time. (A part of section 3, which the notes do not divide.)
+// Link i of N carries the N - i + 1 masses below it, so the chain is longer by m g N (N + 1) / 2k. Pull at its lower
+// end and the upper one knows nothing of it: a disturbance runs along the chain at sqrt(k/m) links a second. A chain is
+// the simplest world in which every body depends on every other, one link at a time. (A part of section 3, which the
+// notes do not divide.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -48,7 +49,8 @@ int main() {
     const auto expected = m * (9.81 * metre_per_second_squared) * double(links * (links + 1)) / (2.0 * k);
     std::cout << "Hung out, it is longer by " << stretch << "; m g N (N + 1) / 2k is " << expected << '\n';
     claim("every link carries what hangs below it", abs(stretch - expected) < 1e-5 * metre);
-    const auto first = -y(world.position(chain[0])) - length, last = y(world.position(chain[18])) - y(world.position(chain[19])) - length;
+    const auto first = -y(world.position(chain[0])) - length,
+               last = y(world.position(chain[18])) - y(world.position(chain[19])) - length;
     std::cout << "The first link is stretched by " << first << ", the last by " << last << '\n';
     claim("the first twenty times as much as the last", std::abs(double(first / last) - 20) < 1e-2);
 
@@ -71,13 +73,17 @@ int main() {
             }
     }
     // By the slope between two links, because what "reached" means shifts all of them alike.
-    const double speed = (link[16] - link[4]) / in(arrival[16] - arrival[4], second), expected_speed = in(springs::angular_frequency(k, m), hertz);
+    const double speed = (link[16] - link[4]) / in(arrival[16] - arrival[4], second),
+                 expected_speed = in(springs::angular_frequency(k, m), hertz);
     std::cout << "The tap runs up at " << speed << " links a second; sqrt(k/m) is " << expected_speed << "/s\n";
     claim("a disturbance travels at sqrt(k/m) links a second", std::abs(speed / expected_speed - 1) < 0.1);
-    claim("and the links are reached one after the other", std::is_sorted(arrival.begin(), arrival.end()) && link.size() == chain.size());
+    claim("and the links are reached one after the other",
+          std::is_sorted(arrival.begin(), arrival.end()) && link.size() == chain.size());
 
     workbook::Plot plot("3.3", "A tap at the lower end runs up the chain");
     plot.x("links from the end").y("time when it arrives");
-    plot.reference("at sqrt(k/m) links a second", link, [&](double n) { return n / expected_speed * second; }).points("measured", link, arrival).write();
+    plot.reference("at sqrt(k/m) links a second", link, [&](double n) { return n / expected_speed * second; })
+        .points("measured", link, arrival)
+        .write();
     return claim.result();
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 3.5 The stable step: a spring that is too stiff for its step explodes, and damping makes it worse
 
-// "A damping factor is added to ensure that objects eventually come to rest", say the notes. In a simulation it does so only
-// below a step that the spring itself decides: 2 / omega for semi-implicit Euler and Verlet, and with explicit damping *less*:
-// (sqrt(c^2 + 4 k m) - c) / k. `stable_step` asks the integrator itself; StepLimit holds every step to it; ImplicitEuler has no
-// such limit and pays with damping that nobody asked for. (A part of section 3, which the notes do not divide.)
+// "A damping factor is added to ensure that objects eventually come to rest", say the notes. In a simulation it does so
+// only below a step that the spring itself decides: 2 / omega for semi-implicit Euler and Verlet, and with explicit
+// damping *less*: (sqrt(c^2 + 4 k m) - c) / k. `stable_step` asks the integrator itself; StepLimit holds every step to
+// it; ImplicitEuler has no such limit and pays with damping that nobody asked for. (A part of section 3, which the
+// notes do not divide.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -22,7 +23,8 @@ using namespace ansatz;
 namespace {
 
 /// A mass of 1 kg on a spring, stretched by 1 mm.
-template <class Integrator, class... More> auto spring(Quantity<unit::Stiffness> k, Quantity<unit::Damping> c, More... more) {
+template <class Integrator, class... More>
+auto spring(Quantity<unit::Stiffness> k, Quantity<unit::Damping> c, More... more) {
     World world{Integrator{}, Springs{}, more...};
     const auto body = world.add(position(metres(1.001, 0, 0)), mass(1.0 * kilogram));
     world.add(Spring{metres(0, 0, 0), body, k, c, 1.0 * metre});
@@ -57,7 +59,8 @@ int main() {
         const auto limit = stable_step(world);
         //! [advice]
         const double below = reach(world, 0.99 * limit), above = reach(world, 1.01 * limit);
-        std::cout << "   " << c << "            " << limit << "       " << below << " mm      " << (above < 100 ? "stays" : "explodes") << '\n';
+        std::cout << "   " << c << "            " << limit << "       " << below << " mm      "
+                  << (above < 100 ? "stays" : "explodes") << '\n';
         sharp = sharp && below < 20 && above >= 100;
         ratios.push_back(c / 20);
         limits.push_back(limit);
@@ -65,7 +68,8 @@ int main() {
     }
     claim("the limit is sharp: it stays at 0.99, it explodes at 1.01", sharp);
     claim("without damping it is 2/omega", abs(limits[0] - 0.2 * second) < 1e-9 * second);
-    claim("ten times the critical damping makes it twenty times smaller", std::abs(double(limits[0] / limits[3]) - 20.05) < 0.01);
+    claim("ten times the critical damping makes it twenty times smaller",
+          std::abs(double(limits[0] / limits[3]) - 20.05) < 0.01);
 
     // A stiff spring at 60 Hz.
     const auto frame = 1.0 / 60 * second;
@@ -81,7 +85,8 @@ int main() {
     }
     //! [refuse]
     std::cout << sentence << '\n';
-    claim("StepLimit<Refuse> says what would do, and nothing has happened", refused.tick() == 0 && sentence.find("0.002 s") != std::string::npos);
+    claim("StepLimit<Refuse> says what would do, and nothing has happened",
+          refused.tick() == 0 && sentence.find("0.002 s") != std::string::npos);
     //! [divide]
     auto divided = spring<SemiImplicitEuler>(stiff, none, StepLimit<Divide>{});
     divided.step(frame);
@@ -93,7 +98,8 @@ int main() {
     auto implicit = spring<ImplicitEuler>(stiff, none);
     const auto before = total_energy(implicit);
     implicit.step(frame);
-    std::cout << "Implicit Euler took one step of 60 Hz and left " << total_energy(implicit) / before << " of the energy\n";
+    std::cout << "Implicit Euler took one step of 60 Hz and left " << total_energy(implicit) / before
+              << " of the energy\n";
     claim("implicit Euler has no limit", !is_finite(stable_step(implicit)));
     claim("and damps what swings faster than its step", total_energy(implicit) < 0.01 * before);
 
@@ -105,8 +111,12 @@ int main() {
     plot.x("damping ratio").y("largest stable step").log_x().log_y();
     auto asked = [&](double r) { return stable_step<SemiImplicitEuler>(100.0 / (second * second), 20 * r / second); };
     plot.line("semi-implicit Euler", fine, asked);
-    plot.points("its closed form", seldom, [](double r) { return (std::sqrt(400 * r * r + 400) - 20 * r) / 100 * second; });
-    plot.line("velocity Verlet", fine, [](double r) { return stable_step<VelocityVerlet>(100.0 / (second * second), 20 * r / second); });
-    plot.line("Runge-Kutta 4", fine, [](double r) { return stable_step<RungeKutta4>(100.0 / (second * second), 20 * r / second); }).write();
+    plot.points("its closed form", seldom,
+                [](double r) { return (std::sqrt(400 * r * r + 400) - 20 * r) / 100 * second; });
+    plot.line("velocity Verlet", fine,
+              [](double r) { return stable_step<VelocityVerlet>(100.0 / (second * second), 20 * r / second); });
+    plot.line("Runge-Kutta 4", fine,
+              [](double r) { return stable_step<RungeKutta4>(100.0 / (second * second), 20 * r / second); })
+        .write();
     return claim.result();
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
-// What accuracy costs in chapter 3: every integrator on a soft, a stiff and a mixed chain, and what becomes of the energy
+// What accuracy costs in chapter 3: every integrator on a soft, a stiff and a mixed chain, and what becomes of the
+// energy
 
-// Read the rows like this: on the soft chain every method has its rows, and the higher the order the cheaper the digit. On
-// the stiff one (1e6 N/m) the explicit methods have none at all above 1 ms: they diverge, and the rows say so. ImplicitEuler
-// never does; what it pays is in the second table, the energy: a chain that should swing for ever has stopped. The mixed
-// chain is the usual case, a soft spring between stiff ones: only the slow motion is of interest, and every explicit method
-// must follow the fast one to get there.
+// Read the rows like this: on the soft chain every method has its rows, and the higher the order the cheaper the digit.
+// On the stiff one (1e6 N/m) the explicit methods have none at all above 1 ms: they diverge, and the rows say so.
+// ImplicitEuler never does; what it pays is in the second table, the energy: a chain that should swing for ever has
+// stopped. The mixed chain is the usual case, a soft spring between stiff ones: only the slow motion is of interest,
+// and every explicit method must follow the fast one to get there.
 //
 // The chains swing along themselves, where the springs are linear, so that the exact motion is a sum of modes.
 
@@ -80,8 +81,10 @@ struct Chain {
             K(i - 1, i) -= k;
         }
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
-        Eigen::VectorXd amplitude = modes.eigenvectors().transpose() * Eigen::Map<const Eigen::VectorXd>(start.data(), n);
-        for (Eigen::Index i = 0; i < n; ++i) amplitude[i] *= std::cos(std::sqrt(std::max(modes.eigenvalues()[i], 0.0)) * t);
+        Eigen::VectorXd amplitude =
+            modes.eigenvectors().transpose() * Eigen::Map<const Eigen::VectorXd>(start.data(), n);
+        for (Eigen::Index i = 0; i < n; ++i)
+            amplitude[i] *= std::cos(std::sqrt(std::max(modes.eigenvalues()[i], 0.0)) * t);
         return modes.eigenvectors() * amplitude;
     }
 };
@@ -114,11 +117,15 @@ template <class Integrator> Outcome run_once(const Chain& chain, double duration
 
 /// \param order of the error that the axis shows
 template <class Integrator>
-void add_rows(Costs& costs, const Axis& axis, const char* choice, double order, const Chain& chain, double duration, int coarsest, int halvings) {
+void add_rows(Costs& costs, const Axis& axis, const char* choice, double order, const Chain& chain, double duration,
+              int coarsest, int halvings) {
     const bool energy = axis.name == "energy";
     for (int k = 0; k <= halvings; ++k) {
         const int steps = coarsest << k;
-        costs.add(axis, {.choice = choice, .problem = chain.name, .parameter = {"dt", duration / steps * second}, .n = int(chain.size()),
+        costs.add(axis, {.choice = choice,
+                         .problem = chain.name,
+                         .parameter = {"dt", duration / steps * second},
+                         .n = int(chain.size()),
                          .known_order = order,
                          .error_run = [=] { return run_once<Integrator>(chain, duration, steps, energy); },
                          .timed_run =
@@ -138,11 +145,13 @@ void add_chain(Costs& costs, const Axis& axis, const Chain& chain, double durati
     add_rows<ExplicitEuler>(costs, axis, "ExplicitEuler", 1, chain, duration, coarsest, halvings);
     add_rows<SemiImplicitEuler>(costs, axis, "SemiImplicitEuler", 1, chain, duration, coarsest, halvings);
     add_rows<ImplicitEuler>(costs, axis, "ImplicitEuler", 1, chain, duration, coarsest, halvings);
-    add_rows<ImplicitEulerBy<Cholesky>>(costs, axis, "ImplicitEulerBy<Cholesky>", 1, chain, duration, coarsest, halvings);
+    add_rows<ImplicitEulerBy<Cholesky>>(costs, axis, "ImplicitEulerBy<Cholesky>", 1, chain, duration, coarsest,
+                                        halvings);
     add_rows<Verlet>(costs, axis, "Verlet", 2, chain, duration, coarsest, halvings);
     add_rows<VelocityVerlet>(costs, axis, "VelocityVerlet", 2, chain, duration, coarsest, halvings);
     add_rows<RungeKutta4>(costs, axis, "RungeKutta4", energy ? 5 : 4, chain, duration, coarsest, halvings);
-    if (!energy) add_rows<Fehlberg78>(costs, axis, "Odeint<runge_kutta_fehlberg78>", 8, chain, duration, coarsest, halvings);
+    if (!energy)
+        add_rows<Fehlberg78>(costs, axis, "Odeint<runge_kutta_fehlberg78>", 8, chain, duration, coarsest, halvings);
 }
 
 int main(int argc, char** argv) {
@@ -150,16 +159,24 @@ int main(int argc, char** argv) {
     const std::vector<double> bent{0.01, 0.03, 0.02, -0.01, -0.03, 0.0, 0.02, 0.04, 0.01, -0.02};
     const Chain soft{"soft chain, 100 N/m", std::vector<double>(10, 100.0), bent};
     const Chain stiff{"stiff chain, 1e6 N/m", std::vector<double>(10, 1e6), bent};
-    // Two blocks of stiff links, a soft one before each: at rest within themselves, so that only the slow motion is there.
-    const Chain mixed{"mixed chain, 100 and 1e6 N/m", {100, 1e6, 1e6, 1e6, 1e6, 100, 1e6, 1e6, 1e6, 1e6}, {.02, .02, .02, .02, .02, .05, .05, .05, .05, .05}};
+    // Two blocks of stiff links, a soft one before each: at rest within themselves, so that only the slow motion is
+    // there.
+    const Chain mixed{"mixed chain, 100 and 1e6 N/m",
+                      {100, 1e6, 1e6, 1e6, 1e6, 100, 1e6, 1e6, 1e6, 1e6},
+                      {.02, .02, .02, .02, .02, .05, .05, .05, .05, .05}};
 
-    const Axis where{.name = "integrator", .error_norm = "final max |x - exact| (m)", .work_unit = "force evaluations",
+    const Axis where{.name = "integrator",
+                     .error_norm = "final max |x - exact| (m)",
+                     .work_unit = "force evaluations",
                      .time_unit = "ns per simulated second per body"};
     add_chain(costs, where, soft, 1.0, 16, 7);
     add_chain(costs, where, stiff, 0.01, 4, 8);
     add_chain(costs, where, mixed, 0.5, 16, 9);
 
-    const Axis energy{.name = "energy", .error_norm = "max |E / E_0 - 1|", .work_unit = "force evaluations", .time_unit = "ns per simulated second per body"};
+    const Axis energy{.name = "energy",
+                      .error_norm = "max |E / E_0 - 1|",
+                      .work_unit = "force evaluations",
+                      .time_unit = "ns per simulated second per body"};
     add_chain(costs, energy, soft, 4.0, 64, 6);
     add_chain(costs, energy, stiff, 0.04, 16, 7);
     return costs.run();

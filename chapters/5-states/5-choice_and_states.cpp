@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5 Choice and states: what an entity is doing, and the conditions under which it does something else
 
-// A finite state machine is a list of states and a list of transitions. A train between two stations has four states, each
-// with one thing to do: it pulls, it rolls, it brakes, it stands. Between them there are conditions. They read the world, in
-// its units, and the machine is asked once in every step of the same fixed clock. How long each state lasts follows from
-// chapter 1, so that we can hold the machine against it.
+// A finite state machine is a list of states and a list of transitions. A train between two stations has four states,
+// each with one thing to do: it pulls, it rolls, it brakes, it stands. Between them there are conditions. They read the
+// world, in its units, and the machine is asked once in every step of the same fixed clock. How long each state lasts
+// follows from chapter 1, so that we can hold the machine against it.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -48,7 +48,9 @@ struct Driver {
     using Context = Line;
     static constexpr auto machine = states::machine(
         state("stands", on_entry([](Line& l) { l.world.set_velocity(l.train, metres_per_second(0, 0, 0)); }),
-              transition(when(after(5.0 * second) && asked("a station is ahead", [](const Line& l) { return l.arrivals == 0; })), to("pulls"))),
+              transition(when(after(5.0 * second) &&
+                              asked("a station is ahead", [](const Line& l) { return l.arrivals == 0; })),
+                         to("pulls"))),
         state("pulls", each_update([](Line& l) { l.push(engine); }),
               transition(when(value("speed", &Line::speed) >= top_speed), to("rolls"))),
         state("rolls",
@@ -78,12 +80,14 @@ int main() {
         driver.update(line, dt); // decides
         line.world.step(dt);     // and the world goes on
         //! [run]
-        if (legs.back().state != driver.active_name()) legs.push_back({std::string(driver.active_name()), driver.time()});
+        if (legs.back().state != driver.active_name())
+            legs.push_back({std::string(driver.active_name()), driver.time()});
         times.push_back(line.world.time());
         speeds.push_back(line.speed());
     }
     for (const auto& leg : legs) std::cout << "  " << leg.begin << "  " << leg.state << '\n';
-    claim("it stands, pulls, rolls, brakes and stands", legs.size() == 5 && legs[2].state == "rolls" && driver.is_in("stands"));
+    claim("it stands, pulls, rolls, brakes and stands",
+          legs.size() == 5 && legs[2].state == "rolls" && driver.is_in("stands"));
     claim("it pulls for v/a = 25 s", abs(legs[2].begin - legs[1].begin - 25.0 * second) < 2.0 * dt);
     claim("it brakes for v/a = 20 s", abs(legs[4].begin - legs[3].begin - 20.0 * second) < 2.0 * dt);
     const auto off = line.place() - station;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.1.3 Interpreted state pattern: the machine stands in a file, and may be changed while the game runs
 
-// "States, behaviours and transitions are read from a file and the structure is constructed at game startup." The file is
-// SCXML, the W3C's format for statecharts, for which there are editors. It holds the structure and names; what a name does is
-// bound by the program, so that whoever changes the file cannot break more than the machine. What is wrong with a file is
-// said with its line, and nothing of it is kept. A file that was saved again is taken over between two updates.
+// "States, behaviours and transitions are read from a file and the structure is constructed at game startup." The file
+// is SCXML, the W3C's format for statecharts, for which there are editors. It holds the structure and names; what a
+// name does is bound by the program, so that whoever changes the file cannot break more than the machine. What is wrong
+// with a file is said with its line, and nothing of it is kept. A file that was saved again is taken over between two
+// updates.
 
 #include "claims.hpp"
 #include "guard_npc.hpp"
@@ -22,7 +23,9 @@ namespace {
 
 const std::string folder = std::filesystem::path(__FILE__).parent_path().string(); // the file lies beside this one
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) { return text.replace(text.find(what), what.size(), by); }
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    return text.replace(text.find(what), what.size(), by);
+}
 
 } // namespace
 
@@ -31,7 +34,9 @@ int main() {
 
     //! [read]
     Bindings<Npc> names;
-    names.guard("sees", GuardNpc::sight.below()).guard("lost", GuardNpc::sight.above()).guard("near", GuardNpc::distance < 1.0 * metre);
+    names.guard("sees", GuardNpc::sight.below())
+        .guard("lost", GuardNpc::sight.above())
+        .guard("near", GuardNpc::distance < 1.0 * metre);
     names.guard("tired", after(3.0 * second)).guard("rested", after(2.0 * second));
     names.action("strike", strike).behaviour<Walk>("Walk").behaviour<Chase>("Chase");
     const auto chart = read_scxml(folder + "/guard_npc.scxml", names);
@@ -43,16 +48,20 @@ int main() {
     const Trace trace = evening(of_file, from_file);
     std::cout << trace.size() - 1 << " changes of state from the file\n";
     claim("the machine from the file has the trace of the compiled one", trace == evening(of_program, compiled));
-    claim("and did the same", of_file.place == of_program.place && of_file.blows == of_program.blows && of_file.shouts == of_program.shouts);
+    claim("and did the same", of_file.place == of_program.place && of_file.blows == of_program.blows &&
+                                  of_file.shouts == of_program.shouts);
 
     // The library writes its machines as such files, and reads them back.
     const std::string text = write_scxml(chart->outline());
-    claim("written and read again it is the same machine", parse_scxml(text, "guard", names)->outline() == chart->outline());
+    claim("written and read again it is the same machine",
+          parse_scxml(text, "guard", names)->outline() == chart->outline());
 
     // What can be wrong with a file, each in a sentence; the machine that runs knows nothing of it.
     //! [refused]
-    for (const auto& [right, wrong] : {std::pair<std::string, std::string>{"target=\"strike\"", "target=\"strik\""}, {"cond=\"sees\"", "cond=\"smells\""},
-                                       {"id=\"search\"", "id=\"patrol\""}, {"</scxml>", ""}}) {
+    for (const auto& [right, wrong] : {std::pair<std::string, std::string>{"target=\"strike\"", "target=\"strik\""},
+                                       {"cond=\"sees\"", "cond=\"smells\""},
+                                       {"id=\"search\"", "id=\"patrol\""},
+                                       {"</scxml>", ""}}) {
         try {
             from_file.reload(of_file, parse_scxml(replaced(text, right, wrong), "guard_npc.scxml", names));
             claim("a wrong file is refused", false);
@@ -67,10 +76,15 @@ int main() {
     //! [reload]
     const std::string changed = replaced(text, "</scxml>", "<state id=\"sleep\"/></scxml>");
     const auto legs = from_file.own<Walk>(from_file.state("patrol")).legs;
-    from_file.reload(of_file, parse_scxml(replaced(changed, "event=\"noise\" target=\"search\"", "event=\"bell\" target=\"sleep\""), "guard_npc.scxml", names));
+    from_file.reload(
+        of_file, parse_scxml(replaced(changed, "event=\"noise\" target=\"search\"", "event=\"bell\" target=\"sleep\""),
+                             "guard_npc.scxml", names));
     //! [reload]
-    claim("he goes on in the state of the same name, with its data", from_file.active_name() == "patrol" && from_file.own<Walk>(from_file.state("patrol")).legs == legs);
-    claim("noise is nothing to him any more, the bell is", !from_file.handle(of_file, "noise") && from_file.handle(of_file, "bell") && from_file.active_name() == "sleep");
+    claim("he goes on in the state of the same name, with its data",
+          from_file.active_name() == "patrol" && from_file.own<Walk>(from_file.state("patrol")).legs == legs);
+    claim("noise is nothing to him any more, the bell is", !from_file.handle(of_file, "noise") &&
+                                                               from_file.handle(of_file, "bell") &&
+                                                               from_file.active_name() == "sleep");
 
     // A picture of the machine, for Graphviz: dot -Tsvg.
     //! [dot]

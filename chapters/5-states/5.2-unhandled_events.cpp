@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.2 Issues: an event that nobody handles is ignored, counted, logged or refused, and the machine says which
 
-// The notes list three issues; each has a program below. A fourth comes first, because it hides the others: an event arrives
-// in a state that has no transition for it. Nothing happens, which is what the author wanted, or what he forgot; a machine
-// that only ignores cannot tell. So what happens to unhandled events is a policy of the machine, and it costs nothing where
-// it is not asked for.
+// The notes list three issues; each has a program below. A fourth comes first, because it hides the others: an event
+// arrives in a state that has no transition for it. Nothing happens, which is what the author wanted, or what he
+// forgot; a machine that only ignores cannot tell. So what happens to unhandled events is a policy of the machine, and
+// it costs nothing where it is not asked for.
 
 #include "claims.hpp"
 
@@ -27,9 +27,9 @@ struct Hall {
 struct Door {
     using Context = Hall;
     static constexpr auto machine = states::machine(
-        state("closed", transition(on("push"), then([](Hall& h) { ++h.creaks; }), to("open")), transition(on("lock"), to("locked"))),
-        state("open", transition(on("pull"), to("closed"))),
-        state("locked", transition(on("unlock"), to("closed"))));
+        state("closed", transition(on("push"), then([](Hall& h) { ++h.creaks; }), to("open")),
+              transition(on("lock"), to("locked"))),
+        state("open", transition(on("pull"), to("closed"))), state("locked", transition(on("unlock"), to("closed"))));
 };
 //! [door]
 
@@ -52,8 +52,10 @@ int main() {
         counting.handle(hall, event);
     }
     //! [count]
-    std::cout << answered << " of " << std::size(day) << " events were handled, " << counting.get<CountUnhandled>().count << " were not\n";
-    claim("ignored and counted come to the same door", silent.active() == counting.active() && answered == 6 && counting.get<CountUnhandled>().count == 2);
+    std::cout << answered << " of " << std::size(day) << " events were handled, "
+              << counting.get<CountUnhandled>().count << " were not\n";
+    claim("ignored and counted come to the same door",
+          silent.active() == counting.active() && answered == 6 && counting.get<CountUnhandled>().count == 2);
     claim("whoever ignores pays nothing", sizeof(silent) < sizeof(counting));
 
     //! [log]
@@ -62,9 +64,11 @@ int main() {
     for (const auto event : day) logging.handle(hall, event);
     const auto& log = logging.get<LogUnhandled<8>>();
     for (std::size_t i = 0; i < log.size(); ++i)
-        std::cout << "  nobody handled \"" << logging.name(log[i].event) << "\" in \"" << logging.name(log[i].state) << "\"\n";
+        std::cout << "  nobody handled \"" << logging.name(log[i].event) << "\" in \"" << logging.name(log[i].state)
+                  << "\"\n";
     //! [log]
-    claim("the log names the event and the state", log.size() == 2 && logging.name(log[0].event) == "lock" && logging.name(log[0].state) == "open");
+    claim("the log names the event and the state",
+          log.size() == 2 && logging.name(log[0].event) == "lock" && logging.name(log[0].state) == "open");
 
     //! [refuse]
     Machine<Door, Switch, RefuseUnhandled> strict;
@@ -78,6 +82,7 @@ int main() {
     }
     //! [refuse]
     std::cout << sentence << '\n';
-    claim("a strict machine refuses, and is where it was", strict.is_in("open") && sentence.find("lock") != std::string::npos);
+    claim("a strict machine refuses, and is where it was",
+          strict.is_in("open") && sentence.find("lock") != std::string::npos);
     return claim.result();
 }

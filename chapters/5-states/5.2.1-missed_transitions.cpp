@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.2.1 Missed transitions: a body that moves in steps is never at the boundary; a crossing guard sees it pass
 
-// "Comparison using equality at a spatial boundary." A body that goes 0.3 m in a step is before the door at one update and
-// behind it at the next; it is never *at* the door, and a machine that waits for that waits for ever. A tolerance only makes
-// it rarer: who comes at a random moment is seen within +-e with the probability 2 e / (v dt), so a faster body, or a slower
-// clock, is missed again. A crossing guard compares the previous update with this one, and misses none.
+// "Comparison using equality at a spatial boundary." A body that goes 0.3 m in a step is before the door at one update
+// and behind it at the next; it is never *at* the door, and a machine that waits for that waits for ever. A tolerance
+// only makes it rarer: who comes at a random moment is seen within +-e with the probability 2 e / (v dt), so a faster
+// body, or a slower clock, is missed again. A crossing guard compares the previous update with this one, and misses
+// none.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -31,7 +32,8 @@ constexpr auto e = 0.1 * metre;
 struct Scene {
     World<SemiImplicitEuler> world{SemiImplicitEuler{}};
     Handle walker{};
-    Scene(double speed, double from) : walker(world.add(position(metres(from, 0, 0)), velocity(metres_per_second(speed, 0, 0)))) {}
+    Scene(double speed, double from)
+        : walker(world.add(position(metres(from, 0, 0)), velocity(metres_per_second(speed, 0, 0)))) {}
     auto place() const { return x(world.position(walker)); }
 };
 
@@ -39,8 +41,8 @@ struct Scene {
 constexpr auto place = value("place", &Scene::place);
 struct ByEquality {
     using Context = Scene;
-    static constexpr auto machine = states::machine(
-        state("waiting", transition(when(place == door), to("alarm"))), final_state("alarm"));
+    static constexpr auto machine =
+        states::machine(state("waiting", transition(when(place == door), to("alarm"))), final_state("alarm"));
 };
 struct ByTolerance {
     using Context = Scene;
@@ -49,8 +51,8 @@ struct ByTolerance {
 };
 struct ByCrossing {
     using Context = Scene;
-    static constexpr auto machine = states::machine(
-        state("waiting", transition(when(crosses(place, door)), to("alarm"))), final_state("alarm"));
+    static constexpr auto machine =
+        states::machine(state("waiting", transition(when(crosses(place, door)), to("alarm"))), final_state("alarm"));
 };
 //! [machines]
 
@@ -84,7 +86,8 @@ int main() {
     scene.world.step(dt);
     std::cout << "At one update he is at " << before << ", at the next at " << scene.place() << '\n';
     claim("the machine that asks for equality has missed him", !alarm<ByEquality>(3, 0));
-    // Who starts at 0.1 m should be at 10 m after 33 steps, and is not: 0.3 is no binary fraction, and sums are rounded.
+    // Who starts at 0.1 m should be at 10 m after 33 steps, and is not: 0.3 is no binary fraction, and sums are
+    // rounded.
     claim("also one whose steps should end at the door itself", !alarm<ByEquality>(3, 0.1));
     claim("the one that asks for a crossing has missed neither", alarm<ByCrossing>(3, 0) && alarm<ByCrossing>(3, 0.1));
 
@@ -94,13 +97,16 @@ int main() {
     bool follows = true;
     for (double speed = 0.5; speed <= 10; speed += 0.5) {
         steps.push_back(speed * metre_per_second * dt);
-        equality.push_back(share<ByEquality>(speed)), tolerance.push_back(share<ByTolerance>(speed)), crossing.push_back(share<ByCrossing>(speed));
+        equality.push_back(share<ByEquality>(speed)), tolerance.push_back(share<ByTolerance>(speed)),
+            crossing.push_back(share<ByCrossing>(speed));
         follows = follows && std::abs(tolerance.back() - std::min(1.0, double(2.0 * e / steps.back()))) < 0.02;
     }
-    std::cout << "With steps of " << steps.back() << " the equality saw " << 100 * equality.back() << " %, the tolerance " << 100 * tolerance.back()
-              << " %, the crossing " << 100 * crossing.back() << " %\n";
+    std::cout << "With steps of " << steps.back() << " the equality saw " << 100 * equality.back()
+              << " %, the tolerance " << 100 * tolerance.back() << " %, the crossing " << 100 * crossing.back()
+              << " %\n";
     claim("a tolerance sees the share 2 e / (v dt), and no more", follows);
-    claim("a crossing sees everybody, at every speed", std::count(crossing.begin(), crossing.end(), 1.0) == std::ptrdiff_t(crossing.size()));
+    claim("a crossing sees everybody, at every speed",
+          std::count(crossing.begin(), crossing.end(), 1.0) == std::ptrdiff_t(crossing.size()));
 
     // Nobody need find this by hand: the guards know what they compare.
     //! [check]
@@ -108,11 +114,15 @@ int main() {
     for (const auto& finding : findings) std::cout << finding.text << '\n';
     //! [check]
     claim("the checker reports the equality", findings.size() == 1 && findings[0].what == Finding::What::equality);
-    claim("and has nothing to say about the others", check(outline_of<ByTolerance>()).empty() && check(outline_of<ByCrossing>()).empty());
+    claim("and has nothing to say about the others",
+          check(outline_of<ByTolerance>()).empty() && check(outline_of<ByCrossing>()).empty());
 
     workbook::Plot plot("5.2.1", "Of those who walk past the door, equality sees hardly anybody, a crossing everybody");
     plot.x("way in a step").y("share that is seen");
     plot.reference("2 e / (v dt)", steps, [](Quantity<unit::Length> s) { return std::min(1.0, double(2.0 * e / s)); });
-    plot.points("place == door", steps, equality).points("within e = 0.1 m", steps, tolerance).points("crosses(place, door)", steps, crossing).write();
+    plot.points("place == door", steps, equality)
+        .points("within e = 0.1 m", steps, tolerance)
+        .points("crosses(place, door)", steps, crossing)
+        .write();
     return claim.result();
 }

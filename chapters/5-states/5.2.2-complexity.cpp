@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.2.2 Complexity: flat, a reason to leave is said once for every state; a parent says it once for all of its own
 
-// Three behaviours of k states each, and every state must leave for each of the other behaviours when there is a reason:
-// flat, that is a transition for every pair of a state and a behaviour. Put the states of a behaviour into a parent and each
-// reason is said once. Both machines are built here as data, run by the interpreter on the same random events, and compared:
-// the simpler one is not another machine, it is the same one. What an author still gets wrong, the checker finds.
+// Three behaviours of k states each, and every state must leave for each of the other behaviours when there is a
+// reason: flat, that is a transition for every pair of a state and a behaviour. Put the states of a behaviour into a
+// parent and each reason is said once. Both machines are built here as data, run by the interpreter on the same random
+// events, and compared: the simpler one is not another machine, it is the same one. What an author still gets wrong,
+// the checker finds.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -26,7 +27,8 @@ struct Nothing {}; // the machines here only change their state
 const std::string behaviours[] = {"patrol", "combat", "flee"};
 
 //! [build]
-/// Three behaviours of k states. The event "next" leads from state to state within one, the others to the first state of theirs.
+/// Three behaviours of k states. The event "next" leads from state to state within one, the others to the first state
+/// of theirs.
 Outline machine_of(int k, bool hierarchical) {
     Outline outline;
     outline.origin = "machine_of";
@@ -62,7 +64,8 @@ Outline machine_of(int k, bool hierarchical) {
 /// Whether two machines are in the same innermost states after each of n random events.
 bool same_trace(const Outline& a, const Outline& b, int n) {
     Nothing nothing;
-    Machine<InFile<Nothing>, Interpreted> one(make_chart(a, Bindings<Nothing>{})), other(make_chart(b, Bindings<Nothing>{}));
+    Machine<InFile<Nothing>, Interpreted> one(make_chart(a, Bindings<Nothing>{})),
+        other(make_chart(b, Bindings<Nothing>{}));
     one.start(nothing), other.start(nothing);
     const std::string events[] = {"next", "next", "next", "patrol", "combat", "flee"};
     std::mt19937 random(5);
@@ -93,7 +96,8 @@ int main() {
     claim("flat, every state needs a transition to each other behaviour: 3k (1 + 2)", counts);
     claim("the machine with parents does the same", same);
 
-    // One transition forgotten among 288: a random test of ten events may not see it, and nothing in the text looks wrong.
+    // One transition forgotten among 288: a random test of ten events may not see it, and nothing in the text looks
+    // wrong.
     Outline forgotten = machine_of(32, false);
     forgotten.transitions.erase(forgotten.transitions.begin() + 100);
     claim("one forgotten transition goes unseen for ten events, and comes out after ten thousand",
@@ -107,10 +111,17 @@ int main() {
     wrong.transitions.erase(wrong.transitions.begin());                            // and the first one deleted
     for (const auto& finding : check(wrong)) std::cout << finding.text << '\n';
     //! [check]
-    claim("both states of flee are unreachable, and the checker says so", check(wrong).size() >= 2 && check(wrong)[0].what == Finding::What::unreachable);
-    claim("about the right machines it is silent", check(machine_of(32, false)).empty() && check(machine_of(32, true)).empty());
+    claim("both states of flee are unreachable, and the checker says so",
+          check(wrong).size() >= 2 && check(wrong)[0].what == Finding::What::unreachable);
+    claim("about the right machines it is silent",
+          check(machine_of(32, false)).empty() && check(machine_of(32, true)).empty());
 
-    workbook::Plot plot("5.2.2", "Three behaviours of k states: each reason said for every state, or once for the parent");
-    plot.x("states").y("transitions").linked_points("flat", states, flat).linked_points("with parents", states, nested).write();
+    workbook::Plot plot("5.2.2",
+                        "Three behaviours of k states: each reason said for every state, or once for the parent");
+    plot.x("states")
+        .y("transitions")
+        .linked_points("flat", states, flat)
+        .linked_points("with parents", states, nested)
+        .write();
     return claim.result();
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.2.3 State oscillations: one threshold turns with every tremor, a band of two turns when something happened
 
-// A condition and its contrary, with one threshold: the machine is in one state above it and in the other below. Two things
-// make it tremble. Noise: with a value that stands on the threshold, every second update turns it. A band of half-width w
-// sigma lets one update in 2 / erfc(w / sqrt 2) through, so that each sigma of width is worth more than the one before. And
-// feedback, the "over compensation" of the notes: the state itself pushes the value back over the threshold that called it.
-// There a band sets the period, and a dwell time bounds it. What comes out of a watcher is a report, not a feeling.
+// A condition and its contrary, with one threshold: the machine is in one state above it and in the other below. Two
+// things make it tremble. Noise: with a value that stands on the threshold, every second update turns it. A band of
+// half-width w sigma lets one update in 2 / erfc(w / sqrt 2) through, so that each sigma of width is worth more than
+// the one before. And feedback, the "over compensation" of the notes: the state itself pushes the value back over the
+// threshold that called it. There a band sets the period, and a dwell time bounds it. What comes out of a watcher is a
+// report, not a feeling.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -34,9 +35,8 @@ struct Ear {
 template <int W> struct Sentry {
     using Context = Ear;
     static constexpr auto edge = band(value("distance", &Ear::distance), 1.0 * metre, double(W) * sigma);
-    static constexpr auto machine = states::machine(
-        state("near", transition(when(edge.above()), to("far"))),
-        state("far", transition(when(edge.below()), to("near"))));
+    static constexpr auto machine = states::machine(state("near", transition(when(edge.above()), to("far"))),
+                                                    state("far", transition(when(edge.below()), to("near"))));
 };
 //! [sentry]
 
@@ -71,16 +71,16 @@ inline void stop(Pair& pair) { pair.go(0); }
 constexpr auto gap = value("gap", &Pair::gap);
 struct OneThreshold {
     using Context = Pair;
-    static constexpr auto machine = states::machine(
-        state("waits", on_entry(stop), transition(when(gap > 5.0 * metre), to("runs"))),
-        state("runs", on_entry(run), transition(when(gap < 5.0 * metre), to("waits"))));
+    static constexpr auto machine =
+        states::machine(state("waits", on_entry(stop), transition(when(gap > 5.0 * metre), to("runs"))),
+                        state("runs", on_entry(run), transition(when(gap < 5.0 * metre), to("waits"))));
 };
 struct WithBand {
     using Context = Pair;
     static constexpr auto near = band(gap, 5.0 * metre, 0.5 * metre);
-    static constexpr auto machine = states::machine(
-        state("waits", on_entry(stop), transition(when(near.above()), to("runs"))),
-        state("runs", on_entry(run), transition(when(near.below()), to("waits"))));
+    static constexpr auto machine =
+        states::machine(state("waits", on_entry(stop), transition(when(near.above()), to("runs"))),
+                        state("runs", on_entry(run), transition(when(near.below()), to("waits"))));
 };
 struct WithDwell {
     using Context = Pair;
@@ -101,14 +101,13 @@ template <class Description> Walk follow(int rate) {
     Walk walk;
     Pair pair;
     //! [report]
-    Machine<Description, Switch, OscillationReport> follower{OscillationReport{4, 1.0 * second}}; // more than 4 turns within 1 s
+    Machine<Description, Switch, OscillationReport> follower{
+        OscillationReport{4, 1.0 * second}}; // more than 4 turns within 1 s
     //! [report]
     follower.start(pair);
     for (int i = 0; i < 60 * rate; ++i) {
-        if constexpr (requires { follower.time(); })
-            walk.transitions += follower.update(pair, 1.0 / rate * second);
-        else
-            walk.transitions += follower.update(pair);
+        if constexpr (requires { follower.time(); }) walk.transitions += follower.update(pair, 1.0 / rate * second);
+        else walk.transitions += follower.update(pair);
         pair.world.step(1.0 / rate * second);
         if (i < 10 * rate) walk.times.push_back(pair.world.time()), walk.gaps.push_back(pair.gap());
     }
@@ -130,7 +129,8 @@ int main() {
     bool follows = true;
     std::cout << "  half-width   transitions in 100000 updates   the law\n";
     for (std::size_t w = 0; w < widths.size(); ++w) {
-        std::cout << "  " << w << " sigma                 " << counted[w] << "                       " << std::round(10 * law(double(w))) / 10 << '\n';
+        std::cout << "  " << w << " sigma                 " << counted[w] << "                       "
+                  << std::round(10 * law(double(w))) / 10 << '\n';
         follows = follows && std::abs(counted[w] - law(double(w))) <= 5 * std::sqrt(law(double(w))) + (w == 5 ? 1 : 0);
     }
     claim("transitions follow n erfc(w / sqrt 2) / 2", follows);
@@ -138,22 +138,30 @@ int main() {
 
     // Feedback.
     const Walk bare = follow<OneThreshold>(60), banded = follow<WithBand>(60), dwelling = follow<WithDwell>(60);
-    std::cout << "In a minute the follower changes his mind " << bare.transitions << " times, with a band " << banded.transitions << " times, with a dwell time "
-              << dwelling.transitions << " times\n";
+    std::cout << "In a minute the follower changes his mind " << bare.transitions << " times, with a band "
+              << banded.transitions << " times, with a dwell time " << dwelling.transitions << " times\n";
     claim("with one threshold he turns at more than half of all updates", bare.transitions > 60 * 60 / 2);
     claim("and faster updates make it worse", follow<OneThreshold>(240).transitions > 3 * bare.transitions);
     // 1 m at 2 m/s, 1 m at 1 m/s: a period of 1.5 s; each turn comes up to a step late.
-    claim("the band turns twice in (1/2 + 1/1) s and hardly depends on the rate", std::abs(banded.transitions - 80) <= 3 && std::abs(follow<WithBand>(240).transitions - 80) <= 3);
+    claim("the band turns twice in (1/2 + 1/1) s and hardly depends on the rate",
+          std::abs(banded.transitions - 80) <= 3 && std::abs(follow<WithBand>(240).transitions - 80) <= 3);
     claim("the dwell time turns at most once a second", dwelling.transitions <= 60);
-    claim("the report names the first, and neither of the others", bare.reported && !banded.reported && !dwelling.reported);
+    claim("the report names the first, and neither of the others",
+          bare.reported && !banded.reported && !dwelling.reported);
 
     workbook::Plot noise("5.2.3", "In noise each sigma of the band is worth more than the one before");
     std::vector<double> fine;
     for (double w = 0; w <= 5; w += 0.1) fine.push_back(w);
-    std::vector<int> some(widths.begin(), widths.end() - 1), seen(counted.begin(), counted.end() - 1); // 0 has no place on a logarithm
+    std::vector<int> some(widths.begin(), widths.end() - 1),
+        seen(counted.begin(), counted.end() - 1); // 0 has no place on a logarithm
     noise.x("half-width of the band, sigma").y("transitions in 100000 updates").log_y();
     noise.reference("n erfc(w / sqrt 2) / 2", fine, law).points("measured", some, seen).write();
     workbook::Plot feedback("5.2.3-feedback", "A follower: a band sets the period, a dwell time bounds it");
-    feedback.x("time").y("gap").line("one threshold", bare.times, bare.gaps).line("band of 0.5 m", banded.times, banded.gaps).line("dwell time of 1 s", dwelling.times, dwelling.gaps).write();
+    feedback.x("time")
+        .y("gap")
+        .line("one threshold", bare.times, bare.gaps)
+        .line("band of 0.5 m", banded.times, banded.gaps)
+        .line("dwell time of 1 s", dwelling.times, dwelling.gaps)
+        .write();
     return claim.result();
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSL-1.0
 // 5.3 Hierarchical machines: states in states; what holds for all of a group is said once, and checked in every one
 
-// "Divide groups of states that correspond to a single NPC behaviour into their own parent states. Transition conditions for
-// each active state in the hierarchy must be checked." A guard who patrols, fights and flees, once with parents and once
-// flat. The same evening gives the same states, update by update, from half as many transitions. Three things come with a
-// hierarchy: inner states are asked before outer ones, the way from one state to another leaves and enters parents in order,
-// and a history remembers where a parent was when it was left; the flat twin must keep that in a variable of its own.
+// "Divide groups of states that correspond to a single NPC behaviour into their own parent states. Transition
+// conditions for each active state in the hierarchy must be checked." A guard who patrols, fights and flees, once with
+// parents and once flat. The same evening gives the same states, update by update, from half as many transitions. Three
+// things come with a hierarchy: inner states are asked before outer ones, the way from one state to another leaves and
+// enters parents in order, and a history remembers where a parent was when it was left; the flat twin must keep that in
+// a variable of its own.
 
 #include "claims.hpp"
 
@@ -26,7 +27,7 @@ namespace {
 struct Npc {
     Quantity<unit::Length> distance = 20.0 * metre; ///< to the intruder
     double health = 1;
-    bool was_looking = false;                       ///< only the flat twin needs it
+    bool was_looking = false; ///< only the flat twin needs it
 };
 
 constexpr auto near = band(value("distance", &Npc::distance), 8.0 * metre, 1.0 * metre);
@@ -48,8 +49,7 @@ struct GuardNpc {
                     state("combat", transition(when(near.above()), to("where he was")),
                           state("approach", transition(when(in_reach), to("strike"))),
                           state("strike", transition(when(!in_reach), to("approach"))))),
-              state("flee", transition(when(healed), to("patrol")),
-                    state("run", transition(when(far), to("hide"))),
+              state("flee", transition(when(healed), to("patrol")), state("run", transition(when(far), to("hide"))),
                     state("hide", transition(when(!far), to("run"))))),
         final_state("home"));
 };
@@ -63,25 +63,34 @@ inline void leave_look(Npc& n) { n.was_looking = true; }
 struct FlatGuardNpc {
     using Context = Npc;
     static constexpr auto remembers = asked("was looking", [](const Npc& n) { return n.was_looking; });
-    static constexpr auto machine = states::machine(
-        state("walk", on_exit(leave_walk), transition(when(after(4.0 * second)), to("look")), transition(when(near.below()), to("approach")),
-              transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
-        state("look", on_exit(leave_look), transition(when(after(2.0 * second)), to("walk")), transition(when(near.below()), to("approach")),
-              transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
-        state("approach", transition(when(in_reach), to("strike")), transition(when(near.above() && remembers), to("look")),
-              transition(when(near.above() && !remembers), to("walk")), transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
-        state("strike", transition(when(!in_reach), to("approach")), transition(when(near.above() && remembers), to("look")),
-              transition(when(near.above() && !remembers), to("walk")), transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
-        state("run", transition(when(far), to("hide")), transition(when(healed), to("walk")), transition(on("bell"), to("home"))),
-        state("hide", transition(when(!far), to("run")), transition(when(healed), to("walk")), transition(on("bell"), to("home"))),
-        final_state("home"));
+    static constexpr auto machine =
+        states::machine(state("walk", on_exit(leave_walk), transition(when(after(4.0 * second)), to("look")),
+                              transition(when(near.below()), to("approach")), transition(when(hurt), to("run")),
+                              transition(on("bell"), to("home"))),
+                        state("look", on_exit(leave_look), transition(when(after(2.0 * second)), to("walk")),
+                              transition(when(near.below()), to("approach")), transition(when(hurt), to("run")),
+                              transition(on("bell"), to("home"))),
+                        state("approach", transition(when(in_reach), to("strike")),
+                              transition(when(near.above() && remembers), to("look")),
+                              transition(when(near.above() && !remembers), to("walk")),
+                              transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
+                        state("strike", transition(when(!in_reach), to("approach")),
+                              transition(when(near.above() && remembers), to("look")),
+                              transition(when(near.above() && !remembers), to("walk")),
+                              transition(when(hurt), to("run")), transition(on("bell"), to("home"))),
+                        state("run", transition(when(far), to("hide")), transition(when(healed), to("walk")),
+                              transition(on("bell"), to("home"))),
+                        state("hide", transition(when(!far), to("run")), transition(when(healed), to("walk")),
+                              transition(on("bell"), to("home"))),
+                        final_state("home"));
 };
 //! [flat]
 
 /// The intruder comes twice; the second time he strikes back until the guard has run away. Wounds heal slowly.
 void live(Npc& npc, int step) {
     const double t = step / 60.0;
-    const double first = 20 - 4 * std::clamp(t - 1.0, 0.0, 3.4) + 6 * std::clamp(t - 9.0, 0.0, 2.5);   // comes to 6.4 m and goes
+    const double first =
+        20 - 4 * std::clamp(t - 1.0, 0.0, 3.4) + 6 * std::clamp(t - 9.0, 0.0, 2.5); // comes to 6.4 m and goes
     const double second_time = first - 4 * std::clamp(t - 16.0, 0.0, 5.8) + 3 * std::clamp(t - 25.0, 0.0, 8.0);
     npc.distance = std::max(second_time, 1.0) * metre;
     if (t > 23 && t < 24) npc.health = std::max(0.0, npc.health - 0.8 / 60);
@@ -101,7 +110,8 @@ template <class Machine_> std::vector<Began> evening(Machine_& machine) {
         live(npc, step);
         if (step == 38 * 60) machine.handle(npc, "bell");
         machine.update(npc, 1.0 / 60 * second);
-        if (trace.empty() || trace.back().state != machine.active_name()) trace.push_back({step, std::string(machine.active_name())});
+        if (trace.empty() || trace.back().state != machine.active_name())
+            trace.push_back({step, std::string(machine.active_name())});
     }
     return trace;
 }
@@ -121,11 +131,13 @@ int main() {
         Machine<GuardNpc, StatePattern> classes;
         Machine<GuardNpc, Table> table;
         Machine<GuardNpc, Interpreted> interpreted;
-        claim("every representation carries the hierarchy", trace == evening(classes) && trace == evening(table) && trace == evening(interpreted));
+        claim("every representation carries the hierarchy",
+              trace == evening(classes) && trace == evening(table) && trace == evening(interpreted));
     }
 
     // The history: he was looking round when the intruder came, and goes on with that.
-    const auto back = std::find_if(trace.begin(), trace.end(), [](const Began& b) { return b.state == "approach"; }) + 1;
+    const auto back =
+        std::find_if(trace.begin(), trace.end(), [](const Began& b) { return b.state == "approach"; }) + 1;
     claim("after the first alarm he goes on where he was", (back - 2)->state == "look" && back->state == "look");
 
     // Who is left and entered on the way from the innermost state to another one's innermost state.
@@ -149,6 +161,7 @@ int main() {
     std::cout << "left (-) and entered (+):" << way << '\n';
     claim("first the inner states ask, then their parents; children are left before parents, and entered after them",
           way == " -approach +strike -strike -combat -on duty +flee +run");
-    claim("in every parent of an active state he is too", watched.is_in("run") && watched.is_in("flee") && watched.is_in("awake") && !watched.is_in("on duty"));
+    claim("in every parent of an active state he is too",
+          watched.is_in("run") && watched.is_in("flee") && watched.is_in("awake") && !watched.is_in("on duty"));
     return claim.result();
 }

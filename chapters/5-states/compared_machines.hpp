@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The machines that `what_it_costs` of chapter 5 compares: n states, five events, a transition for nine of ten pairs of them.
-/// Ten states have 45 transitions. Written by hand, described for the library, and for Boost.Statechart.
+/// The machines that `what_it_costs` of chapter 5 compares: n states, five events, a transition for nine of ten pairs
+/// of them. Ten states have 45 transitions. Written by hand, described for the library, and for Boost.Statechart.
 
 #include <ansatz/states.hpp>
 
@@ -43,78 +43,235 @@ template <bool Acts> class HandSwitch {
 public:
     bool handle(Tally& tally, int event) {
         switch (state_) {
-            case 0: switch (event) {
-                case 0: done<0, 0>(tally); state_ = 1; return true;
-                case 1: done<0, 1>(tally); state_ = 4; return true;
-                case 2: done<0, 2>(tally); state_ = 7; return true;
-                case 3: done<0, 3>(tally); state_ = 0; return true;
-                case 4: done<0, 4>(tally); state_ = 3; return true;
-            } break;
-            case 1: switch (event) {
-                case 0: done<1, 0>(tally); state_ = 8; return true;
-                case 1: done<1, 1>(tally); state_ = 1; return true;
-                case 2: done<1, 2>(tally); state_ = 4; return true;
-                case 3: done<1, 3>(tally); state_ = 7; return true;
-                case 4: done<1, 4>(tally); state_ = 0; return true;
-            } break;
-            case 2: switch (event) {
-                case 0: done<2, 0>(tally); state_ = 5; return true;
-                case 1: done<2, 1>(tally); state_ = 8; return true;
-                case 2: done<2, 2>(tally); state_ = 1; return true;
-                case 3: done<2, 3>(tally); state_ = 4; return true;
-                case 4: done<2, 4>(tally); state_ = 7; return true;
-            } break;
-            case 3: switch (event) {
-                case 0: done<3, 0>(tally); state_ = 2; return true;
-                case 1: done<3, 1>(tally); state_ = 5; return true;
-                case 2: done<3, 2>(tally); state_ = 8; return true;
-                case 3: done<3, 3>(tally); state_ = 1; return true;
-                case 4: done<3, 4>(tally); state_ = 4; return true;
-            } break;
-            case 4: switch (event) {
-                case 0: done<4, 0>(tally); state_ = 9; return true;
-                case 1: done<4, 1>(tally); state_ = 2; return true;
-                case 2: done<4, 2>(tally); state_ = 5; return true;
-                case 3: done<4, 3>(tally); state_ = 8; return true;
-                case 4: done<4, 4>(tally); state_ = 1; return true;
-            } break;
-            case 5: switch (event) {
-                case 0: done<5, 0>(tally); state_ = 6; return true;
-                case 1: done<5, 1>(tally); state_ = 9; return true;
-                case 2: done<5, 2>(tally); state_ = 2; return true;
-                case 3: done<5, 3>(tally); state_ = 5; return true;
-            } break;
-            case 6: switch (event) {
-                case 0: done<6, 0>(tally); state_ = 3; return true;
-                case 1: done<6, 1>(tally); state_ = 6; return true;
-                case 2: done<6, 2>(tally); state_ = 9; return true;
-                case 4: done<6, 4>(tally); state_ = 5; return true;
-            } break;
-            case 7: switch (event) {
-                case 0: done<7, 0>(tally); state_ = 0; return true;
-                case 1: done<7, 1>(tally); state_ = 3; return true;
-                case 3: done<7, 3>(tally); state_ = 9; return true;
-                case 4: done<7, 4>(tally); state_ = 2; return true;
-            } break;
-            case 8: switch (event) {
-                case 0: done<8, 0>(tally); state_ = 7; return true;
-                case 2: done<8, 2>(tally); state_ = 3; return true;
-                case 3: done<8, 3>(tally); state_ = 6; return true;
-                case 4: done<8, 4>(tally); state_ = 9; return true;
-            } break;
-            case 9: switch (event) {
-                case 1: done<9, 1>(tally); state_ = 7; return true;
-                case 2: done<9, 2>(tally); state_ = 0; return true;
-                case 3: done<9, 3>(tally); state_ = 3; return true;
-                case 4: done<9, 4>(tally); state_ = 6; return true;
-            } break;
+        case 0:
+            switch (event) {
+            case 0:
+                done<0, 0>(tally);
+                state_ = 1;
+                return true;
+            case 1:
+                done<0, 1>(tally);
+                state_ = 4;
+                return true;
+            case 2:
+                done<0, 2>(tally);
+                state_ = 7;
+                return true;
+            case 3:
+                done<0, 3>(tally);
+                state_ = 0;
+                return true;
+            case 4:
+                done<0, 4>(tally);
+                state_ = 3;
+                return true;
+            }
+            break;
+        case 1:
+            switch (event) {
+            case 0:
+                done<1, 0>(tally);
+                state_ = 8;
+                return true;
+            case 1:
+                done<1, 1>(tally);
+                state_ = 1;
+                return true;
+            case 2:
+                done<1, 2>(tally);
+                state_ = 4;
+                return true;
+            case 3:
+                done<1, 3>(tally);
+                state_ = 7;
+                return true;
+            case 4:
+                done<1, 4>(tally);
+                state_ = 0;
+                return true;
+            }
+            break;
+        case 2:
+            switch (event) {
+            case 0:
+                done<2, 0>(tally);
+                state_ = 5;
+                return true;
+            case 1:
+                done<2, 1>(tally);
+                state_ = 8;
+                return true;
+            case 2:
+                done<2, 2>(tally);
+                state_ = 1;
+                return true;
+            case 3:
+                done<2, 3>(tally);
+                state_ = 4;
+                return true;
+            case 4:
+                done<2, 4>(tally);
+                state_ = 7;
+                return true;
+            }
+            break;
+        case 3:
+            switch (event) {
+            case 0:
+                done<3, 0>(tally);
+                state_ = 2;
+                return true;
+            case 1:
+                done<3, 1>(tally);
+                state_ = 5;
+                return true;
+            case 2:
+                done<3, 2>(tally);
+                state_ = 8;
+                return true;
+            case 3:
+                done<3, 3>(tally);
+                state_ = 1;
+                return true;
+            case 4:
+                done<3, 4>(tally);
+                state_ = 4;
+                return true;
+            }
+            break;
+        case 4:
+            switch (event) {
+            case 0:
+                done<4, 0>(tally);
+                state_ = 9;
+                return true;
+            case 1:
+                done<4, 1>(tally);
+                state_ = 2;
+                return true;
+            case 2:
+                done<4, 2>(tally);
+                state_ = 5;
+                return true;
+            case 3:
+                done<4, 3>(tally);
+                state_ = 8;
+                return true;
+            case 4:
+                done<4, 4>(tally);
+                state_ = 1;
+                return true;
+            }
+            break;
+        case 5:
+            switch (event) {
+            case 0:
+                done<5, 0>(tally);
+                state_ = 6;
+                return true;
+            case 1:
+                done<5, 1>(tally);
+                state_ = 9;
+                return true;
+            case 2:
+                done<5, 2>(tally);
+                state_ = 2;
+                return true;
+            case 3:
+                done<5, 3>(tally);
+                state_ = 5;
+                return true;
+            }
+            break;
+        case 6:
+            switch (event) {
+            case 0:
+                done<6, 0>(tally);
+                state_ = 3;
+                return true;
+            case 1:
+                done<6, 1>(tally);
+                state_ = 6;
+                return true;
+            case 2:
+                done<6, 2>(tally);
+                state_ = 9;
+                return true;
+            case 4:
+                done<6, 4>(tally);
+                state_ = 5;
+                return true;
+            }
+            break;
+        case 7:
+            switch (event) {
+            case 0:
+                done<7, 0>(tally);
+                state_ = 0;
+                return true;
+            case 1:
+                done<7, 1>(tally);
+                state_ = 3;
+                return true;
+            case 3:
+                done<7, 3>(tally);
+                state_ = 9;
+                return true;
+            case 4:
+                done<7, 4>(tally);
+                state_ = 2;
+                return true;
+            }
+            break;
+        case 8:
+            switch (event) {
+            case 0:
+                done<8, 0>(tally);
+                state_ = 7;
+                return true;
+            case 2:
+                done<8, 2>(tally);
+                state_ = 3;
+                return true;
+            case 3:
+                done<8, 3>(tally);
+                state_ = 6;
+                return true;
+            case 4:
+                done<8, 4>(tally);
+                state_ = 9;
+                return true;
+            }
+            break;
+        case 9:
+            switch (event) {
+            case 1:
+                done<9, 1>(tally);
+                state_ = 7;
+                return true;
+            case 2:
+                done<9, 2>(tally);
+                state_ = 0;
+                return true;
+            case 3:
+                done<9, 3>(tally);
+                state_ = 3;
+                return true;
+            case 4:
+                done<9, 4>(tally);
+                state_ = 6;
+                return true;
+            }
+            break;
         }
         return false;
     }
     int state() const { return state_; }
 
 private:
-    template <int S, int E> static void done(Tally& tally) { if constexpr (Acts) act<S, E>(tally); }
+    template <int S, int E> static void done(Tally& tally) {
+        if constexpr (Acts) act<S, E>(tally);
+    }
     int state_ = 0;
 };
 
@@ -135,19 +292,22 @@ private:
     struct State {
         virtual const State* handle(const HandClasses&, Tally&, int event) const = 0; ///< the next state, or none
         virtual int number() const = 0;
+
     protected:
         ~State() = default;
     };
-    template <int S, int E> static void done(Tally& tally) { if constexpr (Acts) act<S, E>(tally); }
+    template <int S, int E> static void done(Tally& tally) {
+        if constexpr (Acts) act<S, E>(tally);
+    }
     struct S0 final : State {
         int number() const override { return 0; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<0, 0>(tally); return &all.s1_;
-                case 1: done<0, 1>(tally); return &all.s4_;
-                case 2: done<0, 2>(tally); return &all.s7_;
-                case 3: done<0, 3>(tally); return &all.s0_;
-                case 4: done<0, 4>(tally); return &all.s3_;
+            case 0: done<0, 0>(tally); return &all.s1_;
+            case 1: done<0, 1>(tally); return &all.s4_;
+            case 2: done<0, 2>(tally); return &all.s7_;
+            case 3: done<0, 3>(tally); return &all.s0_;
+            case 4: done<0, 4>(tally); return &all.s3_;
             }
             return nullptr;
         }
@@ -156,11 +316,11 @@ private:
         int number() const override { return 1; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<1, 0>(tally); return &all.s8_;
-                case 1: done<1, 1>(tally); return &all.s1_;
-                case 2: done<1, 2>(tally); return &all.s4_;
-                case 3: done<1, 3>(tally); return &all.s7_;
-                case 4: done<1, 4>(tally); return &all.s0_;
+            case 0: done<1, 0>(tally); return &all.s8_;
+            case 1: done<1, 1>(tally); return &all.s1_;
+            case 2: done<1, 2>(tally); return &all.s4_;
+            case 3: done<1, 3>(tally); return &all.s7_;
+            case 4: done<1, 4>(tally); return &all.s0_;
             }
             return nullptr;
         }
@@ -169,11 +329,11 @@ private:
         int number() const override { return 2; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<2, 0>(tally); return &all.s5_;
-                case 1: done<2, 1>(tally); return &all.s8_;
-                case 2: done<2, 2>(tally); return &all.s1_;
-                case 3: done<2, 3>(tally); return &all.s4_;
-                case 4: done<2, 4>(tally); return &all.s7_;
+            case 0: done<2, 0>(tally); return &all.s5_;
+            case 1: done<2, 1>(tally); return &all.s8_;
+            case 2: done<2, 2>(tally); return &all.s1_;
+            case 3: done<2, 3>(tally); return &all.s4_;
+            case 4: done<2, 4>(tally); return &all.s7_;
             }
             return nullptr;
         }
@@ -182,11 +342,11 @@ private:
         int number() const override { return 3; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<3, 0>(tally); return &all.s2_;
-                case 1: done<3, 1>(tally); return &all.s5_;
-                case 2: done<3, 2>(tally); return &all.s8_;
-                case 3: done<3, 3>(tally); return &all.s1_;
-                case 4: done<3, 4>(tally); return &all.s4_;
+            case 0: done<3, 0>(tally); return &all.s2_;
+            case 1: done<3, 1>(tally); return &all.s5_;
+            case 2: done<3, 2>(tally); return &all.s8_;
+            case 3: done<3, 3>(tally); return &all.s1_;
+            case 4: done<3, 4>(tally); return &all.s4_;
             }
             return nullptr;
         }
@@ -195,11 +355,11 @@ private:
         int number() const override { return 4; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<4, 0>(tally); return &all.s9_;
-                case 1: done<4, 1>(tally); return &all.s2_;
-                case 2: done<4, 2>(tally); return &all.s5_;
-                case 3: done<4, 3>(tally); return &all.s8_;
-                case 4: done<4, 4>(tally); return &all.s1_;
+            case 0: done<4, 0>(tally); return &all.s9_;
+            case 1: done<4, 1>(tally); return &all.s2_;
+            case 2: done<4, 2>(tally); return &all.s5_;
+            case 3: done<4, 3>(tally); return &all.s8_;
+            case 4: done<4, 4>(tally); return &all.s1_;
             }
             return nullptr;
         }
@@ -208,10 +368,10 @@ private:
         int number() const override { return 5; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<5, 0>(tally); return &all.s6_;
-                case 1: done<5, 1>(tally); return &all.s9_;
-                case 2: done<5, 2>(tally); return &all.s2_;
-                case 3: done<5, 3>(tally); return &all.s5_;
+            case 0: done<5, 0>(tally); return &all.s6_;
+            case 1: done<5, 1>(tally); return &all.s9_;
+            case 2: done<5, 2>(tally); return &all.s2_;
+            case 3: done<5, 3>(tally); return &all.s5_;
             }
             return nullptr;
         }
@@ -220,10 +380,10 @@ private:
         int number() const override { return 6; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<6, 0>(tally); return &all.s3_;
-                case 1: done<6, 1>(tally); return &all.s6_;
-                case 2: done<6, 2>(tally); return &all.s9_;
-                case 4: done<6, 4>(tally); return &all.s5_;
+            case 0: done<6, 0>(tally); return &all.s3_;
+            case 1: done<6, 1>(tally); return &all.s6_;
+            case 2: done<6, 2>(tally); return &all.s9_;
+            case 4: done<6, 4>(tally); return &all.s5_;
             }
             return nullptr;
         }
@@ -232,10 +392,10 @@ private:
         int number() const override { return 7; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<7, 0>(tally); return &all.s0_;
-                case 1: done<7, 1>(tally); return &all.s3_;
-                case 3: done<7, 3>(tally); return &all.s9_;
-                case 4: done<7, 4>(tally); return &all.s2_;
+            case 0: done<7, 0>(tally); return &all.s0_;
+            case 1: done<7, 1>(tally); return &all.s3_;
+            case 3: done<7, 3>(tally); return &all.s9_;
+            case 4: done<7, 4>(tally); return &all.s2_;
             }
             return nullptr;
         }
@@ -244,10 +404,10 @@ private:
         int number() const override { return 8; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 0: done<8, 0>(tally); return &all.s7_;
-                case 2: done<8, 2>(tally); return &all.s3_;
-                case 3: done<8, 3>(tally); return &all.s6_;
-                case 4: done<8, 4>(tally); return &all.s9_;
+            case 0: done<8, 0>(tally); return &all.s7_;
+            case 2: done<8, 2>(tally); return &all.s3_;
+            case 3: done<8, 3>(tally); return &all.s6_;
+            case 4: done<8, 4>(tally); return &all.s9_;
             }
             return nullptr;
         }
@@ -256,15 +416,24 @@ private:
         int number() const override { return 9; }
         const State* handle(const HandClasses& all, Tally& tally, int event) const override {
             switch (event) {
-                case 1: done<9, 1>(tally); return &all.s7_;
-                case 2: done<9, 2>(tally); return &all.s0_;
-                case 3: done<9, 3>(tally); return &all.s3_;
-                case 4: done<9, 4>(tally); return &all.s6_;
+            case 1: done<9, 1>(tally); return &all.s7_;
+            case 2: done<9, 2>(tally); return &all.s0_;
+            case 3: done<9, 3>(tally); return &all.s3_;
+            case 4: done<9, 4>(tally); return &all.s6_;
             }
             return nullptr;
         }
     };
-    S0 s0_; S1 s1_; S2 s2_; S3 s3_; S4 s4_; S5 s5_; S6 s6_; S7 s7_; S8 s8_; S9 s9_;
+    S0 s0_;
+    S1 s1_;
+    S2 s2_;
+    S3 s3_;
+    S4 s4_;
+    S5 s5_;
+    S6 s6_;
+    S7 s7_;
+    S8 s8_;
+    S9 s9_;
     const State* now_ = &s0_;
 };
 
@@ -278,18 +447,18 @@ template <int N, bool Acts> struct Described {
     using Context = Tally;
     template <int S, int E> static constexpr auto move() {
         using namespace ansatz::states;
-        if constexpr (!answers(S, E))
-            return std::tuple<>();
+        if constexpr (!answers(S, E)) return std::tuple<>();
         else if constexpr (Acts)
             return std::tuple(transition(on(Name<'e', E>::view), then(act<S, E>), to(Name<'s', next(S, E, N)>::view)));
-        else
-            return std::tuple(transition(on(Name<'e', E>::view), to(Name<'s', next(S, E, N)>::view)));
+        else return std::tuple(transition(on(Name<'e', E>::view), to(Name<'s', next(S, E, N)>::view)));
     }
     template <int S> static constexpr auto one() {
         return std::apply([](auto... moves) { return ansatz::states::state(Name<'s', S>::view, moves...); },
                           std::tuple_cat(move<S, 0>(), move<S, 1>(), move<S, 2>(), move<S, 3>(), move<S, 4>()));
     }
-    static constexpr auto machine = []<int... S>(std::integer_sequence<int, S...>) { return ansatz::states::machine(one<S>()...); }(std::make_integer_sequence<int, N>{});
+    static constexpr auto machine = []<int... S>(std::integer_sequence<int, S...>) {
+        return ansatz::states::machine(one<S>()...);
+    }(std::make_integer_sequence<int, N>{});
 };
 
 /// A machine of the library, with the events' numbers looked up.
@@ -328,13 +497,18 @@ template <int N, bool Acts, int S, int E> struct Move {
 };
 // The pair that has no transition is left out of the list of a state.
 template <int N, bool Acts, int S, int E, class Rest> struct Joined {
-    using type = typename boost::mpl::push_front<Rest, typename boost::mpl::front<typename Move<N, Acts, S, E>::type>::type>::type;
+    using type =
+        typename boost::mpl::push_front<Rest,
+                                        typename boost::mpl::front<typename Move<N, Acts, S, E>::type>::type>::type;
 };
 template <int N, bool Acts, int S, int E = 0> struct Reactions {
     using rest = typename Reactions<N, Acts, S, E + 1>::type;
-    using type = typename std::conditional_t<answers(S, E), Joined<N, Acts, S, E, rest>, std::type_identity<rest>>::type;
+    using type =
+        typename std::conditional_t<answers(S, E), Joined<N, Acts, S, E, rest>, std::type_identity<rest>>::type;
 };
-template <int N, bool Acts, int S> struct Reactions<N, Acts, S, events> { using type = boost::mpl::list<>; };
+template <int N, bool Acts, int S> struct Reactions<N, Acts, S, events> {
+    using type = boost::mpl::list<>;
+};
 template <int N, bool Acts, int S> struct State : sc::simple_state<State<N, Acts, S>, Machine<N, Acts>> {
     using reactions = typename Reactions<N, Acts, S>::type;
     static constexpr int number = S;
@@ -350,11 +524,11 @@ public:
         machine_.tally = &tally;
         machine_.moved = false;
         switch (event) {
-            case 0: machine_.process_event(Event<0>()); break;
-            case 1: machine_.process_event(Event<1>()); break;
-            case 2: machine_.process_event(Event<2>()); break;
-            case 3: machine_.process_event(Event<3>()); break;
-            default: machine_.process_event(Event<4>());
+        case 0: machine_.process_event(Event<0>()); break;
+        case 1: machine_.process_event(Event<1>()); break;
+        case 2: machine_.process_event(Event<2>()); break;
+        case 3: machine_.process_event(Event<3>()); break;
+        default: machine_.process_event(Event<4>());
         }
         return machine_.moved;
     }
@@ -362,7 +536,9 @@ public:
     int state() const {
         int found = -1;
         [&]<int... S>(std::integer_sequence<int, S...>) {
-            ((machine_.template state_cast<const statechart::State<N, Acts, S>*>() != nullptr ? void(found = S) : void()), ...);
+            ((machine_.template state_cast<const statechart::State<N, Acts, S>*>() != nullptr ? void(found = S)
+                                                                                              : void()),
+             ...);
         }(std::make_integer_sequence<int, N>{});
         return found;
     }

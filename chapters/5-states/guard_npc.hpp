@@ -26,7 +26,7 @@ using Speed = Quantity<unit::Velocity>;
 
 /// What the machine decides about: the context.
 struct Npc {
-    Length place{};                   ///< along the corridor
+    Length place{}; ///< along the corridor
     Length intruder = 30.0 * metre;
     int blows = 0, shouts = 0;
     Length distance() const { return abs(intruder - place); }
@@ -68,17 +68,13 @@ struct GuardNpc {
     static constexpr auto distance = value("distance", &Npc::distance);
     static constexpr auto sight = band(distance, 8.0 * metre, 1.0 * metre); // seen below 7 m, lost above 9 m
     static constexpr auto machine = states::machine(
-        state("patrol", behaves<Walk>("Walk"),
-              transition(on("noise"), to("search")),
+        state("patrol", behaves<Walk>("Walk"), transition(on("noise"), to("search")),
               transition(when("sees", sight.below()), to("chase"))),
-        state("search",
-              transition(when("sees", sight.below()), to("chase")),
+        state("search", transition(when("sees", sight.below()), to("chase")),
               transition(when("tired", after(3.0 * second)), to("patrol"))),
-        state("chase", behaves<Chase>("Chase"),
-              transition(when("near", distance < 1.0 * metre), to("strike")),
+        state("chase", behaves<Chase>("Chase"), transition(when("near", distance < 1.0 * metre), to("strike")),
               transition(when("lost", sight.above()), to("search"))),
-        state("strike", on_entry("strike", strike),
-              transition(when("rested", after(2.0 * second)), to("chase"))));
+        state("strike", on_entry("strike", strike), transition(when("rested", after(2.0 * second)), to("chase"))));
 };
 //! [machine]
 
@@ -90,8 +86,8 @@ struct Began {
 };
 using Trace = std::vector<Began>;
 
-/// One evening, 45 s at 60 steps a second. `start(npc)` begins, `noise(npc)` tells of a noise, `update(npc, dt)` is a step and
-/// `name()` says which state is active.
+/// One evening, 45 s at 60 steps a second. `start(npc)` begins, `noise(npc)` tells of a noise, `update(npc, dt)` is a
+/// step and `name()` says which state is active.
 inline Trace evening(Npc& npc, auto&& start, auto&& noise, auto&& update, auto&& name) {
     Trace trace;
     auto note = [&](int step) {
@@ -111,11 +107,9 @@ inline Trace evening(Npc& npc, auto&& start, auto&& noise, auto&& update, auto&&
 /// The same with a machine of the library.
 template <class Machine_> Trace evening(Npc& npc, Machine_& machine) {
     const EventId noise = machine.event("noise");
-    return evening(npc,
-        [&](Npc& n) { machine.start(n); },
-        [&](Npc& n) { machine.handle(n, noise); },
-        [&](Npc& n, Time dt) { machine.update(n, dt); },
-        [&] { return machine.active_name(); });
+    return evening(
+        npc, [&](Npc& n) { machine.start(n); }, [&](Npc& n) { machine.handle(n, noise); },
+        [&](Npc& n, Time dt) { machine.update(n, dt); }, [&] { return machine.active_name(); });
 }
 //! [evening]
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a machine costs: an event in every representation, the compiler's time for it, and what a band of hysteresis lets through
+// What a machine costs: an event in every representation, the compiler's time for it, and what a band of hysteresis
+// lets through
 
 // Three axes:
 //
-// - representation: nanoseconds an event, against the number of states, with the same machine by hand and in Boost.Statechart. In
-//   the place of the error stands after how many of 4096 random events the machine was in another state than it should: none.
-//   The events are random, so that the processor cannot learn the way through the machine; a game's events are kinder. The
-//   actions differ from transition to transition, so that a compiler cannot make one of all. Where nothing is done, it turns a
-//   switch by hand into a table of numbers, and that is what Switch and Table are measured against.
-// - compile time: what the compiler takes for a machine of so many states, and how large its code is. A program cannot measure how
-//   it was compiled, so this one writes a source for each row and calls the compiler that it was built with, once each: CPU time
-//   with -O2, and in the place of the work the bytes of code, as the command `size` tells them.
-// - hysteresis: a value stands on the threshold, with normal noise. An update turns the machine when the noise is beyond the far
-//   edge of the band, w sigma away, so that n updates make n erfc(w / sqrt 2) / 2 transitions, give or take the root of that.
+// - representation: nanoseconds an event, against the number of states, with the same machine by hand and in
+// Boost.Statechart. In
+//   the place of the error stands after how many of 4096 random events the machine was in another state than it should:
+//   none. The events are random, so that the processor cannot learn the way through the machine; a game's events are
+//   kinder. The actions differ from transition to transition, so that a compiler cannot make one of all. Where nothing
+//   is done, it turns a switch by hand into a table of numbers, and that is what Switch and Table are measured against.
+// - compile time: what the compiler takes for a machine of so many states, and how large its code is. A program cannot
+// measure how
+//   it was compiled, so this one writes a source for each row and calls the compiler that it was built with, once each:
+//   CPU time with -O2, and in the place of the work the bytes of code, as the command `size` tells them.
+// - hysteresis: a value stands on the threshold, with normal noise. An update turns the machine when the noise is
+// beyond the far
+//   edge of the band, w sigma away, so that n updates make n erfc(w / sqrt 2) / 2 transitions, give or take the root of
+//   that.
 
 #include "compared_machines.hpp"
 #include "costs.hpp"
@@ -46,7 +51,11 @@ namespace {
 
 // ---------------------------------------------------------------- an event
 constexpr int sample = 4096;
-const Axis an_event{.name = "representation", .error_norm = "events after which the state is wrong", .work_unit = "transitions", .time_unit = "ns an event", .has_order = false};
+const Axis an_event{.name = "representation",
+                    .error_norm = "events after which the state is wrong",
+                    .work_unit = "transitions",
+                    .time_unit = "ns an event",
+                    .has_order = false};
 const std::string moves = "changes of state alone", acts = "with an action on every transition";
 
 const std::vector<int>& random_events() {
@@ -73,13 +82,17 @@ template <class M> Outcome check(int n) {
 }
 
 template <class M> void add_row(Costs& costs, const std::string& problem, const char* choice, int n) {
-    costs.add(an_event, {.choice = choice, .problem = problem, .parameter = {"states", double(n)}, .n = n,
-                               .error_run = [n] { return check<M>(n); },
-                               .timed_run = [machine = std::make_shared<M>(), tally = std::make_shared<Tally>()] {
-                                   for (const int event : random_events()) machine->handle(*tally, event);
-                                   return tally->sum + std::uint32_t(machine->state());
-                               },
-                               .per = double(sample)});
+    costs.add(an_event, {.choice = choice,
+                         .problem = problem,
+                         .parameter = {"states", double(n)},
+                         .n = n,
+                         .error_run = [n] { return check<M>(n); },
+                         .timed_run =
+                             [machine = std::make_shared<M>(), tally = std::make_shared<Tally>()] {
+                                 for (const int event : random_events()) machine->handle(*tally, event);
+                                 return tally->sum + std::uint32_t(machine->state());
+                             },
+                         .per = double(sample)});
 }
 template <int N, bool Acts> void add_rows(Costs& costs, const std::string& problem) {
     if constexpr (N == 10) add_row<HandSwitch<Acts>>(costs, problem, "switch by hand", N);
@@ -100,12 +113,17 @@ void summarise(std::ostream& out, const Rows& all, const std::filesystem::path& 
         if (row.axis == an_event.name && row.time && *row.n == 10) time[row.problem][row.choice] = *row.time;
     if (time.empty()) return;
     out << "\nTen states, 45 transitions: how many times the machine by hand each takes\n";
-    const std::vector<std::pair<std::string, std::string>> pairs{{"Switch", "switch by hand"}, {"Table", "switch by hand"}, {"Interpreted", "switch by hand"}, {"StatePattern", "virtual calls by hand"}};
+    const std::vector<std::pair<std::string, std::string>> pairs{{"Switch", "switch by hand"},
+                                                                 {"Table", "switch by hand"},
+                                                                 {"Interpreted", "switch by hand"},
+                                                                 {"StatePattern", "virtual calls by hand"}};
     for (auto& [problem, of] : time) {
         out << "  " << problem << '\n';
         for (const auto& [choice, by_hand] : pairs)
             if (of.count(choice) && of.count(by_hand))
-                out << "    " << std::left << std::setw(14) << choice << std::right << std::fixed << std::setprecision(2) << std::setw(7) << of[choice] / of[by_hand] << " times the " << by_hand << '\n';
+                out << "    " << std::left << std::setw(14) << choice << std::right << std::fixed
+                    << std::setprecision(2) << std::setw(7) << of[choice] / of[by_hand] << " times the " << by_hand
+                    << '\n';
     }
     out << std::defaultfloat << std::setprecision(6);
 
@@ -130,11 +148,15 @@ void add_events(Costs& costs) {
 }
 
 // ---------------------------------------------------------------- the compiler
-const Axis compile_time{.name = "compile time", .error_norm = "CPU seconds of the compiler", .work_unit = "bytes of code", .has_order = false};
+const Axis compile_time{.name = "compile time",
+                        .error_norm = "CPU seconds of the compiler",
+                        .work_unit = "bytes of code",
+                        .has_order = false};
 
 std::string number(int i) { return std::to_string(i); }
 /// What is written for each transition: state, event, next state; and what stands around the transitions of a state.
-std::string each(int n, const std::function<std::string(int)>& before, const std::function<std::string(int, int, int, bool)>& transition, const std::string& after) {
+std::string each(int n, const std::function<std::string(int)>& before,
+                 const std::function<std::string(int, int, int, bool)>& transition, const std::string& after) {
     std::string text;
     for (int s = 0; s < n; ++s) {
         text += before(s);
@@ -145,45 +167,83 @@ std::string each(int n, const std::function<std::string(int)>& before, const std
     }
     return text;
 }
-const std::string context = "struct Tally { unsigned sum = 0; };\ntemplate <int S, int E> inline void act(Tally& t) { t.sum = 3 * t.sum + S * 5 + E; }\n";
+const std::string context = "struct Tally { unsigned sum = 0; };\ntemplate <int S, int E> inline void act(Tally& t) { "
+                            "t.sum = 3 * t.sum + S * 5 + E; }\n";
 
 std::string by_switch(int n) {
     return context + "int handle(Tally& t, int state, int event) {\n    switch (state) {\n" +
-           each(n, [](int s) { return "        case " + number(s) + ": switch (event) {\n"; },
-                [](int s, int e, int to, bool) { return "            case " + number(e) + ": act<" + number(s) + ", " + number(e) + ">(t); return " + number(to) + ";\n"; }, "        } break;\n") +
-           "    }\n    return state;\n}\nint main(int argc, char**) { Tally t; return handle(t, argc, argc) + int(t.sum); }\n";
+           each(
+               n, [](int s) { return "        case " + number(s) + ": switch (event) {\n"; },
+               [](int s, int e, int to, bool) {
+                   return "            case " + number(e) + ": act<" + number(s) + ", " + number(e) + ">(t); return " +
+                          number(to) + ";\n";
+               },
+               "        } break;\n") +
+           "    }\n    return state;\n}\nint main(int argc, char**) { Tally t; return handle(t, argc, argc) + "
+           "int(t.sum); }\n";
 }
 std::string by_classes(int n) {
     return context + "struct State { virtual int handle(Tally&, int) const = 0; };\n" +
-           each(n, [](int s) { return "struct S" + number(s) + " final : State { int handle(Tally& t, int event) const override { switch (event) {\n"; },
-                [](int s, int e, int to, bool) { return "    case " + number(e) + ": act<" + number(s) + ", " + number(e) + ">(t); return " + number(to) + ";\n"; },
-                "    } return -1; } };\n") +
-           "int main(int argc, char**) {\n    Tally t;\n" + each(n, [](int s) { return "    static const S" + number(s) + " s" + number(s) + ";\n"; }, [](int, int, int, bool) { return std::string(); }, "") +
-           "    const State* all[] = {" + each(n, [](int s) { return "&s" + number(s) + ", "; }, [](int, int, int, bool) { return std::string(); }, "") +
+           each(
+               n,
+               [](int s) {
+                   return "struct S" + number(s) +
+                          " final : State { int handle(Tally& t, int event) const override { switch (event) {\n";
+               },
+               [](int s, int e, int to, bool) {
+                   return "    case " + number(e) + ": act<" + number(s) + ", " + number(e) + ">(t); return " +
+                          number(to) + ";\n";
+               },
+               "    } return -1; } };\n") +
+           "int main(int argc, char**) {\n    Tally t;\n" +
+           each(
+               n, [](int s) { return "    static const S" + number(s) + " s" + number(s) + ";\n"; },
+               [](int, int, int, bool) { return std::string(); }, "") +
+           "    const State* all[] = {" +
+           each(
+               n, [](int s) { return "&s" + number(s) + ", "; }, [](int, int, int, bool) { return std::string(); },
+               "") +
            "};\n    return all[argc]->handle(t, argc) + int(t.sum);\n}\n";
 }
 std::string by_library(int n, const std::string& representation) {
-    return "#include <ansatz/states.hpp>\n" + context + "using namespace ansatz::states;\nstruct Described {\n    using Context = Tally;\n    static constexpr auto machine = ansatz::states::machine(\n" +
-           each(n, [](int s) { return std::string(s == 0 ? "" : ",\n") + "        state(\"s" + number(s) + "\""; },
-                [](int s, int e, int to, bool) {
-                    return ",\n            transition(on(\"e" + number(e) + "\"), then(act<" + number(s) + ", " + number(e) + ">), ansatz::states::to(\"s" + number(to) + "\"))";
-                },
-                ")") +
-           ");\n};\nint main(int argc, char**) {\n    Tally t;\n    ansatz::Machine<Described, ansatz::" + representation +
-           "> machine;\n    machine.start(t);\n    machine.handle(t, ansatz::EventId(argc));\n    return int(t.sum);\n}\n";
+    return "#include <ansatz/states.hpp>\n" + context +
+           "using namespace ansatz::states;\nstruct Described {\n    using Context = Tally;\n    static constexpr auto "
+           "machine = ansatz::states::machine(\n" +
+           each(
+               n, [](int s) { return std::string(s == 0 ? "" : ",\n") + "        state(\"s" + number(s) + "\""; },
+               [](int s, int e, int to, bool) {
+                   return ",\n            transition(on(\"e" + number(e) + "\"), then(act<" + number(s) + ", " +
+                          number(e) + ">), ansatz::states::to(\"s" + number(to) + "\"))";
+               },
+               ")") +
+           ");\n};\nint main(int argc, char**) {\n    Tally t;\n    ansatz::Machine<Described, ansatz::" +
+           representation +
+           "> machine;\n    machine.start(t);\n    machine.handle(t, ansatz::EventId(argc));\n    return "
+           "int(t.sum);\n}\n";
 }
 const std::string headers_of_statechart =
-    "#include <boost/mpl/list.hpp>\n#include <boost/statechart/simple_state.hpp>\n#include <boost/statechart/state_machine.hpp>\n#include <boost/statechart/transition.hpp>\n";
+    "#include <boost/mpl/list.hpp>\n#include <boost/statechart/simple_state.hpp>\n#include "
+    "<boost/statechart/state_machine.hpp>\n#include <boost/statechart/transition.hpp>\n";
 std::string by_statechart(int n) {
-    std::string text = headers_of_statechart + context + "namespace sc = boost::statechart;\ntemplate <int E> struct Event : sc::event<Event<E>> {};\n";
-    text += each(n, [](int s) { return "struct S" + number(s) + ";\n"; }, [](int, int, int, bool) { return std::string(); }, "");
-    text += "struct Machine : sc::state_machine<Machine, S0> {\n    Tally t;\n    template <int S, int E> void took(const Event<E>&) { act<S, E>(t); }\n};\n";
-    text += each(n, [](int s) { return "struct S" + number(s) + " : sc::simple_state<S" + number(s) + ", Machine> {\n    using reactions = boost::mpl::list<"; },
-                 [](int s, int e, int to, bool first) {
-                     return std::string(first ? "" : ", ") + "sc::transition<Event<" + number(e) + ">, S" + number(to) + ", Machine, &Machine::took<" + number(s) + ", " + number(e) + ">>";
-                 },
-                 ">;\n};\n");
-    return text + "int main() {\n    Machine machine;\n    machine.initiate();\n    machine.process_event(Event<0>());\n    return int(machine.t.sum);\n}\n";
+    std::string text = headers_of_statechart + context +
+                       "namespace sc = boost::statechart;\ntemplate <int E> struct Event : sc::event<Event<E>> {};\n";
+    text += each(
+        n, [](int s) { return "struct S" + number(s) + ";\n"; }, [](int, int, int, bool) { return std::string(); }, "");
+    text += "struct Machine : sc::state_machine<Machine, S0> {\n    Tally t;\n    template <int S, int E> void "
+            "took(const Event<E>&) { act<S, E>(t); }\n};\n";
+    text += each(
+        n,
+        [](int s) {
+            return "struct S" + number(s) + " : sc::simple_state<S" + number(s) +
+                   ", Machine> {\n    using reactions = boost::mpl::list<";
+        },
+        [](int s, int e, int to, bool first) {
+            return std::string(first ? "" : ", ") + "sc::transition<Event<" + number(e) + ">, S" + number(to) +
+                   ", Machine, &Machine::took<" + number(s) + ", " + number(e) + ">>";
+        },
+        ">;\n};\n");
+    return text + "int main() {\n    Machine machine;\n    machine.initiate();\n    "
+                  "machine.process_event(Event<0>());\n    return int(machine.t.sum);\n}\n";
 }
 
 double seconds_of_children() {
@@ -197,19 +257,24 @@ workbook::Number code_of(const std::string& object) {
     if (FILE* out = popen(("size " + object + " 2> /dev/null").c_str(), "r")) {
         char line[200];
         double text = 0;
-        if (std::fgets(line, sizeof line, out) && std::fgets(line, sizeof line, out) && std::sscanf(line, "%lf", &text) == 1) bytes = text;
+        if (std::fgets(line, sizeof line, out) && std::fgets(line, sizeof line, out) &&
+            std::sscanf(line, "%lf", &text) == 1)
+            bytes = text;
         pclose(out);
     }
     return bytes;
 }
 /// Compiles a source.
 Outcome compile(const std::string& source) {
-    const auto folder = std::filesystem::temp_directory_path() / ("ansatz-compile-" + number(int(std::hash<std::string>{}(source) % 1000000007)));
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("ansatz-compile-" + number(int(std::hash<std::string>{}(source) % 1000000007)));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "machine.cpp") << source;
     const std::string object = (folder / "machine.o").string();
     const double before = seconds_of_children();
-    const bool compiled = std::system((std::string(ANSATZ_COMPILE) + " -O2 -c " + (folder / "machine.cpp").string() + " -o " + object + " 2> " + (folder / "said").string()).c_str()) == 0;
+    const bool compiled = std::system((std::string(ANSATZ_COMPILE) + " -O2 -c " + (folder / "machine.cpp").string() +
+                                       " -o " + object + " 2> " + (folder / "said").string())
+                                          .c_str()) == 0;
     const double seconds = seconds_of_children() - before;
     Outcome outcome{.error = seconds, .diverged = !compiled}; // what does not compile is shown as such, never left out
     if (compiled) outcome.work = code_of(object);
@@ -232,7 +297,11 @@ void picture_of_compiling(std::ostream&, const Rows& all, const std::filesystem:
 }
 void add_compile_time(Costs& costs) {
     const auto add = [&](const std::string& choice, int n, const std::string& source) {
-        costs.add(compile_time, {.choice = choice, .problem = "an action on every transition", .parameter = {"states", double(n)}, .n = n, .error_run = [source] { return compile(source); }});
+        costs.add(compile_time, {.choice = choice,
+                                 .problem = "an action on every transition",
+                                 .parameter = {"states", double(n)},
+                                 .n = n,
+                                 .error_run = [source] { return compile(source); }});
     };
     add("the headers of Ansatz", 0, "#include <ansatz/states.hpp>\nint main() {}\n");
     add("the headers of Boost.Statechart", 0, headers_of_statechart + "int main() {}\n");
@@ -247,7 +316,11 @@ void add_compile_time(Costs& costs) {
 
 // ---------------------------------------------------------------- a band of hysteresis
 constexpr int updates = 100000;
-const Axis width{.name = "hysteresis", .error_norm = "|transitions - law| / sqrt(law)", .work_unit = "transitions in 100000 updates", .time_unit = "ns an update", .has_order = false};
+const Axis width{.name = "hysteresis",
+                 .error_norm = "|transitions - law| / sqrt(law)",
+                 .work_unit = "transitions in 100000 updates",
+                 .time_unit = "ns an update",
+                 .has_order = false};
 
 struct Ear {
     Quantity<unit::Length> distance = 1.0 * metre;
@@ -256,10 +329,12 @@ constexpr auto sigma = 0.05 * metre;
 /// A band of half-width (quarters / 4) sigma.
 template <int Quarters> struct Sentry {
     using Context = Ear;
-    static constexpr auto edge = states::band(states::value("distance", &Ear::distance), 1.0 * metre, Quarters * 0.25 * sigma);
+    static constexpr auto edge =
+        states::band(states::value("distance", &Ear::distance), 1.0 * metre, Quarters * 0.25 * sigma);
     static constexpr auto machine = [] {
         using namespace states;
-        return states::machine(state("near", transition(when(edge.above()), to("far"))), state("far", transition(when(edge.below()), to("near"))));
+        return states::machine(state("near", transition(when(edge.above()), to("far"))),
+                               state("far", transition(when(edge.below()), to("near"))));
     }();
 };
 
@@ -268,7 +343,8 @@ const std::vector<Quantity<unit::Length>>& measurements() {
         std::mt19937_64 random(6);
         const auto uniform = [&] { return (double(random() >> 11) + 0.5) * 0x1p-53; };
         std::vector<Quantity<unit::Length>> list;
-        for (int i = 0; i < updates; ++i) list.push_back(1.0 * metre + std::sqrt(-2 * std::log(uniform())) * std::cos(2 * M_PI * uniform()) * sigma);
+        for (int i = 0; i < updates; ++i)
+            list.push_back(1.0 * metre + std::sqrt(-2 * std::log(uniform())) * std::cos(2 * M_PI * uniform()) * sigma);
         return list;
     }();
     return all;
@@ -288,11 +364,15 @@ template <int Quarters> int transitions() {
 }
 template <int Quarters> void add_row(Costs& costs) {
     const double w = 0.25 * Quarters;
-    costs.add(width, {.choice = "band(value, threshold, w sigma)", .problem = "normal noise on the threshold", .parameter = {"w", w},
-                      .error_run = [w] {
-                          const int counted = transitions<Quarters>();
-                          return Outcome{.error = std::abs(counted - law(w)) / std::sqrt(law(w)), .work = double(counted)};
-                      },
+    costs.add(width, {.choice = "band(value, threshold, w sigma)",
+                      .problem = "normal noise on the threshold",
+                      .parameter = {"w", w},
+                      .error_run =
+                          [w] {
+                              const int counted = transitions<Quarters>();
+                              return Outcome{.error = std::abs(counted - law(w)) / std::sqrt(law(w)),
+                                             .work = double(counted)};
+                          },
                       .timed_run = [] { return transitions<Quarters>(); },
                       .per = double(updates)});
 }
@@ -300,7 +380,8 @@ template <int Quarters> void add_row(Costs& costs) {
 void picture_of_widths(std::ostream&, const Rows& all, const std::filesystem::path& folder) {
     std::vector<double> widths, counted, fine;
     for (const Row& row : all)
-        if (row.axis == width.name && row.work && *row.work > 0) widths.push_back(*row.parameter.value), counted.push_back(*row.work);
+        if (row.axis == width.name && row.work && *row.work > 0)
+            widths.push_back(*row.parameter.value), counted.push_back(*row.work);
     if (widths.empty()) return;
     for (double w = 0; w <= 5; w += 0.1) fine.push_back(w);
     workbook::Plot plot("", "What a band of hysteresis lets through");

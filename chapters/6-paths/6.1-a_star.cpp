@@ -51,10 +51,7 @@ int main() {
     workbook::Claims claim;
 
     //! [search]
-    const auto map = grid_from<Grid<>>({"...#...",
-                                        "...#...",
-                                        "...#...",
-                                        "......."});
+    const auto map = grid_from<Grid<>>({"...#...", "...#...", "...#...", "......."});
     const Cell start{1, 1}, goal{5, 1};
     AStar search{map, Octile{}}; // it counts in whole numbers: a straight step of a tile is 33461
     //! [search]

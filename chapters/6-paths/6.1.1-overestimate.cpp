@@ -34,10 +34,7 @@ int main() {
     // A road along the upper edge, on which a step costs half as much.
     //! [road]
     using Country = Grid<Eight<>, Terrain>;
-    auto country = grid_from<Country>({"..............",
-                                       "..............",
-                                       "..............",
-                                       ".............."});
+    auto country = grid_from<Country>({"..............", "..............", "..............", ".............."});
     for (std::uint16_t column = 0; column < 14; ++column) country.set_weight({column, 0}, 0.5);
     const Cell farm{0, 2}, town{13, 2};
 

@@ -82,11 +82,7 @@ int main() {
 
     // Our grid in an algorithm of Boost.Graph.
     //! [dijkstra]
-    const auto map = grid_from<Grid<>>({".........",
-                                        ".#######.",
-                                        ".......#.",
-                                        ".#####.#.",
-                                        ".#.....#."});
+    const auto map = grid_from<Grid<>>({".........", ".#######.", ".......#.", ".#####.#.", ".#.....#."});
     const Cell start{2, 4}, goal{8, 4};
     std::vector<double> costs(num_vertices(map));
     std::vector<Cell> parents(num_vertices(map));

@@ -31,12 +31,8 @@ int main() {
 
     // Tiles of two metres, a swamp of weight 4 between start and goal.
     //! [mud]
-    const std::vector<std::string_view> rows{"..............",
-                                             "....444444....",
-                                             "....444444....",
-                                             "....444444....",
-                                             "....444444....",
-                                             ".............."};
+    const std::vector<std::string_view> rows{"..............", "....444444....", "....444444....",
+                                             "....444444....", "....444444....", ".............."};
     const auto swamp = grid_from<Grid<Eight<>, Terrain>>(rows, 2.0 * metre);
     const Cell start{1, 3}, goal{12, 3};
     AStar quickest{swamp, Octile{}};

@@ -41,14 +41,12 @@ struct Felling {
     static constexpr auto machine = states::machine(
         states::transition(states::on("fell_the_tree"), states::to("fell the tree")),
         states::transition(states::on("gather_branches"), states::to("gather branches")),
-        states::transition(states::on("light_a_fire"), states::to("light a fire")),
-        states::state("stand about"),
+        states::transition(states::on("light_a_fire"), states::to("light a fire")), states::state("stand about"),
         states::state("fell the tree", states::each_update([](Woodcutter& w) { ++w.blows; }),
                       states::transition(states::when([](const Woodcutter& w) { return w.blows == 5; }),
                                          states::then(does(0)), states::to("done"))),
-        states::state("gather branches",
-                      states::transition(states::when(states::after(3.0 * second)),
-                                         states::then(does(1)), states::to("done"))),
+        states::state("gather branches", states::transition(states::when(states::after(3.0 * second)),
+                                                            states::then(does(1)), states::to("done"))),
         states::state("light a fire", states::on_entry(does(2)), states::transition(states::to("done"))),
         states::state("done"));
 };

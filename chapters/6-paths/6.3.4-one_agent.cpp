@@ -7,10 +7,10 @@
 // way out, that one of them steps into the bay and lets the other pass, is a detour that neither would choose for
 // itself.
 //
-// A* does find it, over another graph: its nodes are both places at once. But that graph has n^2 nodes for two agents and
-// n^k for k, and that is the difficulty. How hard it is at least depends on the rules: the shortest plan on a grid is
-// NP-hard, to find any plan on an undirected graph is not, and PSPACE-hard are rectangles that slide in a rectangle. (A
-// part of section 6.3.)
+// A* does find it, over another graph: its nodes are both places at once. But that graph has n^2 nodes for two agents
+// and n^k for k, and that is the difficulty. How hard it is at least depends on the rules: the shortest plan on a grid
+// is NP-hard, to find any plan on an undirected graph is not, and PSPACE-hard are rectangles that slide in a rectangle.
+// (A part of section 6.3.)
 
 #include "claims.hpp"
 #include "drawing.hpp"
@@ -34,9 +34,7 @@ using namespace ansatz::paths;
 namespace {
 
 using Corridor = Grid<Four>;
-const auto map = grid_from<Corridor>({"####.####",
-                                      ".........",
-                                      "#########"});
+const auto map = grid_from<Corridor>({"####.####", ".........", "#########"});
 const Cell a_start{0, 1}, a_goal{8, 1}, b_start{8, 1}, b_goal{0, 1};
 
 drawing::Rows drawn(Cell a, Cell b) {

@@ -129,8 +129,8 @@ void add_row(Costs& costs, const Axis& axis, const std::shared_ptr<const Scene>&
                      .per = double(scene->queries.size())});
 }
 
-/// By how much a path is longer than the best. Both lengths are sums of straight and of diagonal steps; below 1e-12 they
-/// are the same.
+/// By how much a path is longer than the best. Both lengths are sums of straight and of diagonal steps; below 1e-12
+/// they are the same.
 constexpr auto longer = [](const auto& search, const Query& q) {
     const double too_long = search.graph().tiles(search.path()) / q.best - 1;
     return too_long < 1e-12 ? 0 : too_long;

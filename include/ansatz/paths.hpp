@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Everything of the module `paths`: A* over Boost.Graph's graphs, grids, way points, heuristics, and planning with goals
-/// (notes 6). All of it lives in the namespace ansatz::paths, goal oriented action planning in ansatz::goap.
+/// Everything of the module `paths`: A* over Boost.Graph's graphs, grids, way points, heuristics, and planning with
+/// goals (notes 6). All of it lives in the namespace ansatz::paths, goal oriented action planning in ansatz::goap.
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/boost_a_star.hpp>

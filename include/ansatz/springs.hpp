@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Chapter 3, springs: Hooke's law, springs and ropes between bodies, the stable step; with the solver that ImplicitEuler
-/// needs where springs couple bodies.
+/// Chapter 3, springs: Hooke's law, springs and ropes between bodies, the stable step; with the solver that
+/// ImplicitEuler needs where springs couple bodies.
 
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/springs/hooke.hpp>

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// Chapter 5, choice and states: finite state machines, described once, in four representations; guards that see crossings,
-/// bands and times; writing, drawing and checking them. Reading them from a file needs pugixml and is states/scxml.hpp.
+/// Chapter 5, choice and states: finite state machines, described once, in four representations; guards that see
+/// crossings, bands and times; writing, drawing and checking them. Reading them from a file needs pugixml and is
+/// states/scxml.hpp.
 
 #include <ansatz/states/check.hpp>
 #include <ansatz/states/dot.hpp>

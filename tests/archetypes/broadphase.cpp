@@ -31,11 +31,15 @@ struct FindsInside : NothingMore {
         const std::uint32_t* order(const Boxes<Sp>&) { return nullptr; }
         void arrange(Lot<Sp>&, std::size_t, std::size_t) {}
         template <class F> void among(const Lot<Sp>&, std::size_t, std::size_t, F&&) const {}
-        template <class F> void between(const Lot<Sp>&, std::size_t, std::size_t, std::size_t, std::size_t, F&&) const {}
+        template <class F>
+        void between(const Lot<Sp>&, std::size_t, std::size_t, std::size_t, std::size_t, F&&) const {}
     };
 };
 static_assert(InsideIn<FindsInside, S>);
-auto of_inside() { return use(World{SemiImplicitEuler{}, UniformGrid<FindsInside>{{}, FindsInside(1)}, Narrowphase<Sphere>{}, Impulse<>{}}); }
+auto of_inside() {
+    return use(
+        World{SemiImplicitEuler{}, UniformGrid<FindsInside>{{}, FindsInside(1)}, Narrowphase<Sphere>{}, Impulse<>{}});
+}
 
 // Models: the library's, and one that refuses a parameter and is a final class.
 struct Nearest final {
@@ -50,9 +54,12 @@ struct Nearest final {
     };
 };
 static_assert(BroadphaseIn<AllPairs, S> && BroadphaseIn<Octree<SortAndSweep>, S> && BroadphaseIn<Nearest, S>);
-static_assert(InsideIn<BoundingBoxes, S> && InsideIn<SortAndSweep, Space<float, 2>> && !InsideIn<AllPairs, S> && !InsideIn<Octree<>, S>);
-static_assert(detail::BroadphaseFacts<Octree<SortAndSweep>, S>::ok && !detail::BroadphaseFacts<Octree<AllPairs>, S>::ok);
-static_assert(!detail::BroadphaseFacts<UniformGrid<Octree<>>, S>::inside && !detail::BroadphaseFacts<BinarySplit<Gravity>, S>::inside);
+static_assert(InsideIn<BoundingBoxes, S> && InsideIn<SortAndSweep, Space<float, 2>> && !InsideIn<AllPairs, S> &&
+              !InsideIn<Octree<>, S>);
+static_assert(detail::BroadphaseFacts<Octree<SortAndSweep>, S>::ok &&
+              !detail::BroadphaseFacts<Octree<AllPairs>, S>::ok);
+static_assert(!detail::BroadphaseFacts<UniformGrid<Octree<>>, S>::inside &&
+              !detail::BroadphaseFacts<BinarySplit<Gravity>, S>::inside);
 auto of_nearest() { return use(World{Verlet{}, Nearest{}, Narrowphase<Sphere, Plane>{}, Projection{}}); }
 
 // Near misses.
@@ -83,7 +90,8 @@ struct ChangesTheBoxes {
         template <class F> void find(Boxes<Sp>&, F&&);
     };
 };
-static_assert(!BroadphaseIn<WithoutFunction, S> && !BroadphaseIn<NotMadeFromIt, S> && !BroadphaseIn<AsAFilter, S> && !BroadphaseIn<ChangesTheBoxes, S>);
+static_assert(!BroadphaseIn<WithoutFunction, S> && !BroadphaseIn<NotMadeFromIt, S> && !BroadphaseIn<AsAFilter, S> &&
+              !BroadphaseIn<ChangesTheBoxes, S>);
 static_assert(!BroadphaseIn<Gravity, S> && !BroadphaseIn<int, S>);
 
 } // namespace ansatz::archetypes

@@ -72,7 +72,8 @@ struct OfAnotherKind { // a law that says it couples
         typename Sp::Acceleration acceleration(const auto&) const;
     };
 };
-static_assert(!CouplingIn<DoesNotSaySo, S> && !CouplingIn<SaysNo, S> && !CouplingIn<WithoutContext, S> && !CouplingIn<NoColumns, S>);
+static_assert(!CouplingIn<DoesNotSaySo, S> && !CouplingIn<SaysNo, S> && !CouplingIn<WithoutContext, S> &&
+              !CouplingIn<NoColumns, S>);
 static_assert(!CouplingIn<OfAnotherKind, S> && !ForceIn<OfAnotherKind, S> && !CouplingIn<Gravity, S>);
 
 } // namespace ansatz::archetypes

@@ -32,7 +32,8 @@ struct WithoutMotion : NothingMore {
 static_assert(DifferentiableIn<WithJacobian, S> && DifferentiableIn<WithoutMotion, S>);
 auto of_derivatives() { return use(World{ImplicitEuler{}, WithJacobian(1), WithoutMotion(1)}); }
 
-static_assert(DifferentiableIn<QuadraticDrag, Space<float, 2>> && DifferentiableIn<Gravity, S> && DifferentiableIn<Gravity, Space<float, 2>>);
+static_assert(DifferentiableIn<QuadraticDrag, Space<float, 2>> && DifferentiableIn<Gravity, S> &&
+              DifferentiableIn<Gravity, Space<float, 2>>);
 
 // Near misses: no derivative, half of one, one with other arguments; and a force between bodies.
 template <class Derivative> struct Candidate {
@@ -57,8 +58,9 @@ struct Changing {
     Jacobian<S> jacobian(const auto&, const auto&);
 };
 static_assert(LawIn<Candidate<None>, S> && LawIn<Candidate<Half>, S>);
-static_assert(!DifferentiableIn<Candidate<None>, S> && !DifferentiableIn<Candidate<Half>, S> && !DifferentiableIn<Candidate<OfAnotherArity>, S> &&
-              !DifferentiableIn<Candidate<Changing>, S> && !DifferentiableIn<Attraction, S> && !DifferentiableIn<Drag, S>);
+static_assert(!DifferentiableIn<Candidate<None>, S> && !DifferentiableIn<Candidate<Half>, S> &&
+              !DifferentiableIn<Candidate<OfAnotherArity>, S> && !DifferentiableIn<Candidate<Changing>, S> &&
+              !DifferentiableIn<Attraction, S> && !DifferentiableIn<Drag, S>);
 
 struct CouplesWithJacobian : NothingMore {
     using NothingMore::NothingMore;
@@ -68,7 +70,8 @@ struct CouplesWithJacobian : NothingMore {
     template <class> struct In : NothingMore {
         explicit In(const CouplesWithJacobian&) : NothingMore(0) {}
         void couple(CouplingView<S, CouplesWithJacobian>&, const Context<S, false>&) const {}
-        template <class Add> void jacobian(const ObserverView<S, CouplesWithJacobian>&, const Context<S, false>&, Add&&) const {}
+        template <class Add>
+        void jacobian(const ObserverView<S, CouplesWithJacobian>&, const Context<S, false>&, Add&&) const {}
         template <class F> void stiffnesses(const ObserverView<S, CouplesWithJacobian>&, F&&) const {}
     };
 };
@@ -97,7 +100,8 @@ struct WithoutView : OnlyStiffnesses {
     void jacobian(const auto&, auto&& add) const;
 };
 static_assert(CouplingIn<CouplingCandidate<None>, S> && !DifferentiableCouplingIn<CouplingCandidate<None>, S>);
-static_assert(!DifferentiableCouplingIn<CouplingCandidate<OnlyJacobian>, S> && !DifferentiableCouplingIn<CouplingCandidate<OnlyStiffnesses>, S>);
+static_assert(!DifferentiableCouplingIn<CouplingCandidate<OnlyJacobian>, S> &&
+              !DifferentiableCouplingIn<CouplingCandidate<OnlyStiffnesses>, S>);
 static_assert(!DifferentiableCouplingIn<CouplingCandidate<WithoutView>, S> && !DifferentiableCouplingIn<Attraction, S>);
 
 } // namespace ansatz::archetypes

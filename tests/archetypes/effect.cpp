@@ -30,10 +30,11 @@ struct ActsOnMore : NothingMore {
         void apply(S::Position&, const S::Velocity&, const Context<S, true>&) const {}
     };
 };
-static_assert(EffectIn<Acts<Place::before_forces>, S> && EffectIn<Acts<Place::end_of_step>, S> && EffectIn<ActsOnMore, S>);
+static_assert(EffectIn<Acts<Place::before_forces>, S> && EffectIn<Acts<Place::end_of_step>, S> &&
+              EffectIn<ActsOnMore, S>);
 auto of_effects() {
-    return use(World{SemiImplicitEuler{}, Acts<Place::before_forces>(1), Acts<Place::after_integration>(1), Acts<Place::end_of_step>(1),
-                     ActsOnMore(1)});
+    return use(World{SemiImplicitEuler{}, Acts<Place::before_forces>(1), Acts<Place::after_integration>(1),
+                     Acts<Place::end_of_step>(1), ActsOnMore(1)});
 }
 auto of_effects_on_history() { return use(World{Verlet{}, Attraction{}, Acts<Place::end_of_step>(1), ActsOnMore(1)}); }
 

@@ -26,7 +26,8 @@ struct Passes : NothingMore {
 static_assert(FilterIn<Passes, S> && FilterIn<Passes, Space<float, 2>>);
 auto of_filter() {
     World world{SemiImplicitEuler{}, AllPairs{}, Passes(1), Narrowphase<Sphere>{}, Impulse<>{}};
-    world.add(Sphere{1.0 * metre}, mass(1.0 * kilogram)); // the archetype's own is the second: it is asked about the two
+    world.add(Sphere{1.0 * metre},
+              mass(1.0 * kilogram)); // the archetype's own is the second: it is asked about the two
     return use(world);
 }
 
@@ -37,12 +38,16 @@ struct Approaching {
     template <class Sp> struct In {
         explicit In(Approaching) {}
         bool passes(const auto& a, const auto& b) const {
-            return dot(a.template get<Position>() - b.template get<Position>(), a.template get<Velocity>() - b.template get<Velocity>()).value() < 0;
+            return dot(a.template get<Position>() - b.template get<Position>(),
+                       a.template get<Velocity>() - b.template get<Velocity>())
+                       .value() < 0;
         }
     };
 };
 static_assert(FilterIn<Layers, S> && FilterIn<Layers, Space<float, 2>> && FilterIn<Approaching, S>);
-auto of_approaching() { return use(World{SemiImplicitEuler{}, BoundingBoxes{}, Approaching{}, Narrowphase<Sphere>{}, Impulse<>{}}); }
+auto of_approaching() {
+    return use(World{SemiImplicitEuler{}, BoundingBoxes{}, Approaching{}, Narrowphase<Sphere>{}, Impulse<>{}});
+}
 
 // Near misses.
 struct OfOneBody {
@@ -76,7 +81,8 @@ struct PassesNotConst {
         bool passes(const auto&, const auto&);
     };
 };
-static_assert(!FilterIn<OfOneBody, S> && !FilterIn<ReadsNothingDeclared, S> && !FilterIn<AnswersNothing, S> && !FilterIn<PassesNotConst, S>);
+static_assert(!FilterIn<OfOneBody, S> && !FilterIn<ReadsNothingDeclared, S> && !FilterIn<AnswersNothing, S> &&
+              !FilterIn<PassesNotConst, S>);
 static_assert(!FilterIn<AllPairs, S> && !FilterIn<int, S>);
 
 } // namespace ansatz::archetypes

@@ -22,11 +22,15 @@ struct OfHistory : NothingMore {
     using writes = Columns<PreviousPosition, Position>;
     using scratch = Columns<ScratchVector<unit::Length>>;
     static constexpr int stages = 2;
-    static void advance(Stage<0>, S::Position&, S::Position&, S::Position&, const S::Acceleration&, const TimeStep<S>&) {}
-    static void advance(Stage<1>, S::Position&, S::Position&, S::Position&, const S::Acceleration&, const TimeStep<S>&) {}
+    static void advance(Stage<0>, S::Position&, S::Position&, S::Position&, const S::Acceleration&,
+                        const TimeStep<S>&) {}
+    static void advance(Stage<1>, S::Position&, S::Position&, S::Position&, const S::Acceleration&,
+                        const TimeStep<S>&) {}
     static S::Velocity mean_velocity(const S::Position&, const S::Position&, const S::Time&) { return {}; }
     static S::Velocity velocity_now(const S::Velocity&, const S::Acceleration&, const S::Time&) { return {}; }
-    static S::Position history(const S::Position&, const S::Velocity&, const S::Acceleration&, const S::Time&) { return {}; }
+    static S::Position history(const S::Position&, const S::Velocity&, const S::Acceleration&, const S::Time&) {
+        return {};
+    }
 };
 /// Solves for the next state.
 struct OneThatSolves : NothingMore {
@@ -40,7 +44,8 @@ struct OneThatSolves : NothingMore {
 };
 static_assert(StagedIntegratorIn<OneStaged, S> && IntegratorIn<OneStaged, S> && !SolvingIntegratorIn<OneStaged, S>);
 static_assert(StagedIntegratorIn<OfHistory, S> && IntegratorIn<OfHistory, S>);
-static_assert(SolvingIntegratorIn<OneThatSolves, S> && IntegratorIn<OneThatSolves, S> && !StagedIntegratorIn<OneThatSolves, S>);
+static_assert(SolvingIntegratorIn<OneThatSolves, S> && IntegratorIn<OneThatSolves, S> &&
+              !StagedIntegratorIn<OneThatSolves, S>);
 auto of_one_stage() { return use(World{OneStaged(1), Gravity{}, Drag{}}); }
 auto of_history() { return use(World{OfHistory(1), Gravity{}, Drag{}}); }
 auto of_history_coupled() { return use(World{OfHistory(1), Attraction{}, QuadraticDrag{}}); }
@@ -81,8 +86,9 @@ struct ForgetsScratch {
     static constexpr int stages = 1;
     static void advance(Stage<0>, auto& x, auto& v, const auto& a, const auto& dt);
 };
-static_assert(!IntegratorIn<LacksAStage, S> && !IntegratorIn<ByValue, S> && !IntegratorIn<HistoryWithoutItsMeaning, S> &&
-              !IntegratorIn<WithoutPosition, S> && !IntegratorIn<ForgetsScratch, S> && !IntegratorIn<Gravity, S>);
+static_assert(!IntegratorIn<LacksAStage, S> && !IntegratorIn<ByValue, S> &&
+              !IntegratorIn<HistoryWithoutItsMeaning, S> && !IntegratorIn<WithoutPosition, S> &&
+              !IntegratorIn<ForgetsScratch, S> && !IntegratorIn<Gravity, S>);
 
 // Near misses of those that solve.
 struct AnswersNothing {
@@ -100,6 +106,7 @@ struct SolvesACopy {
     using writes = Columns<Position, Velocity>;
     static bool solve(const auto& x, auto& v, const auto& laws, const auto& dt);
 };
-static_assert(!IntegratorIn<AnswersNothing, S> && !IntegratorIn<OfHistoryThatSolves, S> && !IntegratorIn<SolvesACopy, S>);
+static_assert(!IntegratorIn<AnswersNothing, S> && !IntegratorIn<OfHistoryThatSolves, S> &&
+              !IntegratorIn<SolvesACopy, S>);
 
 } // namespace ansatz::archetypes

@@ -94,7 +94,8 @@ struct NotFromThePolicy {
     };
 };
 static_assert(!LawIn<NoColumns, S> && !LawIn<AnswersVelocity, S> && !LawIn<WithoutContext, S> && !LawIn<NotConst, S>);
-static_assert(!LawIn<PreparesWrongly, S> && !LawIn<OtherRole, S> && !LawIn<NotFromThePolicy, S> && !LawIn<int, S> && !LawIn<Attraction, S>);
+static_assert(!LawIn<PreparesWrongly, S> && !LawIn<OtherRole, S> && !LawIn<NotFromThePolicy, S> && !LawIn<int, S> &&
+              !LawIn<Attraction, S>);
 static_assert(!ForceIn<NoColumns, S> && !ForceIn<SemiImplicitEuler, S> && !ForceIn<Drag, S>);
 
 } // namespace ansatz::archetypes

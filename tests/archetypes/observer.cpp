@@ -44,7 +44,8 @@ struct Private {
 private:
     void observe(const auto& view);
 };
-static_assert(!ObserverIn<Writes, S> && !ObserverIn<WantsToChange, S> && !ObserverIn<WantsMore, S> && !ObserverIn<Private, S>);
+static_assert(!ObserverIn<Writes, S> && !ObserverIn<WantsToChange, S> && !ObserverIn<WantsMore, S> &&
+              !ObserverIn<Private, S>);
 static_assert(!ObserverIn<Drag, S> && !ObserverIn<int, S>);
 
 } // namespace ansatz::archetypes

@@ -30,7 +30,8 @@ struct Stops : NothingMore {
         template <class M> void respond(const Contact<Sp>&, Body&, Body&, const M&) const {}
     };
 };
-static_assert(ResponseIn<Stops, S> && ContactResponseIn<Stops, Space<float, 2>> && !ForceResponseIn<Stops, S> && !SubstepResponseIn<Stops, S>);
+static_assert(ResponseIn<Stops, S> && ContactResponseIn<Stops, Space<float, 2>> && !ForceResponseIn<Stops, S> &&
+              !SubstepResponseIn<Stops, S>);
 auto of_velocities() { return respond_with(Stops(1)); }
 struct Places : NothingMore {
     using NothingMore::NothingMore;
@@ -71,7 +72,8 @@ struct Presses : NothingMore {
         }
     };
 };
-static_assert(ResponseIn<Presses, S> && ForceResponseIn<Presses, S> && CouplingIn<Presses, S> && !ForceIn<Presses, S> && !ContactResponseIn<Presses, S>);
+static_assert(ResponseIn<Presses, S> && ForceResponseIn<Presses, S> && CouplingIn<Presses, S> && !ForceIn<Presses, S> &&
+              !ContactResponseIn<Presses, S>);
 auto of_accelerations() { return respond_with(Presses(1)); }
 
 // ---------------------------------------------------------------- the whole step
@@ -120,11 +122,13 @@ struct Sticks {
         int sweeps = 3;
         explicit In(Sticks) {}
         void respond(const auto& contact, auto& a, auto& b, const auto& meeting) const {
-            if (contact.depth.value() > 0 && meeting.pull().value() <= 0) b.template get<Velocity>() = a.template get<Velocity>();
+            if (contact.depth.value() > 0 && meeting.pull().value() <= 0)
+                b.template get<Velocity>() = a.template get<Velocity>();
         }
     };
 };
-static_assert(ResponseIn<Impulse<Friction>, S> && ResponseIn<Projection, S> && ResponseIn<Penalty, S> && ResponseIn<SoftSubsteps<Friction>, S> && ResponseIn<Sticks, S>);
+static_assert(ResponseIn<Impulse<Friction>, S> && ResponseIn<Projection, S> && ResponseIn<Penalty, S> &&
+              ResponseIn<SoftSubsteps<Friction>, S> && ResponseIn<Sticks, S>);
 auto of_sticks() { return respond_with(Sticks{}); }
 
 // Near misses.
@@ -173,7 +177,8 @@ struct OfThreeArguments {
     };
 };
 static_assert(!ResponseIn<WithoutLevel, S> && !ResponseIn<OfValues, S> && !ResponseIn<OnPlacesWritesVelocities, S>);
-static_assert(!ResponseIn<OnVelocitiesWritesPlaces, S> && !ResponseIn<OfThreeArguments, S> && !ResponseIn<Attraction, S> && !ResponseIn<int, S>);
+static_assert(!ResponseIn<OnVelocitiesWritesPlaces, S> && !ResponseIn<OfThreeArguments, S> &&
+              !ResponseIn<Attraction, S> && !ResponseIn<int, S>);
 struct ForgetsContacts : Presses {
     using Presses::Presses;
     template <class> struct State {};

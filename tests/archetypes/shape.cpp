@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// ShapeIn and NarrowphaseIn: archetypes, two models, near misses. Unlike other archetypes a shape can be assigned, because a
-// world keeps shapes by kind in vectors.
+// ShapeIn and NarrowphaseIn: archetypes, two models, near misses. Unlike other archetypes a shape can be assigned,
+// because a world keeps shapes by kind in vectors.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/collision/narrowphase/pairs.hpp>
@@ -23,15 +23,20 @@ struct Dot : Assigned {
     template <class Sp> struct In : Assigned {
         using description = Dot;
         explicit In(const Dot&) : Assigned(0) {}
-        void bounds(const typename Sp::Position& x, typename Sp::Position& lower, typename Sp::Position& upper) const { lower = upper = x; }
+        void bounds(const typename Sp::Position& x, typename Sp::Position& lower, typename Sp::Position& upper) const {
+            lower = upper = x;
+        }
     };
 };
-template <class Sp> bool collide(const Dot::In<Sp>&, const typename Sp::Position&, const Dot::In<Sp>&, const typename Sp::Position&, Touch<Sp>& touch) {
+template <class Sp>
+bool collide(const Dot::In<Sp>&, const typename Sp::Position&, const Dot::In<Sp>&, const typename Sp::Position&,
+             Touch<Sp>& touch) {
     touch.depth = Sp::Length::from_value(1);
     for (int k = 0; k < Sp::dimension; ++k) touch.normal[k] = typename Sp::Scalar(k == 0);
     return true;
 }
-static_assert(ShapeIn<Dot, S> && ShapeIn<Dot, Space<float, 2>> && detail::can_meet<Dot, Dot, S> && !detail::can_meet<Dot, Sphere, S>);
+static_assert(ShapeIn<Dot, S> && ShapeIn<Dot, Space<float, 2>> && detail::can_meet<Dot, Dot, S> &&
+              !detail::can_meet<Dot, Sphere, S>);
 auto of_shape() {
     World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Dot>{}, Impulse<>{}, Projection{}};
     world.add(Dot(1), mass(1.0 * kilogram));
@@ -51,12 +56,13 @@ struct KnowsNone : NothingMore {
     static constexpr bool any_bounded = false, any_unbounded = false;
     template <class F> static void for_each_kind(F&&) {}
     template <class Sp>
-    static bool collide_bodies(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t, const typename Sp::Position&, Touch<Sp>&) {
+    static bool collide_bodies(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t,
+                               const typename Sp::Position&, Touch<Sp>&) {
         return false;
     }
     template <class Sp>
-    static bool nearly_collide(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t, const typename Sp::Position&, const typename Sp::Length&,
-                               Touch<Sp>&) {
+    static bool nearly_collide(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t,
+                               const typename Sp::Position&, const typename Sp::Length&, Touch<Sp>&) {
         return false;
     }
 };
@@ -75,14 +81,21 @@ struct Outside {
         explicit In(Outside o) : radius(Sp::convert(o.radius)) {}
     };
 };
-template <class Sp> bool collide(const Sphere::In<Sp>&, const typename Sp::Position&, const Outside::In<Sp>&, const typename Sp::Position&, Touch<Sp>&) { return false; }
+template <class Sp>
+bool collide(const Sphere::In<Sp>&, const typename Sp::Position&, const Outside::In<Sp>&, const typename Sp::Position&,
+             Touch<Sp>&) {
+    return false;
+}
 static_assert(ShapeIn<Sphere, S> && ShapeIn<Plane, S> && ShapeIn<Box, Space<float, 2>> && ShapeIn<Outside, S>);
 static_assert(detail::can_meet<Outside, Outside, S> && detail::can_meet<Outside, Plane, S>); // neither has a box
-static_assert(detail::can_meet<Outside, Sphere, S> && detail::can_meet<Sphere, Outside, S> && !detail::can_meet<Outside, Box, S>);
-static_assert(NarrowphaseIn<Narrowphase<Sphere, Plane, Box>, S> && NarrowphaseIn<Narrowphase<Outside, Sphere>, Space<float, 2>>);
+static_assert(detail::can_meet<Outside, Sphere, S> && detail::can_meet<Sphere, Outside, S> &&
+              !detail::can_meet<Outside, Box, S>);
+static_assert(NarrowphaseIn<Narrowphase<Sphere, Plane, Box>, S> &&
+              NarrowphaseIn<Narrowphase<Outside, Sphere>, Space<float, 2>>);
 template <class... T> constexpr bool list_ok = detail::NarrowphaseFacts<Narrowphase<T...>, S>::ok;
 static_assert(list_ok<Sphere> && list_ok<Plane, Sphere, Box> && list_ok<Dot> && list_ok<Outside, Sphere, Plane>);
-static_assert(!list_ok<> && !list_ok<Plane> && !list_ok<Sphere, Sphere> && !list_ok<Dot, Sphere> && !list_ok<int> && !list_ok<Sphere, Box, Outside>);
+static_assert(!list_ok<> && !list_ok<Plane> && !list_ok<Sphere, Sphere> && !list_ok<Dot, Sphere> && !list_ok<int> &&
+              !list_ok<Sphere, Box, Outside>);
 auto of_outside() { return use(World{SemiImplicitEuler{}, AllPairs{}, Narrowphase<Sphere, Outside>{}, Impulse<>{}}); }
 
 // Near misses.
@@ -123,17 +136,20 @@ struct OnlyMoved {
         In& operator=(In&&) = default;
     };
 };
-static_assert(!ShapeIn<NotItself, S> && !ShapeIn<BoundedByNothing, S> && !ShapeIn<Nameless, S> && !ShapeIn<OnlyMoved, S> && !ShapeIn<int, S>);
+static_assert(!ShapeIn<NotItself, S> && !ShapeIn<BoundedByNothing, S> && !ShapeIn<Nameless, S> &&
+              !ShapeIn<OnlyMoved, S> && !ShapeIn<int, S>);
 struct WithoutMargin : Narrowphase<Sphere> {
     template <class Sp> static bool nearly_collide(const Shapes<Sp>&, std::uint32_t, std::uint32_t);
 };
 struct AnswersInNumbers : Narrowphase<Sphere> {
     template <class Sp>
-    static int collide_bodies(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t, const typename Sp::Position&, Touch<Sp>&);
+    static int collide_bodies(const Shapes<Sp>&, std::uint32_t, const typename Sp::Position&, std::uint32_t,
+                              const typename Sp::Position&, Touch<Sp>&);
 };
 struct OfTheWrongRole : Narrowphase<Sphere> {
     using role = roles::Broadphase;
 };
-static_assert(!NarrowphaseIn<WithoutMargin, S> && !NarrowphaseIn<AnswersInNumbers, S> && !NarrowphaseIn<OfTheWrongRole, S> && !NarrowphaseIn<Impulse<>, S>);
+static_assert(!NarrowphaseIn<WithoutMargin, S> && !NarrowphaseIn<AnswersInNumbers, S> &&
+              !NarrowphaseIn<OfTheWrongRole, S> && !NarrowphaseIn<Impulse<>, S>);
 
 } // namespace ansatz::archetypes

@@ -17,7 +17,8 @@ using W = World<SemiImplicitEuler>;
 static_assert(StepControlFor<Decides, W>);
 auto of_control() { return use(World{SemiImplicitEuler{}, Decides(1)}); }
 
-static_assert(StepControlFor<StepLimit<Refuse>, W> && StepControlFor<StepLimit<Divide>, World<RungeKutta4, Space<float, 2>>>);
+static_assert(StepControlFor<StepLimit<Refuse>, W> &&
+              StepControlFor<StepLimit<Divide>, World<RungeKutta4, Space<float, 2>>>);
 
 // Near misses: nothing to keep, an answer that is no number of parts, one that changes itself, one without a role.
 struct KeepsNothing {
@@ -38,7 +39,8 @@ struct WithoutRole {
     struct Kept {};
     int parts(const auto&, const Quantity<unit::Time>&, Kept&) const;
 };
-static_assert(!StepControlFor<KeepsNothing, W> && !StepControlFor<AnswersWithATime, W> && !StepControlFor<ChangesItself, W>);
+static_assert(!StepControlFor<KeepsNothing, W> && !StepControlFor<AnswersWithATime, W> &&
+              !StepControlFor<ChangesItself, W>);
 static_assert(!StepControlFor<WithoutRole, W> && !StepControlFor<Drag, W>);
 
 } // namespace ansatz::archetypes

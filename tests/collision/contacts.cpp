@@ -16,7 +16,8 @@ using namespace collision_tests;
 TEST_CASE("a contact begins, lasts and ends", "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Projection{10.0 * metre}); // it moves nobody
     const auto a = world.add(Sphere{0.5 * metre}, position(metres(0, 0)), mass(1.0 * kilogram));
-    const auto b = world.add(Sphere{0.5 * metre}, position(metres(-1.25, 0)), velocity(metres_per_second(1, 0)), mass(1.0 * kilogram));
+    const auto b = world.add(Sphere{0.5 * metre}, position(metres(-1.25, 0)), velocity(metres_per_second(1, 0)),
+                             mass(1.0 * kilogram));
     auto step = [&] { world.step(0.5 * second); };
     step(); // at -0.75
     REQUIRE(world.contacts().size() == 1);
@@ -52,12 +53,15 @@ TEST_CASE("a body that is removed ends its contacts in the next step", "[collisi
     CHECK(world.contacts_ended()[0] == ContactEnd{a, b});
 }
 
-TEST_CASE("contacts stand in the order of ids, whatever the broadphase and the order in which bodies sleep", "[collision][contacts]") {
+TEST_CASE("contacts stand in the order of ids, whatever the broadphase and the order in which bodies sleep",
+          "[collision][contacts]") {
     auto look = [](auto broadphase) {
         World world{SemiImplicitEuler{}, Space<double, 3>{}, broadphase, Narrowphase<Sphere>{}, Impulse<>{}};
         std::mt19937_64 engine(3);
         auto number = [&] { return 4 * double(engine() >> 11) * 0x1p-53; };
-        for (int i = 0; i < 200; ++i) world.add(Sphere{0.3 * metre}, position(metres(number(), number(), number())), mass(1.0 * kilogram), restitution(0.5));
+        for (int i = 0; i < 200; ++i)
+            world.add(Sphere{0.3 * metre}, position(metres(number(), number(), number())), mass(1.0 * kilogram),
+                      restitution(0.5));
         for (int i = 0; i < 20; ++i) world.step(0.01 * second);
         std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
         for (const auto& c : world.contacts()) pairs.emplace_back(c.first.id, c.second.id);
@@ -78,7 +82,8 @@ TEST_CASE("contacts stand in the order of ids, whatever the broadphase and the o
 TEST_CASE("a sensor notices and pushes nobody", "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Impulse<>{}, Projection{});
     const auto gate = world.add(Box{metres(1, 1)}, fixed, sensor);
-    const auto ball = world.add(Sphere{0.1 * metre}, position(metres(-2, 0)), velocity(metres_per_second(1, 0)), mass(1.0 * kilogram), restitution(1));
+    const auto ball = world.add(Sphere{0.1 * metre}, position(metres(-2, 0)), velocity(metres_per_second(1, 0)),
+                                mass(1.0 * kilogram), restitution(1));
     int inside = 0;
     for (int i = 0; i < 400; ++i) {
         world.step(0.01 * second);
@@ -91,7 +96,8 @@ TEST_CASE("a sensor notices and pushes nobody", "[collision][contacts]") {
 
 TEST_CASE("layers: who ignores whom", "[collision][contacts]") {
     auto contacts = [](auto ma, auto ia, auto mb, auto ib) {
-        auto world = World{SemiImplicitEuler{}, Space<double, 2>{}, BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{}, Projection{10.0 * metre}};
+        auto world = World{SemiImplicitEuler{},   Space<double, 2>{},      BoundingBoxes{}, Layers{},
+                           Narrowphase<Sphere>{}, Projection{10.0 * metre}};
         world.add(Sphere{1.0 * metre}, mass(1.0 * kilogram), member_of(ma), ignores(ia));
         world.add(Sphere{1.0 * metre}, mass(1.0 * kilogram), member_of(mb), ignores(ib));
         world.step(0.01 * second);
@@ -106,7 +112,8 @@ TEST_CASE("layers: who ignores whom", "[collision][contacts]") {
     CHECK(refusal([] { member_of(1u << 24); }).find("layers is 16777216") != std::string::npos);
 }
 
-TEST_CASE("a body without a shape meets nobody, and one with an infinite position is told of", "[collision][contacts]") {
+TEST_CASE("a body without a shape meets nobody, and one with an infinite position is told of",
+          "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<float, 2>{}, Impulse<>{}, Projection{});
     world.add(mass(1.0 * kilogram));
     const auto fast = world.add(Sphere{1.0 * metre}, velocity(metres_per_second(3e38, 0)), mass(1.0 * kilogram));
@@ -117,12 +124,17 @@ TEST_CASE("a body without a shape meets nobody, and one with an infinite positio
 
 namespace {
 template <class... P> void check_restart(P... policies) {
-    auto make = [&] { return World{policies..., Gravity{}, Rest{}, UniformGrid{}, Narrowphase<Sphere, Plane, Box>{}, Space<float, 3>{}}; };
+    auto make = [&] {
+        return World{policies...,      Gravity{}, Rest{}, UniformGrid{}, Narrowphase<Sphere, Plane, Box>{},
+                     Space<float, 3>{}};
+    };
     auto world = make();
     world.add(Plane::ground(), fixed);
     world.add(Box{metres(0.3, 0.3, 0.3)}, position(metres(3, 0.3, 3)), fixed, sensor);
     for (int i = 0; i < 40; ++i)
-        world.add(Sphere{0.2 * metre}, position(metres(0.39 * (i % 5) + 0.001 * i, 0.3 + 0.5 * (i / 20), 0.39 * (i / 5 % 4))), mass(1.0 * kilogram));
+        world.add(Sphere{0.2 * metre},
+                  position(metres(0.39 * (i % 5) + 0.001 * i, 0.3 + 0.5 * (i / 20), 0.39 * (i / 5 % 4))),
+                  mass(1.0 * kilogram));
     run(world, 100, 1.0 / 60);
     std::stringstream file;
     save(world, file);
@@ -137,7 +149,8 @@ template <class... P> void check_restart(P... policies) {
 }
 } // namespace
 
-TEST_CASE("I19: a world that is saved or copied in the middle of a collision goes on to the same bits", "[collision][contacts]") {
+TEST_CASE("I19: a world that is saved or copied in the middle of a collision goes on to the same bits",
+          "[collision][contacts]") {
     check_restart(SemiImplicitEuler{}, SoftSubsteps<>{});
     check_restart(Verlet{}, SoftSubsteps<>{});
     check_restart(SemiImplicitEuler{}, Impulse<>{}, Projection{});
@@ -171,7 +184,8 @@ TEST_CASE("files with shapes or contacts that mean nothing are refused with thei
     says(refused("\"parts\": 4", "\"parts\": 0"), "a whole number of at least 1");
 }
 
-TEST_CASE("a body that is pushed or moved between two steps is looked at again before the next one", "[collision][contacts]") {
+TEST_CASE("a body that is pushed or moved between two steps is looked at again before the next one",
+          "[collision][contacts]") {
     auto stopped = [](auto change) {
         auto world = world_of(SemiImplicitEuler{}, SoftSubsteps<>{});
         world.add(Box{metres(0.1, 5, 5)}, at<Space<>>(5), fixed);
@@ -181,15 +195,21 @@ TEST_CASE("a body that is pushed or moved between two steps is looked at again b
         world.step(1.0 / 60 * second);
         return x_of(world, ball);
     };
-    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.set_velocity(ball, metres_per_second(290, 0, 0)); }) - 4.8) <= 1e-3);
-    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.apply_impulse(ball, newton_seconds(290, 0, 0)); }) - 4.8) <= 1e-3);
-    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.set_position(ball, metres(4.79, 0, 0)); }) - 4.8) <= 1e-3);
+    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.set_velocity(ball, metres_per_second(290, 0, 0)); }) -
+                   4.8) <= 1e-3);
+    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.apply_impulse(ball, newton_seconds(290, 0, 0)); }) -
+                   4.8) <= 1e-3);
+    CHECK(std::abs(stopped([](auto& world, Handle ball) { world.set_position(ball, metres(4.79, 0, 0)); }) - 4.8) <=
+          1e-3);
 }
 
-TEST_CASE("I19: a world that is saved goes on to the same bits when its steps are of many lengths", "[collision][contacts]") {
+TEST_CASE("I19: a world that is saved goes on to the same bits when its steps are of many lengths",
+          "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Gravity{}, SoftSubsteps<Friction>{});
     world.add(Plane::ground(), fixed);
-    for (int i = 0; i < 12; ++i) world.add(Sphere{0.5 * metre}, position(metres(0.3 * (i % 3), 0.6 + 0.9 * i, 0.2 * (i % 2))), mass((1.0 + i) * kilogram), friction(0.5));
+    for (int i = 0; i < 12; ++i)
+        world.add(Sphere{0.5 * metre}, position(metres(0.3 * (i % 3), 0.6 + 0.9 * i, 0.2 * (i % 2))),
+                  mass((1.0 + i) * kilogram), friction(0.5));
     const std::vector<double> lengths{1.0 / 60, 1.0 / 240, 1.0 / 30, 1e-6, 0.1, 1.0 / 60};
     for (int n = 0; n < 120; ++n) {
         std::stringstream file;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// A failed allocation (hard case V10): whichever allocation of a verb, a copy, an assignment or a load fails, the world is as it
-// was before the call and can be used as if it had not been made. A step that is broken off leaves a world that says so.
+// A failed allocation (hard case V10): whichever allocation of a verb, a copy, an assignment or a load fails, the world
+// is as it was before the call and can be used as if it had not been made. A step that is broken off leaves a world
+// that says so.
 //
-// operator new of this executable counts, and fails at the n-th call where a test asks for it; n goes from the first on until
-// the call goes through. With the address sanitizer, what is torn is found, too.
+// operator new of this executable counts, and fails at the n-th call where a test asks for it; n goes from the first on
+// until the call goes through. With the address sanitizer, what is torn is found, too.
 
 #include "tests/collision/support.hpp"
 
@@ -17,18 +18,20 @@
 #include <sstream>
 
 #if defined(__GNUC__) && !defined(__clang__)
-// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a mismatch.
+// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a
+// mismatch.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
 
 namespace {
-long until_failure = -1;        // negative: none fails
+long until_failure = -1;             // negative: none fails
 std::size_t smallest_that_fails = 0; // bytes
 
 void* perhaps(std::size_t size, std::size_t alignment) noexcept {
     if (until_failure >= 0 && size >= smallest_that_fails && until_failure-- == 0) return nullptr;
     size = size == 0 ? 1 : size;
-    return alignment == 0 ? std::malloc(size) : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return alignment == 0 ? std::malloc(size)
+                          : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 void* or_throw(void* p) {
     if (p == nullptr) throw std::bad_alloc();
@@ -42,8 +45,12 @@ void* operator new(std::size_t size, std::align_val_t a) { return or_throw(perha
 void* operator new[](std::size_t size, std::align_val_t a) { return or_throw(perhaps(size, std::size_t(a))); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return perhaps(size, 0); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return perhaps(size, 0); }
-void* operator new(std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept { return perhaps(size, std::size_t(a)); }
-void* operator new[](std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept { return perhaps(size, std::size_t(a)); }
+void* operator new(std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept {
+    return perhaps(size, std::size_t(a));
+}
+void* operator new[](std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept {
+    return perhaps(size, std::size_t(a));
+}
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
@@ -92,7 +99,9 @@ template <class W> struct Told {
 template <class W> Told<W> later(W world) {
     const auto handles = world.handles();
     world.remove(handles[handles.size() / 2]);
-    for (int i = 0; i < 3; ++i) world.add(Sphere{0.2 * metre}, position(metres(i, 9, 0)), mass(1.0 * kilogram), datum(std::string(40, char('p' + i))));
+    for (int i = 0; i < 3; ++i)
+        world.add(Sphere{0.2 * metre}, position(metres(i, 9, 0)), mass(1.0 * kilogram),
+                  datum(std::string(40, char('p' + i))));
     for (int i = 0; i < 4; ++i) world.step(1.0 / 240 * second);
     for (const auto h : world.handles()) world.wake(h);
     return Told<W>(world);
@@ -100,20 +109,31 @@ template <class W> Told<W> later(W world) {
 
 /// Spheres and a box that lie on the ground, two of them at rest, a platform and, where there are springs, a chain.
 template <class... P> auto heap(P... policies) {
-    World world{Space<>{}, SortAndSweep{}, Narrowphase<Sphere, Box, Plane>{}, Gravity{}, Rest{0.05 * metre_per_second, 0.05 * second}, AppliedForces{}, Datum<std::string>{}, policies...};
+    World world{Space<>{},
+                SortAndSweep{},
+                Narrowphase<Sphere, Box, Plane>{},
+                Gravity{},
+                Rest{0.05 * metre_per_second, 0.05 * second},
+                AppliedForces{},
+                Datum<std::string>{},
+                policies...};
     using W = decltype(world);
     world.add(Plane::ground(), fixed);
-    world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(0, 0.5, 6)), velocity(metres_per_second(0.1, 0, 0)), moving, datum(std::string("a platform, which has a longer name than fits")));
+    world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(0, 0.5, 6)), velocity(metres_per_second(0.1, 0, 0)), moving,
+              datum(std::string("a platform, which has a longer name than fits")));
     std::vector<Handle> balls;
     for (int i = 0; i < 5; ++i)
-        balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(1.0 * i, 0.4999, 0)), mass(1.0 * kilogram), datum(std::string(30, char('a' + i)))));
+        balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(1.0 * i, 0.4999, 0)), mass(1.0 * kilogram),
+                                  datum(std::string(30, char('a' + i)))));
     world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(0, 1.49, 6)), mass(1.0 * kilogram));
     if constexpr (W::composition::element_keepers::size > 0)
-        for (int i = 0; i + 1 < 5; ++i) world.add(Spring{balls[std::size_t(i)], balls[std::size_t(i) + 1], 5.0 * newton_per_metre});
+        for (int i = 0; i + 1 < 5; ++i)
+            world.add(Spring{balls[std::size_t(i)], balls[std::size_t(i) + 1], 5.0 * newton_per_metre});
     for (int i = 0; i < 30; ++i) world.step(1.0 / 240 * second);
     world.add(Sphere{0.5 * metre}, position(metres(20, 0.5, 0)), mass(1.0 * kilogram), resting);
     world.add(Sphere{0.5 * metre}, position(metres(22, 0.5, 0)), mass(1.0 * kilogram), resting);
-    world.remove(world.add(Sphere{0.5 * metre}, position(metres(40, 0.5, 0)), mass(1.0 * kilogram))); // an id that is given again
+    world.remove(world.add(Sphere{0.5 * metre}, position(metres(40, 0.5, 0)),
+                           mass(1.0 * kilogram))); // an id that is given again
     return world;
 }
 
@@ -148,11 +168,15 @@ template <class W> void laws(const W& world) {
     const auto all = world.handles();
     const auto platform = all[1], ball = all[3], neighbour = all[4], box = all[7], sleeper = all[8];
     REQUIRE(world.motion(sleeper) == Motion::resting);
-    law("add a sphere", world, [](W& w) { w.add(Sphere{0.5 * metre}, position(metres(2, 3, 0)), mass(1.0 * kilogram), datum(std::string(50, 'n'))); });
+    law("add a sphere", world, [](W& w) {
+        w.add(Sphere{0.5 * metre}, position(metres(2, 3, 0)), mass(1.0 * kilogram), datum(std::string(50, 'n')));
+    });
     law("add many", world, [](W& w) {
         const auto whole = w;
         try {
-            for (int i = 0; i < 9; ++i) w.add(Sphere{0.1 * metre}, position(metres(2, 5 + i, 0)), mass(1.0 * kilogram), datum(std::string(50, char('A' + i))));
+            for (int i = 0; i < 9; ++i)
+                w.add(Sphere{0.1 * metre}, position(metres(2, 5 + i, 0)), mass(1.0 * kilogram),
+                      datum(std::string(50, char('A' + i))));
         } catch (...) { // each of them is whole or not there
             const long armed = std::exchange(until_failure, -1);
             const auto handles = w.handles();
@@ -162,8 +186,10 @@ template <class W> void laws(const W& world) {
             throw;
         }
     });
-    law("add a platform that pierces a sleeper", world,
-        [](W& w) { w.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(21.9, 0.5, 0)), velocity(metres_per_second(0.1, 0, 0)), moving); });
+    law("add a platform that pierces a sleeper", world, [](W& w) {
+        w.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(21.9, 0.5, 0)), velocity(metres_per_second(0.1, 0, 0)),
+              moving);
+    });
     law("add a plane", world, [](W& w) { w.add(Plane{Eigen::Vector3d(1, 0, 0), -30.0 * metre}, fixed, sensor); });
     law("remove a ball", world, [&](W& w) { w.remove(ball); });
     law("remove a sleeper", world, [&](W& w) { w.remove(sleeper); });
@@ -189,7 +215,8 @@ template <class W> void laws(const W& world) {
     law("wake", world, [&](W& w) { w.wake(sleeper); });
     law("set a policy", world, [](W& w) { w.set(Gravity{metres_per_second_squared(0, -1.6, 0)}); });
     law("reserve", world, [](W& w) { w.reserve(1000); });
-    if constexpr (W::composition::template stores<Restitution>) law("write", world, [&](W& w) { w.template write<Restitution>(sleeper, Quantity<unit::Dimensionless>(0.25)); });
+    if constexpr (W::composition::template stores<Restitution>)
+        law("write", world, [&](W& w) { w.template write<Restitution>(sleeper, Quantity<unit::Dimensionless>(0.25)); });
     if constexpr (W::composition::element_keepers::size > 0) {
         const auto spring = world.template elements<Spring>().handles()[1];
         law("add a spring", world, [&](W& w) { w.add(Spring{ball, sleeper, 2.0 * newton_per_metre}); });
@@ -199,7 +226,9 @@ template <class W> void laws(const W& world) {
 
     // Copies, whole or not at all.
     auto grown = world;
-    for (int i = 0; i < 40; ++i) grown.add(Sphere{0.3 * metre}, position(metres(0.5 * i, 4, 0)), mass(1.0 * kilogram), datum(std::string(60, 'g')));
+    for (int i = 0; i < 40; ++i)
+        grown.add(Sphere{0.3 * metre}, position(metres(0.5 * i, 4, 0)), mass(1.0 * kilogram),
+                  datum(std::string(60, 'g')));
     for (int i = 0; i < 5; ++i) grown.step(1.0 / 240 * second);
     law("assign a larger world", world, [&](W& w) { w = grown; });
     law("assign a smaller world", grown, [&](W& w) { w = world; });
@@ -212,8 +241,8 @@ template <class W> void laws(const W& world) {
         CHECK(!copy);
     }
 
-    // A file: what it holds, and what becomes of the data that no file knows. The parser's destructors allocate, and a failure
-    // there ends the program; those are the small ones.
+    // A file: what it holds, and what becomes of the data that no file knows. The parser's destructors allocate, and a
+    // failure there ends the program; those are the small ones.
     std::stringstream text;
     save(grown, text);
     const auto file = detail::Json::parse(text.str());
@@ -237,12 +266,17 @@ template <class W> void laws(const W& world) {
         } else {
             ++lost;
             CHECK(now.status().lost);
-            const auto said = [](const std::string& s) { return s.find("this world is lost, because its last step was broken off") != std::string::npos; };
+            const auto said = [](const std::string& s) {
+                return s.find("this world is lost, because its last step was broken off") != std::string::npos;
+            };
             CHECK(said(refusal([&] { now.step(1.0 / 120 * second); })));
             CHECK(said(refusal([&] { now.remove(ball); })));
             CHECK(said(refusal([&] { now.add(position(metres(0, 1, 0)), mass(1.0 * kilogram)); })));
             CHECK(said(refusal([&] { now.set(Gravity{}); })));
-            CHECK(said(refusal([&] { std::ostringstream out; save(now, out); })));
+            CHECK(said(refusal([&] {
+                std::ostringstream out;
+                save(now, out);
+            })));
             for (const auto h : now.handles()) (void)now.position(h), (void)now.velocity(h), (void)now.acceleration(h);
             (void)now.hash(), (void)now.contacts(), (void)now.events();
             auto copy = now;
@@ -267,9 +301,11 @@ template <class W> void laws(const W& world) {
 TEST_CASE("V10: a failed allocation leaves the world as it was: Impulse, Projection", "[collision][world][V10]") {
     laws(heap(SemiImplicitEuler{}, Impulse<>{}, Projection{1e-3 * metre}));
 }
-TEST_CASE("V10: a failed allocation leaves the world as it was: SoftSubsteps with friction, of a history", "[collision][world][V10]") {
+TEST_CASE("V10: a failed allocation leaves the world as it was: SoftSubsteps with friction, of a history",
+          "[collision][world][V10]") {
     laws(heap(Verlet{}, SoftSubsteps<Friction>{}));
 }
-TEST_CASE("V10: a failed allocation leaves the world as it was: Penalty and damped springs, of a history", "[collision][world][V10]") {
+TEST_CASE("V10: a failed allocation leaves the world as it was: Penalty and damped springs, of a history",
+          "[collision][world][V10]") {
     laws(heap(Verlet{}, Penalty{2e3 * newton_per_metre, 5.0 * newton_second_per_metre}, Springs<>{}));
 }

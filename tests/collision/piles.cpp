@@ -77,8 +77,7 @@ TEST_CASE("R3: a warm start pays: ten bodies, a load of 100:1 on top, ten sweeps
         auto solver = stack(masses);
         for (int n = 0; n < steps; ++n) {
             fall(solver);
-            if (warm)
-                solver.warm_start();
+            if (warm) solver.warm_start();
             else
                 for (auto& c : solver.all) c.impulse = 0;
             for (int sweep = 0; sweep < 10; ++sweep) solver.relax(1.0);
@@ -115,12 +114,14 @@ TEST_CASE("R4: a heavy sphere on a light one is held", "[collision][piles]") {
     }
 }
 
-TEST_CASE("R6: fifteen boxes, each a little beside the one below and above it by a tenth, stand 20 s later", "[collision][piles]") {
+TEST_CASE("R6: fifteen boxes, each a little beside the one below and above it by a tenth, stand 20 s later",
+          "[collision][piles]") {
     auto world = world_of(SemiImplicitEuler{}, Gravity{}, SoftSubsteps<Friction>{});
     world.add(Plane::ground(), fixed, friction(0.6));
     std::vector<Handle> boxes;
     for (int i = 0; i < 15; ++i)
-        boxes.push_back(world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(i % 2 == 0 ? 0.01 : -0.01, 0.55 + 1.1 * i), mass(1.0 * kilogram), friction(0.6)));
+        boxes.push_back(world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(i % 2 == 0 ? 0.01 : -0.01, 0.55 + 1.1 * i),
+                                  mass(1.0 * kilogram), friction(0.6)));
     run(world, 1200, dt);
     for (int i = 0; i < 15; ++i) {
         CHECK(std::abs(height_of(world, boxes[std::size_t(i)]) - (0.5 + i)) <= 0.02);
@@ -134,7 +135,8 @@ TEST_CASE("R14: in which order bodies are added makes no difference to where the
         if (floor_first) world.add(Plane::ground(), fixed);
         std::vector<Handle> by_number(order.size());
         for (const int i : order)
-            by_number[std::size_t(i)] = world.add(Sphere{0.5 * metre}, at<Space<>>(3.0 * (i % 5), 1 + 1.5 * (i / 5)), mass((1.0 + i) * kilogram), restitution(0.1 * (i % 3)));
+            by_number[std::size_t(i)] = world.add(Sphere{0.5 * metre}, at<Space<>>(3.0 * (i % 5), 1 + 1.5 * (i / 5)),
+                                                  mass((1.0 + i) * kilogram), restitution(0.1 * (i % 3)));
         if (!floor_first) world.add(Plane::ground(), fixed);
         run(world, 400, dt);
         std::vector<double> places;
@@ -194,17 +196,21 @@ TEST_CASE("R15: a million steps at rest, and nothing has sunk or drifted", "[col
     };
     check(world_of(SemiImplicitEuler{}, Gravity{}, SoftSubsteps<>{}), 1e-6, 1e-3);
     // One projection after another moves the lower ball down again: a column of two is held, but not at its place.
-    check(world_of(SemiImplicitEuler{}, Gravity{}, Impulse<>{}, Projection{1e-3 * metre}), 3e-3, 0.02); // the slop, and what it falls in a step
+    check(world_of(SemiImplicitEuler{}, Gravity{}, Impulse<>{}, Projection{1e-3 * metre}), 3e-3,
+          0.02); // the slop, and what it falls in a step
 }
 
-TEST_CASE("R16: lengths a thousand times smaller or larger, and everything else with them: the same motion", "[collision][piles]") {
+TEST_CASE("R16: lengths a thousand times smaller or larger, and everything else with them: the same motion",
+          "[collision][piles]") {
     auto heights = [](double scale, double e, auto response) {
         response.threshold = 0.25 * scale * metre_per_second;
         if constexpr (requires { response.push_out; }) response.push_out = 3.0 * scale * metre_per_second;
         auto world = world_of(SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -g * scale, 0)}, response);
         world.add(Plane::ground(), fixed);
         std::vector<Handle> balls;
-        for (int i = 0; i < 4; ++i) balls.push_back(world.add(Sphere{0.5 * scale * metre}, at<Space<>>(0, (1 + 1.3 * i) * scale), mass((1.0 + i) * kilogram), restitution(e)));
+        for (int i = 0; i < 4; ++i)
+            balls.push_back(world.add(Sphere{0.5 * scale * metre}, at<Space<>>(0, (1 + 1.3 * i) * scale),
+                                      mass((1.0 + i) * kilogram), restitution(e)));
         std::vector<double> all;
         for (int i = 0; i < 240; ++i) {
             world.step(dt * second);
@@ -226,8 +232,8 @@ TEST_CASE("R16: lengths a thousand times smaller or larger, and everything else 
     check(0.5, Impulse<>{}, 1.0 / 1024, 0);
     check(0.5, SoftSubsteps<>{}, 1.0 / 1024, 0);
     check(0.5, Impulse<>{}, 1e-3, 1e-9);
-    // Whether two that just touch are apart or not is decided by the last digit, and they are stopped at once or softly: millimetres
-    // while the balls fall on each other, and the same place in the end.
+    // Whether two that just touch are apart or not is decided by the last digit, and they are stopped at once or
+    // softly: millimetres while the balls fall on each other, and the same place in the end.
     check(0, SoftSubsteps<>{}, 1e-3, 1e-9, 4 * 180);
 }
 
@@ -240,7 +246,8 @@ TEST_CASE("C21: what was put into each other parts slowly, and does not jump", "
     for (int row = 0; row < 4; ++row)
         for (int k = 0; k < 4 - row; ++k) {
             start.push_back(apart * (k + 0.5 * row));
-            boxes.push_back(world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(start.back(), 0.5 + apart * row), mass(1.0 * kilogram), friction(0.5)));
+            boxes.push_back(world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(start.back(), 0.5 + apart * row),
+                                      mass(1.0 * kilogram), friction(0.5)));
         }
     double most = 0, aside = 0;
     for (int i = 0; i < 120; ++i) {
@@ -253,7 +260,8 @@ TEST_CASE("C21: what was put into each other parts slowly, and does not jump", "
     CHECK(aside <= 0.5);
 }
 
-TEST_CASE("C25: on a ramp friction holds what is not too steep, and slows what slides by its law", "[collision][piles]") {
+TEST_CASE("C25: on a ramp friction holds what is not too steep, and slows what slides by its law",
+          "[collision][piles]") {
     constexpr double slope = 0.25;
     struct Slid {
         double way, speed; // m, m/s, downhill
@@ -262,7 +270,8 @@ TEST_CASE("C25: on a ramp friction holds what is not too steep, and slows what s
         auto world = world_of(SemiImplicitEuler{}, Gravity{}, response);
         const Eigen::Vector3d up(-std::sin(slope), std::cos(slope), 0), down(-std::cos(slope), -std::sin(slope), 0);
         world.add(Plane{up, 0.0 * metre}, fixed, friction(mu));
-        const auto ball = world.add(Sphere{0.5 * metre}, position(Eigen::Vector3d(0.5 * up) * metre), mass(3.0 * kilogram), friction(mu));
+        const auto ball = world.add(Sphere{0.5 * metre}, position(Eigen::Vector3d(0.5 * up) * metre),
+                                    mass(3.0 * kilogram), friction(mu));
         run(world, int(std::lround(seconds / dt)), dt);
         return Slid{down.dot(world.position(ball).value() - 0.5 * up), down.dot(world.velocity(ball).value())};
     };
@@ -273,22 +282,28 @@ TEST_CASE("C25: on a ramp friction holds what is not too steep, and slows what s
         CHECK(std::abs(soft.speed - a * t) <= 0.01 * t);
         CHECK(std::abs(soft.way - a * t * t / 2) <= 0.01 * t * t / 2 + a * t * dt);
         CHECK(std::abs(hard.speed - a * t) <= 0.01 * t);
-        // Impulse stops a body behind its step: one that sticks creeps by what gravity moved it in each, g sin(slope) h^2.
+        // Impulse stops a body behind its step: one that sticks creeps by what gravity moved it in each, g sin(slope)
+        // h^2.
         CHECK(std::abs(hard.way - a * t * t / 2) <= 0.01 * t * t / 2 + a * t * dt + g * std::sin(slope) * dt * t);
     }
 }
 
-TEST_CASE("C26: 666 spheres without friction come to lie in each other by no more than half a percent of a radius", "[collision][piles]") {
+TEST_CASE("C26: 666 spheres without friction come to lie in each other by no more than half a percent of a radius",
+          "[collision][piles]") {
     auto world = World{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}};
     const double half = 3.6;
-    for (const Eigen::Vector3d& inwards : {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1)})
+    for (const Eigen::Vector3d& inwards :
+         {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 0, 1),
+          Eigen::Vector3d(0, 0, -1)})
         world.add(Plane{inwards, (inwards.y() > 0 ? 0.0 : -half) * metre}, fixed);
     std::mt19937 random(5);
     auto beside = [&] { return 0.01 * (double(random() % 2001) / 1000 - 1); };
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j)
             for (int k = 0; k < 6; ++k)
-                world.add(Sphere{0.5 * metre}, position(metres(1.1 * (i - 2.5) + beside(), 0.6 + 1.1 * j, 1.1 * (k - 2.5) + beside())), mass(10.0 * kilogram));
+                world.add(Sphere{0.5 * metre},
+                          position(metres(1.1 * (i - 2.5) + beside(), 0.6 + 1.1 * j, 1.1 * (k - 2.5) + beside())),
+                          mass(10.0 * kilogram));
     run(world, 600, dt);
     CHECK(deepest(world) <= 0.005 * 0.5);
 }
@@ -299,7 +314,8 @@ TEST_CASE("C27: 49 balls with e = 1 keep their energy for 100 s within one perce
         world.add(Plane::ground(), fixed);
         std::vector<Handle> balls;
         for (int i = 0; i < 49; ++i)
-            balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(2.0 * (i % 7), 2 + 0.1 * i, 2.0 * (i / 7))), mass(10.0 * kilogram), restitution(1)));
+            balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(2.0 * (i % 7), 2 + 0.1 * i, 2.0 * (i / 7))),
+                                      mass(10.0 * kilogram), restitution(1)));
         // The velocity of this scheme is half a step ahead of its position.
         auto energy = [&] {
             double sum = 0;

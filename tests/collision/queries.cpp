@@ -14,7 +14,9 @@ using namespace collision_tests;
 namespace {
 struct Random {
     std::mt19937 engine{11};
-    double operator()(double low, double high) { return double(float(low + (high - low) * double(engine()) / 4294967295.0)); }
+    double operator()(double low, double high) {
+        return double(float(low + (high - low) * double(engine()) / 4294967295.0));
+    }
     template <class S> Eigen::Vector3d vector(double size) {
         Eigen::Vector3d v((*this)(-size, size), (*this)(-size, size), (*this)(-size, size));
         if (S::dimension == 2) v[2] = 0;
@@ -22,7 +24,9 @@ struct Random {
     }
 };
 template <class S> auto metres_of(const Eigen::Vector3d& v) { return vector_in<S, unit::Length>(v[0], v[1], v[2]); }
-Ray ray_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double longest) { return Ray{metres(from[0], from[1], from[2]), to, longest * metre}; }
+Ray ray_of(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double longest) {
+    return Ray{metres(from[0], from[1], from[2]), to, longest * metre};
+}
 template <class S> Box box(double x, double y, double z) {
     if constexpr (S::dimension == 2) return Box{metres(x, y)};
     else return Box{metres(x, y, z)};
@@ -30,7 +34,9 @@ template <class S> Box box(double x, double y, double z) {
 
 /// How far a point is from a shape at the origin, negative inside.
 double distance_to(const Sphere& a, const Eigen::Vector3d& x) { return x.norm() - in(a.radius, metre); }
-double distance_to(const Plane& a, const Eigen::Vector3d& x) { return x.dot(a.normal.value().normalized()) - in(a.offset, metre); }
+double distance_to(const Plane& a, const Eigen::Vector3d& x) {
+    return x.dot(a.normal.value().normalized()) - in(a.offset, metre);
+}
 double distance_to(const Box& a, const Eigen::Vector3d& x) {
     Eigen::Vector3d h = VectorQuantity<unit::Length, 3>(a.half).value();
     if (h[2] == 0) h[2] = 1; // of two dimensions
@@ -38,7 +44,9 @@ double distance_to(const Box& a, const Eigen::Vector3d& x) {
     return out.maxCoeff() < 0 ? out.maxCoeff() : out.cwiseMax(0).norm();
 }
 /// Marches along a ray by how far the surface is at least; 1e9 if it is not met.
-template <class A> double marched(const A& shape, const Eigen::Vector3d& from, const Eigen::Vector3d& unit, double longest, double& nearest) {
+template <class A>
+double marched(const A& shape, const Eigen::Vector3d& from, const Eigen::Vector3d& unit, double longest,
+               double& nearest) {
     double way = 0;
     nearest = 1e9;
     for (int i = 0; i < 200000 && way <= longest; ++i) {
@@ -71,11 +79,14 @@ template <class S, class A> void check_rays(const A& shape, Random& random) {
         for (int k = 0; k < S::dimension; ++k) normal[k] = double(hit->normal[k]);
         CHECK(std::abs(normal.norm() - 1) <= rounding<S>(4));
         CHECK(normal.dot(u) <= 0);
-        CHECK(std::abs(d - way) <= (rounding<S>(400) + 1e-11) / std::max(-normal.dot(u), 1e-3)); // the march ends 1e-11 m before the surface
+        CHECK(std::abs(d - way) <=
+              (rounding<S>(400) + 1e-11) / std::max(-normal.dot(u), 1e-3)); // the march ends 1e-11 m before the surface
         // However large everything is, the answer is the same.
         const double larger = std::is_same_v<typename S::Scalar, float> ? 1e10 : 1e100;
         if constexpr (std::is_same_v<A, Sphere>) {
-            const auto scaled = cast(Ray{metres(from[0] * larger, from[1] * larger, from[2] * larger), to, longest * larger * metre}, Sphere{larger * shape.radius}, metres_of<S>(Eigen::Vector3d::Zero()));
+            const auto scaled =
+                cast(Ray{metres(from[0] * larger, from[1] * larger, from[2] * larger), to, longest * larger * metre},
+                     Sphere{larger * shape.radius}, metres_of<S>(Eigen::Vector3d::Zero()));
             REQUIRE(scaled);
             CHECK(std::abs(double(scaled->distance.value()) / larger - d) <= rounding<S>(100));
         }
@@ -120,7 +131,8 @@ TEST_CASE("a ray that begins inside hits at once, one that grazes or points away
             const auto there = cast(Ray{metres(surface + 1, 0), Eigen::Vector3d(-3, 0, 0)}, shape, here);
             REQUIRE(there);
             CHECK((there->distance.value() == 1 && there->normal[0] == 1));
-            CHECK(cast(Ray{metres(surface + 1, 0), Eigen::Vector3d(-3, 0, 0), 1.0 * metre}, shape, here)); // just as far
+            CHECK(
+                cast(Ray{metres(surface + 1, 0), Eigen::Vector3d(-3, 0, 0), 1.0 * metre}, shape, here)); // just as far
             CHECK_FALSE(cast(Ray{metres(surface + 1, 0), Eigen::Vector3d(-3, 0, 0), 0.99 * metre}, shape, here));
         };
         check(Sphere{0.5 * metre}, 0.25, 0.5);
@@ -149,15 +161,20 @@ TEST_CASE("a world's rays and overlaps are those of every body, one by one", "[c
                 for (std::size_t i = 0; i < all.size(); ++i) {
                     if (!sensors && i % 7 == 0 && i < 300) continue;
                     world.visit_shape(all[i], [&](const auto& shape) {
-                        if (const auto hit = cast(ray, shape, world.position(all[i]))) expected.emplace_back(double(hit->distance.value()), all[i].id);
+                        if (const auto hit = cast(ray, shape, world.position(all[i])))
+                            expected.emplace_back(double(hit->distance.value()), all[i].id);
                     });
                 }
                 std::sort(expected.begin(), expected.end());
                 REQUIRE(hits.size() == expected.size());
-                for (std::size_t i = 0; i < hits.size(); ++i) CHECK((hits[i].body.id == expected[i].second && double(hits[i].distance.value()) == expected[i].first));
+                for (std::size_t i = 0; i < hits.size(); ++i)
+                    CHECK((hits[i].body.id == expected[i].second &&
+                           double(hits[i].distance.value()) == expected[i].first));
                 const auto first = sensors ? world.query().closest(ray, with_sensors) : world.query().closest(ray);
                 REQUIRE(first.has_value() == !hits.empty());
-                if (first) CHECK((first->body == hits[0].body && first->distance == hits[0].distance && first->point == hits[0].point));
+                if (first)
+                    CHECK((first->body == hits[0].body && first->distance == hits[0].distance &&
+                           first->point == hits[0].point));
                 found += int(hits.size());
             }
             auto check_overlap = [&](const auto& shape) {
@@ -166,7 +183,8 @@ TEST_CASE("a world's rays and overlaps are those of every body, one by one", "[c
                 std::vector<Handle> expected;
                 for (std::size_t i = 0; i < all.size(); ++i)
                     world.visit_shape(all[i], [&](const auto& other) {
-                        if ((i % 7 != 0 || i >= 300) && contact(shape, x, other, world.position(all[i]))) expected.push_back(all[i]);
+                        if ((i % 7 != 0 || i >= 300) && contact(shape, x, other, world.position(all[i])))
+                            expected.push_back(all[i]);
                     });
                 CHECK(bodies == expected);
                 found += int(bodies.size());
@@ -178,10 +196,12 @@ TEST_CASE("a world's rays and overlaps are those of every body, one by one", "[c
     });
 }
 
-TEST_CASE("of two bodies as near a ray tells the one with the smaller id first, also after removals and sleep", "[collision][queries]") {
+TEST_CASE("of two bodies as near a ray tells the one with the smaller id first, also after removals and sleep",
+          "[collision][queries]") {
     World world{SemiImplicitEuler{}, Impulse<>{}, SortAndSweep{}, Narrowphase<Sphere>{}, Rest{}};
     const auto gone = world.add(Sphere{0.5 * metre}, at<Space<>>(5), fixed);
-    const auto one = world.add(Sphere{0.5 * metre}, at<Space<>>(0), fixed), two = world.add(Sphere{0.5 * metre}, at<Space<>>(0), mass(1.0 * kilogram));
+    const auto one = world.add(Sphere{0.5 * metre}, at<Space<>>(0), fixed),
+               two = world.add(Sphere{0.5 * metre}, at<Space<>>(0), mass(1.0 * kilogram));
     world.remove(gone);
     const Ray ray{metres(3, 0, 0), Eigen::Vector3d(-1, 0, 0)};
     CHECK(world.query().closest(ray)->body == one);
@@ -218,11 +238,15 @@ TEST_CASE("what is no ray and no shape is refused with a sentence, and nothing i
     CHECK(said(Ray{metres(0, 0, 0), Eigen::Vector3d(nan, 0, 0)}).find("direction") != std::string::npos);
     CHECK(said(Ray{metres(0, 0, 0), Eigen::Vector3d(1, 0, 0), -1.0 * metre}).find("-1 m") != std::string::npos);
     std::vector<Handle> bodies(3);
-    CHECK(refusal([&] { world.query().overlap(Sphere{-1.0 * metre}, metres(0, 0, 0), bodies); }).find("radius") != std::string::npos);
-    CHECK(refusal([&] { world.query().overlap(Sphere{1.0 * metre}, metres(0, nan, 0), bodies); }).find("position") != std::string::npos);
+    CHECK(refusal([&] { world.query().overlap(Sphere{-1.0 * metre}, metres(0, 0, 0), bodies); }).find("radius") !=
+          std::string::npos);
+    CHECK(refusal([&] { world.query().overlap(Sphere{1.0 * metre}, metres(0, nan, 0), bodies); }).find("position") !=
+          std::string::npos);
     CHECK(bodies.size() == 3);
     World flat{SemiImplicitEuler{}, Space<double, 2>{}, Impulse<>{}, SortAndSweep{}, Narrowphase<Sphere>{}};
-    CHECK(refusal([&] { flat.query().closest(Ray{metres(0, 0), Eigen::Vector3d(0, 0, 1)}); }).find("Ray::direction") != std::string::npos);
+    CHECK(refusal([&] {
+              flat.query().closest(Ray{metres(0, 0), Eigen::Vector3d(0, 0, 1)});
+          }).find("Ray::direction") != std::string::npos);
 }
 
 TEST_CASE("what the page shows: what is below, what a ray goes through, who is near", "[collision][queries]") {

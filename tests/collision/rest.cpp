@@ -15,7 +15,9 @@
 using namespace collision_tests;
 
 namespace {
-template <class S = Space<>, class... P> auto with_rest(P... policies) { return world_of(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, policies...); }
+template <class S = Space<>, class... P> auto with_rest(P... policies) {
+    return world_of(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, policies...);
+}
 constexpr double dt = 1.0 / 60;
 
 /// A column of n spheres of radius 0.5 m on the ground, from below; the masses in kg.
@@ -24,7 +26,8 @@ template <class World_> std::vector<Handle> column(World_& world, std::vector<do
     world.add(Plane::ground(), fixed);
     std::vector<Handle> bodies;
     for (std::size_t i = 0; i < masses.size(); ++i)
-        bodies.push_back(world.add(Sphere{0.5 * metre}, at<S>(0, 0.5 + double(i) * (1 + gap)), mass(masses[i] * kilogram)));
+        bodies.push_back(
+            world.add(Sphere{0.5 * metre}, at<S>(0, 0.5 + double(i) * (1 + gap)), mass(masses[i] * kilogram)));
     return bodies;
 }
 } // namespace
@@ -63,13 +66,17 @@ TEST_CASE("R9: nothing falls asleep in the air, however weak gravity is", "[coll
             auto world = with_rest(Impulse<>{}, Projection{1e-3 * metre});
             world.set(Gravity{metres_per_second_squared(0, -g, 0)});
             // Two that touch each other, side by side and one upon the other, hold nobody.
-            const auto a = world.add(Sphere{0.5 * metre}, at<Space<>>(0, 100), going<Space<>>(0, thrown), mass(1.0 * kilogram));
-            const auto b = world.add(Sphere{0.5 * metre}, at<Space<>>(0.9999, 100), going<Space<>>(0, thrown), mass(1.0 * kilogram));
-            const auto c = world.add(Sphere{0.5 * metre}, at<Space<>>(0, 100.9999), going<Space<>>(0, thrown), mass(1.0 * kilogram));
+            const auto a =
+                world.add(Sphere{0.5 * metre}, at<Space<>>(0, 100), going<Space<>>(0, thrown), mass(1.0 * kilogram));
+            const auto b = world.add(Sphere{0.5 * metre}, at<Space<>>(0.9999, 100), going<Space<>>(0, thrown),
+                                     mass(1.0 * kilogram));
+            const auto c = world.add(Sphere{0.5 * metre}, at<Space<>>(0, 100.9999), going<Space<>>(0, thrown),
+                                     mass(1.0 * kilogram));
             world.add(Plane::ground(), fixed);
             for (int i = 0; i < 120; ++i) {
                 world.step(dt * second);
-                CHECK((world.motion(a) == Motion::awake && world.motion(b) == Motion::awake && world.motion(c) == Motion::awake));
+                CHECK((world.motion(a) == Motion::awake && world.motion(b) == Motion::awake &&
+                       world.motion(c) == Motion::awake));
             }
             CHECK(std::abs(height_of(world, b) - (100 + 2 * thrown - 2 * g)) <= 0.05 * g + 0.01);
         }
@@ -80,7 +87,8 @@ TEST_CASE("R10: asleep is exactly still, and nobody else notices", "[collision][
     auto awake = world_of(SemiImplicitEuler{}, Space<>{}, Gravity{}, SoftSubsteps<>{});
     auto fill = [](auto& world) {
         const auto below = column(world, {1, 1, 1});
-        const auto flying = world.add(Sphere{0.5 * metre}, at<Space<>>(100, 1000), going<Space<>>(3), mass(1.0 * kilogram));
+        const auto flying =
+            world.add(Sphere{0.5 * metre}, at<Space<>>(100, 1000), going<Space<>>(3), mass(1.0 * kilogram));
         return std::pair(below, flying);
     };
     const auto [bodies, flying] = fill(sleepy);
@@ -96,7 +104,8 @@ TEST_CASE("R10: asleep is exactly still, and nobody else notices", "[collision][
     CHECK(sleepy.contacts().size() == 3); // kept while they sleep
 }
 
-TEST_CASE("R11: a hit, a force, a change of gravity, and a support that is taken away wake in the same step", "[collision][rest]") {
+TEST_CASE("R11: a hit, a force, a change of gravity, and a support that is taken away wake in the same step",
+          "[collision][rest]") {
     auto asleep = [] {
         auto world = with_rest(SoftSubsteps<>{});
         const auto bodies = column(world, {1, 1, 1});
@@ -121,7 +130,8 @@ TEST_CASE("R11: a hit, a force, a change of gravity, and a support that is taken
     }
     SECTION("hit slowly") {
         auto [world, bodies] = asleep();
-        world.add(Sphere{0.5 * metre}, position(metres(1.0001, 0.5, 0)), velocity(metres_per_second(-0.01, 0, 0)), mass(1.0 * kilogram));
+        world.add(Sphere{0.5 * metre}, position(metres(1.0001, 0.5, 0)), velocity(metres_per_second(-0.01, 0, 0)),
+                  mass(1.0 * kilogram));
         run(world, 2, dt);
         CHECK(world.count(Motion::awake) == 4);
     }
@@ -155,14 +165,19 @@ TEST_CASE("a platform that begins to move wakes who sleeps on it, and carries th
 TEST_CASE("R12: a pile of 300 with friction falls asleep, and stays so", "[collision][rest]") {
     auto world = with_rest<Space<float, 3>>(SoftSubsteps<Friction>{});
     using S = Space<float, 3>;
-    const auto wall = [&](double x, double z) { world.add(Plane{Eigen::Vector3d(x, 0, z), -1.5 * metre}, fixed, friction(0.3)); };
+    const auto wall = [&](double x, double z) {
+        world.add(Plane{Eigen::Vector3d(x, 0, z), -1.5 * metre}, fixed, friction(0.3));
+    };
     world.add(Plane::ground(), fixed, friction(0.3));
     wall(1, 0);
     wall(-1, 0);
     wall(0, 1);
     wall(0, -1);
     for (int i = 0; i < 300; ++i)
-        world.add(Sphere{0.2 * metre}, at<S>(-1.2 + 0.45 * (i % 6) + 0.01 * (i % 7), 0.5 + 0.45 * (i / 36), -1.2 + 0.45 * (i / 6 % 6) + 0.01 * (i % 5)), mass(1.0 * kilogram), friction(0.3));
+        world.add(Sphere{0.2 * metre},
+                  at<S>(-1.2 + 0.45 * (i % 6) + 0.01 * (i % 7), 0.5 + 0.45 * (i / 36),
+                        -1.2 + 0.45 * (i / 6 % 6) + 0.01 * (i % 5)),
+                  mass(1.0 * kilogram), friction(0.3));
     int steps = 0;
     while (world.count(Motion::awake) > 0 && steps < 600) {
         world.step(dt * second);
@@ -177,7 +192,8 @@ TEST_CASE("R12: a pile of 300 with friction falls asleep, and stays so", "[colli
 }
 
 TEST_CASE("a tower that wakes stands on the impulses that it fell asleep with", "[collision][rest]") {
-    auto world = world_of(SemiImplicitEuler{}, Space<>{}, Gravity{}, Rest{1e-6 * metre_per_second}, SoftSubsteps<>{}); // it falls asleep settled
+    auto world = world_of(SemiImplicitEuler{}, Space<>{}, Gravity{}, Rest{1e-6 * metre_per_second},
+                          SoftSubsteps<>{}); // it falls asleep settled
     const auto bodies = column(world, std::vector<double>(10, 1.0));
     run(world, 3000, dt);
     REQUIRE(world.count(Motion::resting) == 10);
@@ -210,7 +226,8 @@ TEST_CASE("R7: a heavy load that is taken away does not throw up what it lay on"
     CHECK(speed <= 0.05);
 }
 
-TEST_CASE("who sleeps wakes when what it lies on lets it through, or when something is put into it", "[collision][rest]") {
+TEST_CASE("who sleeps wakes when what it lies on lets it through, or when something is put into it",
+          "[collision][rest]") {
     auto asleep = [](auto& world, const auto&... more) {
         const auto ground = world.add(Plane::ground(), fixed);
         const auto ball = world.add(Sphere{0.5 * metre}, at<Space<>>(0, 0.5), mass(1.0 * kilogram), more...);
@@ -231,10 +248,8 @@ TEST_CASE("who sleeps wakes when what it lies on lets it through, or when someth
             auto world = with_rest(SoftSubsteps<>{});
             const auto wall = world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(10, 0.5), fixed);
             const auto [ground, ball] = asleep(world);
-            if (added)
-                world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(0.9, 0.5), fixed);
-            else
-                world.set_position(wall, metres(0.9, 0.5, 0));
+            if (added) world.add(Box{metres(0.5, 0.5, 0.5)}, at<Space<>>(0.9, 0.5), fixed);
+            else world.set_position(wall, metres(0.9, 0.5, 0));
             CHECK(world.motion(ball) == Motion::awake);
             run(world, 200, dt);
             CHECK(x_of(world, ball) < -0.05);
@@ -249,9 +264,11 @@ TEST_CASE("who sleeps wakes when what it lies on lets it through, or when someth
     }
 }
 
-TEST_CASE("a body that is put to rest in the air falls, also with the id of one that slept on the ground", "[collision][rest]") {
+TEST_CASE("a body that is put to rest in the air falls, also with the id of one that slept on the ground",
+          "[collision][rest]") {
     for (const bool with_an_old_id : {false, true}) {
-        auto world = with_rest(Springs{}, SoftSubsteps<>{}); // where bodies pull at each other, who sleeps is looked at in every step
+        auto world = with_rest(
+            Springs{}, SoftSubsteps<>{}); // where bodies pull at each other, who sleeps is looked at in every step
         const auto slept = column(world, {1.0}).front();
         world.add(Sphere{0.5 * metre}, position(metres(5, 1e3, 0)), mass(1.0 * kilogram)); // somebody is awake
         run(world, 120, dt);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// I19 where velocities and forces decide who may come to touch: a world that is saved between two steps, whatever was done to it
-// there, goes on to the same bits.
+// I19 where velocities and forces decide who may come to touch: a world that is saved between two steps, whatever was
+// done to it there, goes on to the same bits.
 
 #include "tests/collision/support.hpp"
 
@@ -17,7 +17,8 @@ using namespace collision_tests;
 
 namespace {
 
-/// A heap of balls and boxes that is pushed, loses bodies and gets new ones; springs hold them in pairs, where the world has springs.
+/// A heap of balls and boxes that is pushed, loses bodies and gets new ones; springs hold them in pairs, where the
+/// world has springs.
 template <class World_> class Heap {
 public:
     using S = typename World_::S;
@@ -29,7 +30,9 @@ public:
             for (std::size_t i = 0; i + 1 < bodies_.size(); i += 2)
                 world.add(Spring{bodies_[i], bodies_[i + 1], 300.0 * newton_per_metre, 4.0 * newton_second_per_metre});
     }
-    void push() { world.apply_impulse(any(), vector([](auto... x) { return newton_seconds(x...); }, 0.5, 1, 0)); }
+    void push() {
+        world.apply_impulse(any(), vector([](auto... x) { return newton_seconds(x...); }, 0.5, 1, 0));
+    }
     void exchange() {
         const auto gone = any();
         std::erase(bodies_, gone);
@@ -47,10 +50,12 @@ private:
     void put() {
         const auto long_ = [](auto... x) { return metres(x...); };
         const auto fast = [](auto... x) { return metres_per_second(x...); };
-        const double x = 1.5 * number(), y = 1.5 + 1.2 * number(), z = 0.3 * number(), u = 2 * number(), v = 2 * number(), m = 1 + 0.5 * number();
+        const double x = 1.5 * number(), y = 1.5 + 1.2 * number(), z = 0.3 * number(), u = 2 * number(),
+                     v = 2 * number(), m = 1 + 0.5 * number();
         const auto there = position(vector(long_, x, y, z));
         const auto going = velocity(vector(fast, u, v, 0));
-        if (number() < 0) bodies_.push_back(world.add(Sphere{(0.3 + 0.1 * number()) * metre}, there, going, mass(m * kilogram)));
+        if (number() < 0)
+            bodies_.push_back(world.add(Sphere{(0.3 + 0.1 * number()) * metre}, there, going, mass(m * kilogram)));
         else bodies_.push_back(world.add(Box{vector(long_, 0.3, 0.2, 0.3)}, there, going, mass(m * kilogram)));
     }
     std::mt19937_64 engine_;
@@ -84,12 +89,14 @@ template <class... P> void check_restarts(P... policies) {
 
 } // namespace
 
-TEST_CASE("I19: a world that is saved goes on to the same bits where springs pull at those who may come to touch", "[collision][restart]") {
+TEST_CASE("I19: a world that is saved goes on to the same bits where springs pull at those who may come to touch",
+          "[collision][restart]") {
     check_restarts(SemiImplicitEuler{}, Springs{}, SoftSubsteps<>{});
     check_restarts(Space<float, 2>{}, Verlet{}, Springs{}, SoftSubsteps<Friction>{});
 }
 
-TEST_CASE("I19: a world that is saved goes on to the same bits where a change waits to be made good", "[collision][restart]") {
+TEST_CASE("I19: a world that is saved goes on to the same bits where a change waits to be made good",
+          "[collision][restart]") {
     const Penalty soft{2e3 * newton_per_metre, 20.0 * newton_second_per_metre};
     check_restarts(Space<float, 2>{}, Verlet{}, soft);
     check_restarts(Verlet{}, Springs{}, soft);

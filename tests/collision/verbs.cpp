@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// Verbs on a living world (hard case V1): whatever is done to one body of a sleeping pile is done to that body and to no other.
+// Verbs on a living world (hard case V1): whatever is done to one body of a sleeping pile is done to that body and to
+// no other.
 //
-// Waking moves bodies to other slots, so a verb that looks a slot up before it wakes somebody acts on another body. Random verbs
-// are held against a plain model that keeps bodies by their handles (who is there, datum, mass and columns exactly; where the
-// others are, to the bit), and against a world of the same bodies that never sleeps (places within slop).
+// Waking moves bodies to other slots, so a verb that looks a slot up before it wakes somebody acts on another body.
+// Random verbs are held against a plain model that keeps bodies by their handles (who is there, datum, mass and columns
+// exactly; where the others are, to the bit), and against a world of the same bodies that never sleeps (places within
+// slop).
 //
 // Loops that everybody writes (V6): who removes bodies while he walks over contacts, events or handles skips nobody.
 
@@ -46,7 +48,8 @@ template <class W> class Lives {
 public:
     using S = typename W::S;
 
-    Lives(W sleepy, double rate, std::uint64_t seed) : sleepy_(std::move(sleepy)), restless_(sleepy_), rate_(rate), engine_(seed) {
+    Lives(W sleepy, double rate, std::uint64_t seed)
+        : sleepy_(std::move(sleepy)), restless_(sleepy_), rate_(rate), engine_(seed) {
         restless_.set(Rest{0.05 * metre_per_second, 1e6 * second});
         both([&](W& world) { world.add(Plane::ground(), fixed); });
         // One column stands on a platform, which could move.
@@ -75,12 +78,14 @@ public:
         if (quiet_) compare();
     }
 
-    int on_sleepers = 0;  ///< verbs while somebody slept
-    int compared = 0;     ///< places that were held against the other world's
-    double farthest = 0;  ///< m, apart
+    int on_sleepers = 0; ///< verbs while somebody slept
+    int compared = 0;    ///< places that were held against the other world's
+    double farthest = 0; ///< m, apart
 
 private:
-    static constexpr bool hangs = requires(W& world, Handle h) { world.add(Spring{h, h, 1.0 * newton_per_metre}); } && W::composition::element_keepers::size > 0;
+    static constexpr bool hangs = requires(W& world, Handle h) {
+        world.add(Spring{h, h, 1.0 * newton_per_metre});
+    } && W::composition::element_keepers::size > 0;
 
     static Box box() {
         if constexpr (S::dimension == 3) return Box{metres(0.5, 0.5, 0.5)};
@@ -88,7 +93,9 @@ private:
     }
     template <class F> void both(F&& f) { f(sleepy_), f(restless_); }
     int column_of_chance() { return int(engine_() % columns); }
-    int there() const { return int(std::count_if(known_.begin(), known_.end(), [](const Known& k) { return k.there; })); }
+    int there() const {
+        return int(std::count_if(known_.begin(), known_.end(), [](const Known& k) { return k.there; }));
+    }
     int alive() {
         const int n = there();
         if (n == 0) return -1;
@@ -113,8 +120,10 @@ private:
         body.mass = 1 + double(engine_() % 3);
         const auto place = above(column);
         both([&](W& world) {
-            body.handle = world.add(box(), position(place), mass(body.mass * kilogram), with<Colour>(Number(body.colour)), datum(body.datum));
-            if constexpr (W::composition::template stores<Friction>) world.template write<Friction>(body.handle, Number(0.5));
+            body.handle = world.add(box(), position(place), mass(body.mass * kilogram),
+                                    with<Colour>(Number(body.colour)), datum(body.datum));
+            if constexpr (W::composition::template stores<Friction>)
+                world.template write<Friction>(body.handle, Number(0.5));
         });
         known_.push_back(body);
     }
@@ -158,13 +167,13 @@ private:
             body.colour = double(engine_() % 64) / 8;
             both([&](W& world) { world.template write<Colour>(h, Number(body.colour)); });
             break;
-        case 8:
-            both([&](W& world) { world.apply_impulse(h, vector_in<S, unit::Momentum>(0, 0.3)); });
-            break;
+        case 8: both([&](W& world) { world.apply_impulse(h, vector_in<S, unit::Momentum>(0, 0.3)); }); break;
         case 9:
             both([&](W& world) {
-                if constexpr (W::composition::template stores<Friction>) world.template write<Friction>(h, Number(0.6)); // wakes who lies on it
-                else if constexpr (W::composition::template stores<AppliedForce>) world.apply_force(h, vector_in<S, unit::Force>(0, 30));
+                if constexpr (W::composition::template stores<Friction>)
+                    world.template write<Friction>(h, Number(0.6)); // wakes who lies on it
+                else if constexpr (W::composition::template stores<AppliedForce>)
+                    world.apply_force(h, vector_in<S, unit::Force>(0, 30));
                 else world.wake(h);
             });
             break;
@@ -186,7 +195,8 @@ private:
             }
             if (!body.there || body.handle == meant) continue;
             CHECK(sleepy_.position(body.handle) == before.position(body.handle));
-            CHECK(norm(typename S::Velocity(sleepy_.velocity(body.handle) - before.velocity(body.handle))).value() <= (W::composition::history ? 1e-4 : 0));
+            CHECK(norm(typename S::Velocity(sleepy_.velocity(body.handle) - before.velocity(body.handle))).value() <=
+                  (W::composition::history ? 1e-4 : 0));
         }
         CHECK(sleepy_.size() == restless_.size());
     }
@@ -197,7 +207,8 @@ private:
     void compare() {
         for (const Known& body : known_) {
             if (!body.there) continue;
-            const double apart = double(norm(typename S::Position(sleepy_.position(body.handle) - restless_.position(body.handle))).value());
+            const double apart = double(
+                norm(typename S::Position(sleepy_.position(body.handle) - restless_.position(body.handle))).value());
             farthest = std::max(farthest, apart);
             ++compared;
         }
@@ -234,35 +245,47 @@ template <class W> void live(const W& world, double rate, double slop) {
 }
 
 template <class S, class... P> auto resting_world(P... policies) {
-    return World{S{}, SortAndSweep{}, Narrowphase<Box, Plane>{}, Gravity{}, Rest{}, Keep<Colour, InverseMass>{}, Datum<int>{}, policies...};
+    return World{S{},          SortAndSweep{}, Narrowphase<Box, Plane>{},
+                 Gravity{},    Rest{},         Keep<Colour, InverseMass>{},
+                 Datum<int>{}, policies...};
 }
 
 } // namespace
 
 TEST_CASE("V1: verbs act on the body that is meant: Impulse with friction, Projection", "[collision][verbs][V1]") {
-    live(resting_world<Space<>>(SemiImplicitEuler{}, Impulse<Friction>{.sweeps = 20}, Projection{1e-3 * metre}), 60, 5e-3); // measured 3.1e-3: each of five in a column may be a slop deeper;
+    live(resting_world<Space<>>(SemiImplicitEuler{}, Impulse<Friction>{.sweeps = 20}, Projection{1e-3 * metre}), 60,
+         5e-3); // measured 3.1e-3: each of five in a column may be a slop deeper;
 }
-TEST_CASE("V1: verbs act on the body that is meant: Impulse alone, in float and two dimensions", "[collision][verbs][V1]") {
+TEST_CASE("V1: verbs act on the body that is meant: Impulse alone, in float and two dimensions",
+          "[collision][verbs][V1]") {
     // Whoever does not sleep sinks for ever (notes 2.2.1), so places are not compared.
     live(resting_world<Space<float, 2>>(SemiImplicitEuler{}, Impulse<>{}, AppliedForces{}), 60, HUGE_VAL);
 }
-TEST_CASE("V1: verbs act on the body that is meant: SoftSubsteps with friction, and one on a spring", "[collision][verbs][V1]") {
-    live(resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{}), 60, 5e-3); // measured 2.3e-4
+TEST_CASE("V1: verbs act on the body that is meant: SoftSubsteps with friction, and one on a spring",
+          "[collision][verbs][V1]") {
+    live(resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{}),
+         60, 5e-3); // measured 2.3e-4
 }
 TEST_CASE("V1: verbs act on the body that is meant: Penalty, of a history", "[collision][verbs][V1]") {
-    live(resting_world<Space<>>(Verlet{}, Penalty{2e4 * newton_per_metre, 80.0 * newton_second_per_metre}, AppliedForces{}), 240, 5e-3);
+    live(resting_world<Space<>>(Verlet{}, Penalty{2e4 * newton_per_metre, 80.0 * newton_second_per_metre},
+                                AppliedForces{}),
+         240, 5e-3);
 }
 
 namespace {
 
 /// A hail of bullets (ids above 100) that lie in a floor of boxes, some in two of them.
 auto hail() {
-    auto world = resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{});
+    auto world =
+        resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{});
     world.add(Plane::ground(), fixed);
-    for (int i = 0; i < 100; ++i) world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(i % 10, 0.5, i / 10)), mass(5.0 * kilogram));
+    for (int i = 0; i < 100; ++i)
+        world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(i % 10, 0.5, i / 10)), mass(5.0 * kilogram));
     std::mt19937_64 engine(7);
     auto number = [&] { return 9 * double(engine() >> 11) * 0x1p-53; };
-    for (int i = 0; i < 60; ++i) world.add(Box{metres(0.1, 0.1, 0.1)}, position(metres(number(), 1.05, number())), mass(0.1 * kilogram), datum(i));
+    for (int i = 0; i < 60; ++i)
+        world.add(Box{metres(0.1, 0.1, 0.1)}, position(metres(number(), 1.05, number())), mass(0.1 * kilogram),
+                  datum(i));
     world.step(1.0 / 240 * second);
     return world;
 }
@@ -271,7 +294,8 @@ bool is_bullet(const Handle& h) { return h.id > 100; }
 
 /// The contacts of the bullets, counted before anything is removed.
 std::size_t of_bullets(const Hail& world) {
-    return std::size_t(std::count_if(world.contacts().begin(), world.contacts().end(), [](const auto& c) { return is_bullet(c.first) || is_bullet(c.second); }));
+    return std::size_t(std::count_if(world.contacts().begin(), world.contacts().end(),
+                                     [](const auto& c) { return is_bullet(c.first) || is_bullet(c.second); }));
 }
 
 } // namespace
@@ -284,7 +308,8 @@ TEST_CASE("V6: who removes bodies while he walks over contacts() meets every con
     std::size_t seen = 0, removed = 0, hits = 0;
     for (const auto& contact : world.contacts()) {
         REQUIRE(seen < all.size());
-        CHECK((contact.first == all[seen].first && contact.second == all[seen].second && contact.depth == all[seen].depth));
+        CHECK((contact.first == all[seen].first && contact.second == all[seen].second &&
+               contact.depth == all[seen].depth));
         ++seen;
         hits += is_bullet(contact.first) || is_bullet(contact.second);
         for (const auto& body : {contact.first, contact.second}) {
@@ -292,7 +317,9 @@ TEST_CASE("V6: who removes bodies while he walks over contacts() meets every con
             if (!world.contains(body)) continue; // it was in another contact, too
             world.remove(body);
             ++removed;
-            if (removed % 2 == 0) world.add(Box{metres(0.1, 0.1, 0.1)}, position(metres(0, 100.0 + double(removed), 0)), mass(0.1 * kilogram)); // takes the id
+            if (removed % 2 == 0)
+                world.add(Box{metres(0.1, 0.1, 0.1)}, position(metres(0, 100.0 + double(removed), 0)),
+                          mass(0.1 * kilogram)); // takes the id
         }
     }
     CHECK(seen == all.size());
@@ -321,8 +348,10 @@ TEST_CASE("V6: who removes bodies while he walks over contacts() meets every con
     CHECK(world.contacts_ended().size() < expected); // told once
 }
 
-TEST_CASE("V6: a contact of a removed body wakes nobody and holds nobody, also when its id is given again", "[collision][verbs][V6]") {
-    auto world = resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{});
+TEST_CASE("V6: a contact of a removed body wakes nobody and holds nobody, also when its id is given again",
+          "[collision][verbs][V6]") {
+    auto world =
+        resting_world<Space<>>(SemiImplicitEuler{}, SoftSubsteps<Friction>{}, Springs<Breaking>{}, AppliedForces{});
     const auto ground = world.add(Plane::ground(), fixed);
     const auto lower = world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(0, 0.5, 0)), mass(1.0 * kilogram));
     const auto upper = world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(0, 1.5, 0)), mass(1.0 * kilogram));
@@ -342,7 +371,8 @@ TEST_CASE("V6: a contact of a removed body wakes nobody and holds nobody, also w
     CHECK(height_of(world, other) < 0.5 - 0.99 * 0.5 * 9.81 * 0.0625);
 }
 
-TEST_CASE("V6: who removes bodies while he walks over contacts_ended(), events(), handles() and elements skips nobody", "[collision][verbs][V6]") {
+TEST_CASE("V6: who removes bodies while he walks over contacts_ended(), events(), handles() and elements skips nobody",
+          "[collision][verbs][V6]") {
     auto world = hail();
     SECTION("handles") {
         std::size_t seen = 0;
@@ -388,7 +418,9 @@ TEST_CASE("V6: who removes bodies while he walks over contacts_ended(), events()
     SECTION("elements, and those that broke") {
         const auto bodies = world.handles();
         for (std::size_t i = 101; i + 1 < bodies.size(); ++i)
-            world.add(Spring{bodies[i], bodies[i + 1], (i % 2 == 0 ? 1.0 : 1e3) * newton_per_metre, 0.0 * newton_second_per_metre, 1e-3 * metre}, breaks_at(50.0 * newton));
+            world.add(Spring{bodies[i], bodies[i + 1], (i % 2 == 0 ? 1.0 : 1e3) * newton_per_metre,
+                             0.0 * newton_second_per_metre, 1e-3 * metre},
+                      breaks_at(50.0 * newton));
         const auto springs = world.elements<Spring>().handles();
         REQUIRE(springs.size() == 59);
         world.step(1.0 / 240 * second);
@@ -398,7 +430,8 @@ TEST_CASE("V6: who removes bodies while he walks over contacts_ended(), events()
         std::size_t seen = 0, gone = 0;
         for (const auto& spring : world.elements<Spring>().broken()) {
             ++seen;
-            if (world.contains(spring.first.body())) world.remove(spring.first.body()), ++gone; // takes its other springs with it
+            if (world.contains(spring.first.body()))
+                world.remove(spring.first.body()), ++gone; // takes its other springs with it
         }
         CHECK(seen == broken);
         CHECK(world.size() == 161 - gone);

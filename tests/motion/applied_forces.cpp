@@ -30,8 +30,10 @@ TEST_CASE("applied forces act for exactly one step, and their sum counts", "[mot
     });
 }
 
-TEST_CASE("applied forces: a constant one is a constant acceleration, by each scheme's closed form", "[motion][applied_forces]") {
-    // a = 3 m/s^2 for 10 steps of 0.1 s: x = a T^2 / 2 + (1/2) a T h times -1, 1, 0 as the scheme is explicit, semi-implicit, or better.
+TEST_CASE("applied forces: a constant one is a constant acceleration, by each scheme's closed form",
+          "[motion][applied_forces]") {
+    // a = 3 m/s^2 for 10 steps of 0.1 s: x = a T^2 / 2 + (1/2) a T h times -1, 1, 0 as the scheme is explicit,
+    // semi-implicit, or better.
     auto end = []<class I>(I integrator) {
         World world{integrator, AppliedForces{}};
         const auto body = world.add(mass(4.0 * kilogram));
@@ -61,7 +63,8 @@ TEST_CASE("applied forces do not move what is fixed, and opposite ones cancel to
     CHECK(world.position(body).value() == Eigen::Vector3d::Zero());
 }
 
-TEST_CASE("applied forces: a force and an impulse of the same F dt leave the same velocity", "[motion][applied_forces]") {
+TEST_CASE("applied forces: a force and an impulse of the same F dt leave the same velocity",
+          "[motion][applied_forces]") {
     World pushed{SemiImplicitEuler{}, AppliedForces{}}, kicked{SemiImplicitEuler{}, AppliedForces{}};
     const auto a = pushed.add(mass(0.3 * kilogram)), b = kicked.add(mass(0.3 * kilogram));
     pushed.apply_force(a, newtons(1, 2, 3));
@@ -83,7 +86,8 @@ TEST_CASE("applied forces: energy is taken from outside, by the work F s", "[mot
     CHECK(potential_energy(world).value() == 0);
 }
 
-TEST_CASE("applied forces: at any moment of a run they give F dt, and applying one does not yet change the velocity", "[motion][applied_forces]") {
+TEST_CASE("applied forces: at any moment of a run they give F dt, and applying one does not yet change the velocity",
+          "[motion][applied_forces]") {
     for_each_type(Staged{}, []<class I> {
         World world{I{}, AppliedForces{}, Gravity{}};
         const auto body = world.add(velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram));

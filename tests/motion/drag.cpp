@@ -40,7 +40,8 @@ TEST_CASE("I7 drag only: as an explicit law it diverges beyond h = 2 / c, as an 
     CHECK(speed_after_100(ImplicitEuler{}, 1e6) < 1e-300);
 }
 
-TEST_CASE("I23 frame-rate independent damping: after a second the same velocity at 30, 60, 120 Hz and in uneven steps", "[motion][I23][drag]") {
+TEST_CASE("I23 frame-rate independent damping: after a second the same velocity at 30, 60, 120 Hz and in uneven steps",
+          "[motion][I23][drag]") {
     for_each_type(AllIntegrators{}, []<class I> {
         auto after_a_second = []<class S>(S space, auto&& steps) {
             World world{space, I{}, Drag{0.6 / second}};
@@ -51,20 +52,24 @@ TEST_CASE("I23 frame-rate independent damping: after a second the same velocity 
         const double left = std::exp(-0.6);
         for (const int rate : {1, 7, 30, 60, 120}) {
             const auto wide = after_a_second(Space<double, 2>{}, std::vector<double>(std::size_t(rate), 1.0 / rate));
-            INFO(rate << " Hz: (" << wide.value()[0] << ", " << wide.value()[1] << ") m/s, should be (" << 3 * left << ", " << -4 * left << ") m/s");
+            INFO(rate << " Hz: (" << wide.value()[0] << ", " << wide.value()[1] << ") m/s, should be (" << 3 * left
+                      << ", " << -4 * left << ") m/s");
             CHECK(std::abs(wide.value()[0] - 3 * left) <= 1e-9);
             CHECK(std::abs(wide.value()[1] + 4 * left) <= 1e-9);
         }
         const auto uneven = after_a_second(Space<double, 2>{}, std::vector<double>{0.01, 0.5, 0.09, 0.3, 0.1});
         CHECK(std::abs(uneven.value()[0] - 3 * left) <= 1e-9);
         const auto narrow = after_a_second(Space<float, 2>{}, std::vector<double>(60, 1.0 / 60));
-        // 60 roundings of the factor and of the product; Verlet's velocity is a difference of positions near 1 m over 1/60 s.
-        CHECK(std::abs(double(narrow.value()[0]) - 3 * left) <= (std::is_same_v<I, Verlet> ? 60 * 60 * std::pow(2.0, -22) : 120 * std::pow(2.0, -23)));
+        // 60 roundings of the factor and of the product; Verlet's velocity is a difference of positions near 1 m over
+        // 1/60 s.
+        CHECK(std::abs(double(narrow.value()[0]) - 3 * left) <=
+              (std::is_same_v<I, Verlet> ? 60 * 60 * std::pow(2.0, -22) : 120 * std::pow(2.0, -23)));
     });
 }
 
 TEST_CASE("drag is one factor for all components, and its path is the sum of them", "[motion][drag]") {
-    // x after n steps: v0 h (q + q^2 + ... + q^n) where the effect acts after the integrator moved the body with the old v.
+    // x after n steps: v0 h (q + q^2 + ... + q^n) where the effect acts after the integrator moved the body with the
+    // old v.
     World world{SemiImplicitEuler{}, Drag{2.0 / second}};
     const auto body = world.add(velocity(metres_per_second(1, -2, 0.5)));
     const double h = 0.1, q = std::exp(-0.2);
@@ -79,6 +84,8 @@ TEST_CASE("drag is one factor for all components, and its path is the sum of the
 
 TEST_CASE("drag refuses a negative and an infinite rate", "[motion][drag]") {
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Drag{-0.1 / second}}), std::invalid_argument);
-    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Drag{std::numeric_limits<double>::infinity() / second}}), std::invalid_argument);
-    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Drag{std::numeric_limits<double>::quiet_NaN() / second}}), std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Drag{std::numeric_limits<double>::infinity() / second}}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Drag{std::numeric_limits<double>::quiet_NaN() / second}}),
+                    std::invalid_argument);
 }

@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// Problems by what their force depends on (hard case I16): an integrator that is of second order for forces of position
-/// may silently fall to first order for forces of velocity or time. Each problem makes a world for an integrator, says
-/// where its body starts and where it is at T.
+/// Problems by what their force depends on (hard case I16): an integrator that is of second order for forces of
+/// position may silently fall to first order for forces of velocity or time. Each problem makes a world for an
+/// integrator, says where its body starts and where it is at T.
 
 #include "tests/motion/support.hpp"
 
@@ -21,7 +21,8 @@ struct TurningAxes {
     template <class S> struct In {
         typename S::Scalar w;
         explicit In(const TurningAxes& t) : w(S::convert(t.w).value()) {}
-        typename S::Acceleration acceleration(const typename S::Position& x, const typename S::Velocity& v, const auto&) const {
+        typename S::Acceleration acceleration(const typename S::Position& x, const typename S::Velocity& v,
+                                              const auto&) const {
             auto a = S::template zero_vector<unit::Acceleration>().value();
             a[0] = w * w * x.value()[0] + 2 * w * v.value()[1];
             a[1] = w * w * x.value()[1] - 2 * w * v.value()[0];
@@ -46,7 +47,9 @@ struct SpringProblem {
     static constexpr double T = 2;
     static constexpr int coarsest_of_8 = 8; // steps where a method of order 8 still shows its order
     static constexpr int finer = 1;         // how many times finer the ladder of the others must begin than usual
-    template <class I> static auto world() { return World{Space<double, 2>{}, I{}, PointSpring{40.0 * newton_per_metre, metres(1, -2)}}; }
+    template <class I> static auto world() {
+        return World{Space<double, 2>{}, I{}, PointSpring{40.0 * newton_per_metre, metres(1, -2)}};
+    }
     static constexpr double kilograms = 2.5;
     static InAPlane at(double t) {
         const auto p = oscillator(4.0 / second, {0.3 * metre, -1.1 * metre_per_second}, t * second);
@@ -63,8 +66,12 @@ struct KeplerProblem { // not linear; the body comes as near as 0.6 m to the cen
 struct DampedProblem { // velocity, in one line with the motion
     static constexpr double T = 10, kilograms = 1;
     static constexpr int coarsest_of_8 = 8, finer = 1;
-    template <class I> static auto world() { return World{Space<double, 2>{}, I{}, Oscillator{}, LinearDamping{0.4 / second}}; }
-    static OnALine at(double t) { return damped_oscillator(1.0 / second, 0.4 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second); }
+    template <class I> static auto world() {
+        return World{Space<double, 2>{}, I{}, Oscillator{}, LinearDamping{0.4 / second}};
+    }
+    static OnALine at(double t) {
+        return damped_oscillator(1.0 / second, 0.4 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second);
+    }
 };
 struct TurningProblem { // velocity, across the motion
     static constexpr double T = 4, kilograms = 1;
@@ -81,20 +88,24 @@ struct DrivenProblem { // time
     static constexpr double T = 10, kilograms = 1;
     static constexpr int coarsest_of_8 = 16, finer = 1;
     template <class I> static auto world() {
-        return World{Space<double, 2>{}, I{}, Oscillator{}, Forcing{metres_per_second_squared(1.5, 0, 0), 2.0 / second}};
+        return World{Space<double, 2>{}, I{}, Oscillator{},
+                     Forcing{metres_per_second_squared(1.5, 0, 0), 2.0 / second}};
     }
     static OnALine at(double t) {
-        return driven_oscillator(1.0 / second, 0.0 / second, 1.5 * metre_per_second_squared, 2.0 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second);
+        return driven_oscillator(1.0 / second, 0.0 / second, 1.5 * metre_per_second_squared, 2.0 / second,
+                                 {1.0 * metre, 0.5 * metre_per_second}, t * second);
     }
 };
 struct DampedDrivenProblem { // position, velocity and time at once
     static constexpr double T = 10, kilograms = 1;
     static constexpr int coarsest_of_8 = 16, finer = 1;
     template <class I> static auto world() {
-        return World{Space<double, 2>{}, I{}, Oscillator{}, LinearDamping{0.4 / second}, Forcing{metres_per_second_squared(1.5, 0, 0), 2.0 / second}};
+        return World{Space<double, 2>{}, I{}, Oscillator{}, LinearDamping{0.4 / second},
+                     Forcing{metres_per_second_squared(1.5, 0, 0), 2.0 / second}};
     }
     static OnALine at(double t) {
-        return driven_oscillator(1.0 / second, 0.4 / second, 1.5 * metre_per_second_squared, 2.0 / second, {1.0 * metre, 0.5 * metre_per_second}, t * second);
+        return driven_oscillator(1.0 / second, 0.4 / second, 1.5 * metre_per_second_squared, 2.0 / second,
+                                 {1.0 * metre, 0.5 * metre_per_second}, t * second);
     }
 };
 struct FallProblem { // velocity, not linear, a force that needs the mass: v_t = 5 m/s
@@ -115,10 +126,8 @@ struct FallProblem { // velocity, not linear, a force that needs the mass: v_t =
 template <class Problem, class I, bool Alternating = false> double error_of(int steps) {
     auto world = Problem::template world<I>();
     const auto body = add_body(world, Problem::at(0), Problem::kilograms);
-    if constexpr (Alternating)
-        run_alternating(world, steps, Problem::T);
-    else
-        run(world, steps, Problem::T / steps);
+    if constexpr (Alternating) run_alternating(world, steps, Problem::T);
+    else run(world, steps, Problem::T / steps);
     CHECK(world.status().ok());
     return distance(state(world, body), state(Problem::at(Problem::T)));
 }
@@ -128,8 +137,7 @@ template <class I> constexpr int usual_steps = I::order >= 4 ? 100 : I::order ==
 
 template <class Problem> void check_order_of_all_integrators() {
     for_each_type(AllIntegrators{}, []<class I> {
-        if constexpr (I::order >= 8)
-            check_order(8, 0.75, Problem::coarsest_of_8, 4, error_of<Problem, I>);
+        if constexpr (I::order >= 8) check_order(8, 0.75, Problem::coarsest_of_8, 4, error_of<Problem, I>);
         else
             check_order(I::order, I::order >= 4 ? 0.1 : 0.05, usual_steps<I> * Problem::finer, 3, error_of<Problem, I>);
     });
@@ -138,10 +146,10 @@ template <class Problem> void check_order_of_all_integrators() {
 /// The same for h, 2h, h, 2h ... (hard case I12).
 template <class Problem> void check_order_with_varying_step() {
     for_each_type(AllIntegrators{}, []<class I> {
-        if constexpr (I::order >= 8)
-            check_order(8, 0.75, Problem::coarsest_of_8, 4, error_of<Problem, I, true>);
+        if constexpr (I::order >= 8) check_order(8, 0.75, Problem::coarsest_of_8, 4, error_of<Problem, I, true>);
         else
-            check_order(I::order, I::order >= 4 ? 0.1 : 0.05, usual_steps<I> * Problem::finer, 3, error_of<Problem, I, true>);
+            check_order(I::order, I::order >= 4 ? 0.1 : 0.05, usual_steps<I> * Problem::finer, 3,
+                        error_of<Problem, I, true>);
     });
 }
 

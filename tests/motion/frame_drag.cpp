@@ -10,7 +10,10 @@ using namespace motion_tests;
 
 TEST_CASE("I23 a factor for each frame depends on the frame rate: .740, .547, .299", "[motion][I23][frame_drag]") {
     for_each_type(AllIntegrators{}, []<class I> {
-        struct Row { int rate; double left; };
+        struct Row {
+            int rate;
+            double left;
+        };
         for (const auto& [rate, left] : {Row{30, 0.740}, Row{60, 0.547}, Row{120, 0.299}}) {
             World world{I{}, FrameDrag{0.99}};
             const auto body = world.add(velocity(metres_per_second(1, 0, -2)));
@@ -30,7 +33,7 @@ TEST_CASE("frame drag does not know the length of the step", "[motion][frame_dra
     const auto body = world.add(velocity(metres_per_second(8, 0, 0)));
     for (const double dt : {1e-6, 1.0, 100.0}) world.step(dt * second);
     CHECK(world.velocity(body).value()[0] == 1); // powers of two: exact
-    world.step(0.0 * second); // a step of zero is no frame
+    world.step(0.0 * second);                    // a step of zero is no frame
     CHECK(world.velocity(body).value()[0] == 1);
 }
 

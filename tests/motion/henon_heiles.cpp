@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 
-// Hard case I14: Henon and Heiles' galaxy from x = (0.1, 0), v = (0, 0.5), E = 0.13 m^2/s^2, in steps of 0.1 s up to 1e4 s.
-// Chaos, so no trajectory can be right for long; what can be right is the energy.
+// Hard case I14: Henon and Heiles' galaxy from x = (0.1, 0), v = (0, 0.5), E = 0.13 m^2/s^2, in steps of 0.1 s up to
+// 1e4 s. Chaos, so no trajectory can be right for long; what can be right is the energy.
 
 #include "tests/motion/support.hpp"
 

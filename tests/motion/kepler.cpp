@@ -13,8 +13,9 @@ namespace {
 constexpr double e = 0.6, period = 2 * std::numbers::pi;
 
 struct Drift {
-    double energy_first = 0, energy_all = 0, energy_last = 0; // max |dE / E0| in the first, in all, in the last of the periods
-    double angular_momentum = 0;                              // max |dL / L0| in all
+    double energy_first = 0, energy_all = 0,
+           energy_last = 0;      // max |dE / E0| in the first, in all, in the last of the periods
+    double angular_momentum = 0; // max |dL / L0| in all
 };
 
 template <class S, class I> Drift drift(int periods, int steps_a_period) {
@@ -49,7 +50,8 @@ template <class S, class I> Drift drift(int periods, int steps_a_period) {
 TEST_CASE("I13 Kepler: velocity Verlet's energy swings and does not drift", "[motion][I13]") {
     for_each_type(Types<Space<double, 2>, Space<double, 3>>{}, []<class S> {
         const auto d = drift<S, VelocityVerlet>(100, 1000);
-        INFO("max |dE/E| in the first period " << d.energy_first << ", in a hundred " << d.energy_all << ", |dL/L| " << d.angular_momentum);
+        INFO("max |dE/E| in the first period " << d.energy_first << ", in a hundred " << d.energy_all << ", |dL/L| "
+                                               << d.angular_momentum);
         CHECK(d.energy_first <= 4e-4); // measured 2.926e-4
         CHECK(d.energy_all <= 4e-4);   // measured 2.926e-4
         CHECK(d.energy_all <= 1.02 * d.energy_first);
@@ -70,8 +72,8 @@ TEST_CASE("I13 Kepler: position Verlet is the same scheme, with coarser rounding
     INFO("max |dE/E| " << d.energy_all << ", |dL/L| " << d.angular_momentum);
     CHECK(d.energy_all <= 4e-4);
     CHECK(d.energy_all <= 1.02 * d.energy_first);
-    // Its velocity is (x - x_before) / h: a rounding of x by 2^-53 * 1.6 m is a kick of that / h = 3e-14 m/s, and 1e5 random
-    // ones add up to 300 times that.
+    // Its velocity is (x - x_before) / h: a rounding of x by 2^-53 * 1.6 m is a kick of that / h = 3e-14 m/s, and 1e5
+    // random ones add up to 300 times that.
     CHECK(d.angular_momentum <= 1e-11);
 }
 
@@ -89,7 +91,8 @@ TEST_CASE("I13 Kepler: explicit Euler unbinds", "[motion][I13]") {
 }
 
 TEST_CASE("I13 Kepler: half the step divides the swing of the energy by four", "[motion][I13]") {
-    const auto coarse = drift<Space<double, 2>, VelocityVerlet>(3, 1000), fine = drift<Space<double, 2>, VelocityVerlet>(3, 2000);
+    const auto coarse = drift<Space<double, 2>, VelocityVerlet>(3, 1000),
+               fine = drift<Space<double, 2>, VelocityVerlet>(3, 2000);
     INFO("max |dE/E| " << coarse.energy_all << " and with half the step " << fine.energy_all);
     CHECK(std::abs(slope(coarse.energy_all, fine.energy_all) - 2) <= 0.05);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 
-// Momentum, notes 1.4. Two laws fix a collision along a line: momentum is conserved, and the bodies part with e times the
-// speed at which they met. Both are tested for random pairs; everything else is a symmetry or a limit.
+// Momentum, notes 1.4. Two laws fix a collision along a line: momentum is conserved, and the bodies part with e times
+// the speed at which they met. Both are tested for random pairs; everything else is a symmetry or a limit.
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
@@ -60,14 +60,16 @@ TEST_CASE("Momentum: p = m v, and an impulse is its change", "[motion][momentum]
     // A constant force through a time, by SUVAT: u = 1 m/s, a = F / m = 2.5 m/s^2, t = 4 s.
     const auto m = 2 * kilogram;
     const auto push = 5 * newton;
-    const auto ride = suvat::solve(suvat::initial_velocity(1 * metre_per_second), suvat::acceleration(acceleration(push, m)),
-                                   suvat::time(4.0 * second)).front();
+    const auto ride = suvat::solve(suvat::initial_velocity(1 * metre_per_second),
+                                   suvat::acceleration(acceleration(push, m)), suvat::time(4.0 * second))
+                          .front();
     CHECK(momentum(m, ride.v) - momentum(m, ride.u) == impulse(push, ride.t));
     // and through a way: the work of the force is the change of the kinetic energy.
     CHECK(kinetic_energy(m, ride.v) - kinetic_energy(m, ride.u) == push * ride.s);
 }
 
-TEST_CASE("Momentum: kinetic energy is that of the centre of mass and that of the motion about it", "[motion][momentum]") {
+TEST_CASE("Momentum: kinetic energy is that of the centre of mass and that of the motion about it",
+          "[motion][momentum]") {
     Numbers numbers;
     for (int i = 0; i < 200; ++i) {
         std::vector<PointMass<double, Vector<double, 3>>> bodies;
@@ -95,9 +97,10 @@ TEST_CASE("Momentum: an empty list has none, and no centre of mass", "[motion][m
           "mechanics::centre_of_mass_velocity: the sum of the masses is 0 kg; it must be finite and greater than zero");
 }
 
-// Measured, in epsilon: momentum 0.44 of the sum of m (|u| + |v|), the speed of parting 3.2 of |u1| + |u2|, energy 2.5 of the sum
-// of all energies; alike in double and float. Bounds 1, 4 and 4.
-TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a milliard apart", "[motion][momentum]", double, float) {
+// Measured, in epsilon: momentum 0.44 of the sum of m (|u| + |v|), the speed of parting 3.2 of |u1| + |u2|, energy 2.5
+// of the sum of all energies; alike in double and float. Bounds 1, 4 and 4.
+TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a milliard apart", "[motion][momentum]",
+                   double, float) {
     using S = TestType;
     Numbers numbers;
     const double epsilon = double(std::numeric_limits<S>::epsilon());
@@ -124,11 +127,14 @@ TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a mill
             change += 0.5 * m * (v - u) * (v + u);
         }
         const double momentum_error = in(abs(p) / momentum_scale, unit::Dimensionless{}) / epsilon;
-        const auto met = wide(before[0].velocity) - wide(before[1].velocity), parted = wide(one.velocity) - wide(other.velocity);
+        const auto met = wide(before[0].velocity) - wide(before[1].velocity),
+                   parted = wide(one.velocity) - wide(other.velocity);
         const auto speed_scale = abs(wide(before[0].velocity)) + abs(wide(before[1].velocity));
         const double speed_error = in(abs(parted + double(e) * met) / speed_scale, unit::Dimensionless{}) / epsilon;
         const double energy_error =
-            in(abs(change + wide(energy_lost(before[0], before[1], e))) / (energy_before + energy_after), unit::Dimensionless{}) / epsilon;
+            in(abs(change + wide(energy_lost(before[0], before[1], e))) / (energy_before + energy_after),
+               unit::Dimensionless{}) /
+            epsilon;
         CHECK(momentum_error <= 1);
         CHECK(speed_error <= 4);
         CHECK(energy_error <= 4);
@@ -144,7 +150,8 @@ TEST_CASE("Momentum: a collision is the same seen from a moving train", "[motion
     Numbers numbers;
     for (int i = 0; i < 1000; ++i) {
         const auto a = body_in_space(numbers), b = body_in_space(numbers);
-        const auto train = metres_per_second(numbers.between(-50, 50), numbers.between(-50, 50), numbers.between(-50, 50));
+        const auto train =
+            metres_per_second(numbers.between(-50, 50), numbers.between(-50, 50), numbers.between(-50, 50));
         const double e = numbers.between(0, 1);
         const auto here = collide(a, b, e);
         const auto there = collide(PointMass{a.mass, a.velocity + train}, PointMass{b.mass, b.velocity + train}, e);
@@ -158,21 +165,25 @@ TEST_CASE("Momentum: a collision is the same seen from a moving train", "[motion
 
 TEST_CASE("Momentum: bodies that move together are not touched", "[motion][momentum]") {
     // The sum of the velocities in place of the difference (notes 2.2.1) would give these two an impulse, and 150 J.
-    const auto [a, b] = collide(PointMass{2 * kilogram, 5 * metre_per_second}, PointMass{3 * kilogram, 5 * metre_per_second}, 1);
+    const auto [a, b] =
+        collide(PointMass{2 * kilogram, 5 * metre_per_second}, PointMass{3 * kilogram, 5 * metre_per_second}, 1);
     CHECK(a.velocity == 5 * metre_per_second);
     CHECK(b.velocity == 5 * metre_per_second);
     CHECK(energy_lost(a, b, 0) == 0 * joule);
 }
 
-TEST_CASE("Momentum: which of them is called the first, and from which side one looks, changes no bit", "[motion][momentum]") {
+TEST_CASE("Momentum: which of them is called the first, and from which side one looks, changes no bit",
+          "[motion][momentum]") {
     Numbers numbers;
     for (int i = 0; i < 500; ++i) {
         const auto [a, b] = pair_along_a_line<double>(numbers);
         const double e = numbers.between(0, 1);
         const auto straight = collide(a, b, e), swapped = collide(b, a, e);
-        CHECK((straight.first.velocity == swapped.second.velocity && straight.second.velocity == swapped.first.velocity));
+        CHECK(
+            (straight.first.velocity == swapped.second.velocity && straight.second.velocity == swapped.first.velocity));
         const auto mirrored = collide(PointMass{a.mass, -a.velocity}, PointMass{b.mass, -b.velocity}, e);
-        CHECK((straight.first.velocity == -mirrored.first.velocity && straight.second.velocity == -mirrored.second.velocity));
+        CHECK((straight.first.velocity == -mirrored.first.velocity &&
+               straight.second.velocity == -mirrored.second.velocity));
     }
 }
 
@@ -182,13 +193,15 @@ TEST_CASE("Momentum: the two ends of restitution", "[motion][momentum]") {
     CHECK(stuck.first.velocity == 1 * metre_per_second); // the velocity of the centre of mass, for both
     CHECK(stuck.second.velocity == 1 * metre_per_second);
     CHECK(stuck.first.velocity == centre_of_mass_velocity(std::array{cart, other}));
-    CHECK(energy_lost(cart, other, 0) == 12 * joule); // of 13.5 J; momentum, 3 kg m/s before and after, is not dissipated
+    CHECK(energy_lost(cart, other, 0) ==
+          12 * joule); // of 13.5 J; momentum, 3 kg m/s before and after, is not dissipated
     const auto bounced = collide(cart, other, 1);
     CHECK(bounced.first.velocity == -1 * metre_per_second);
     CHECK(bounced.second.velocity == 5 * metre_per_second);
     CHECK(energy_lost(cart, other, 1) == 0 * joule);
     // Equal masses exchange their velocities.
-    const auto exchanged = collide(PointMass{2 * kilogram, 3 * metre_per_second}, PointMass{2 * kilogram, -1 * metre_per_second}, 1);
+    const auto exchanged =
+        collide(PointMass{2 * kilogram, 3 * metre_per_second}, PointMass{2 * kilogram, -1 * metre_per_second}, 1);
     CHECK(exchanged.first.velocity == -1 * metre_per_second);
     CHECK(exchanged.second.velocity == 3 * metre_per_second);
 }
@@ -204,12 +217,15 @@ TEST_CASE("Momentum: against a very heavy body a ball bounces as from a wall", "
 }
 
 TEST_CASE("Momentum: a high-precision scalar keeps its digits", "[motion][momentum]") {
-    using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-    const PointMass a{Fifty(3) * kilogram, Fifty(1) * metre_per_second}, b{Fifty(7) * kilogram, Fifty(-1) * metre_per_second};
+    using Fifty =
+        boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+    const PointMass a{Fifty(3) * kilogram, Fifty(1) * metre_per_second},
+        b{Fifty(7) * kilogram, Fifty(-1) * metre_per_second};
     const auto [after_a, after_b] = collide(a, b, Fifty("0.3"));
     const auto p = momentum(after_a.mass, after_a.velocity) + momentum(after_b.mass, after_b.velocity);
     CHECK(abs(in(p, newton_second) + 4) < Fifty("1e-48"));
-    CHECK(abs(in(energy_lost(a, b, Fifty("0.3")), joule) - Fifty("3.822")) < Fifty("1e-48")); // 2.1 kg / 2 * 0.91 * 4 m^2/s^2
+    CHECK(abs(in(energy_lost(a, b, Fifty("0.3")), joule) - Fifty("3.822")) <
+          Fifty("1e-48")); // 2.1 kg / 2 * 0.91 * 4 m^2/s^2
     const auto energy = kinetic_energy(a.mass, a.velocity);
     CHECK(energy == Fifty("1.5") * joule);
 }
@@ -221,15 +237,19 @@ TEST_CASE("Momentum: what cannot be a collision is refused with its value", "[mo
     CHECK(refusal([&] { collide(cart, other, -0.1); }).find("restitution is -0.1") != std::string::npos);
     CHECK(refusal([&] { collide(cart, other, std::nan("")); }).find("restitution is nan") != std::string::npos);
     CHECK(refusal([&] { energy_lost(cart, other, 2); }).find("restitution is 2") != std::string::npos);
-    CHECK(refusal([&] { collide(PointMass{0 * kilogram, 3 * metre_per_second}, other, 1); }) ==
-          "mechanics::collide: mass is 0 kg; it must be finite and greater than zero");
-    CHECK(refusal([&] { collide(cart, PointMass{-1 * kilogram, 3 * metre_per_second}, 1); }) ==
-          "mechanics::collide: mass is -1 kg; it must be finite and greater than zero");
-    CHECK(refusal([&] { collide(cart, PointMass{1 * kilogram, HUGE_VAL * metre_per_second}, 1); }) ==
-          "mechanics::collide: velocity is inf m/s; it must be finite");
+    CHECK(refusal([&] {
+              collide(PointMass{0 * kilogram, 3 * metre_per_second}, other, 1);
+          }) == "mechanics::collide: mass is 0 kg; it must be finite and greater than zero");
+    CHECK(refusal([&] {
+              collide(cart, PointMass{-1 * kilogram, 3 * metre_per_second}, 1);
+          }) == "mechanics::collide: mass is -1 kg; it must be finite and greater than zero");
+    CHECK(refusal([&] {
+              collide(cart, PointMass{1 * kilogram, HUGE_VAL * metre_per_second}, 1);
+          }) == "mechanics::collide: velocity is inf m/s; it must be finite");
     CHECK(refusal([&] { momentum(-1 * kilogram, 3 * metre_per_second); }) ==
           "mechanics::momentum: mass is -1 kg; it must be finite and greater than zero");
-    CHECK(refusal([&] { kinetic_energy(0 * kilogram, 3 * metre_per_second); }).find("mass is 0 kg") != std::string::npos);
+    CHECK(refusal([&] { kinetic_energy(0 * kilogram, 3 * metre_per_second); }).find("mass is 0 kg") !=
+          std::string::npos);
     CHECK(refusal([&] { reduced_mass(0 * kilogram, 3 * kilogram); }).find("mass is 0 kg") != std::string::npos);
 }
 

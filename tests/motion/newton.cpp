@@ -32,7 +32,8 @@ TEST_CASE("Newton: half the mass is twice the acceleration, twice the force too"
     const auto push = newtons(3, -1, 2);
     const auto a = acceleration(push, 0.7 * kilogram);
     CHECK(in(acceleration(push, 0.35 * kilogram), metre_per_second_squared) == in(2.0 * a, metre_per_second_squared));
-    CHECK(in(acceleration(2.0 * push, 0.7 * kilogram), metre_per_second_squared) == in(2.0 * a, metre_per_second_squared));
+    CHECK(in(acceleration(2.0 * push, 0.7 * kilogram), metre_per_second_squared) ==
+          in(2.0 * a, metre_per_second_squared));
 }
 
 TEST_CASE("Newton: forces act together as their vector sum", "[motion][newton]") {
@@ -43,7 +44,8 @@ TEST_CASE("Newton: forces act together as their vector sum", "[motion][newton]")
     CHECK(in(resultant(newtons(1, 2)), newton) == Eigen::Vector2d(1, 2)); // of one force: itself
     // Each force gives the acceleration that it would give alone.
     const auto a = acceleration(sum, 2 * kilogram);
-    const auto one_by_one = acceleration(newtons(3, 0, 0), 2 * kilogram) + acceleration(newtons(0, 4, 0), 2 * kilogram) +
+    const auto one_by_one = acceleration(newtons(3, 0, 0), 2 * kilogram) +
+                            acceleration(newtons(0, 4, 0), 2 * kilogram) +
                             acceleration(newtons(0, 0, 12), 2 * kilogram);
     CHECK(in(a, metre_per_second_squared) == in(one_by_one, metre_per_second_squared));
 }
@@ -51,7 +53,8 @@ TEST_CASE("Newton: forces act together as their vector sum", "[motion][newton]")
 TEST_CASE("Newton: no resultant, no acceleration: the velocity stays", "[motion][newton]") {
     const auto a = acceleration(resultant(newtons(0, -19.62, 0), newtons(0, 19.62, 0)), 2 * kilogram);
     CHECK(in(a, metre_per_second_squared) == Eigen::Vector3d(0, 0, 0));
-    const auto later = suvat::solve(suvat::initial_velocity(5 * metre_per_second), suvat::acceleration(y(a)), suvat::time(1e9 * second));
+    const auto later = suvat::solve(suvat::initial_velocity(5 * metre_per_second), suvat::acceleration(y(a)),
+                                    suvat::time(1e9 * second));
     CHECK(later.front().v == 5 * metre_per_second);
 }
 
@@ -90,8 +93,10 @@ TEST_CASE("Newton: parameters, floats and high-precision scalars are taken", "[m
     CHECK(in(acceleration(push, load), metre_per_second_squared) == Eigen::Vector3d(2, 0, 0));
     CHECK(in(resultant(push, newtons(1, 1, 1)), newton) == Eigen::Vector3d(9, 1, 1));
     CHECK(in(reaction(push), newton) == Eigen::Vector3d(-8, 0, 0));
-    static_assert(std::is_same_v<decltype(force(2.f * kilogram, 3.f * metre_per_second_squared)), Quantity<unit::Force, float>>);
-    using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+    static_assert(
+        std::is_same_v<decltype(force(2.f * kilogram, 3.f * metre_per_second_squared)), Quantity<unit::Force, float>>);
+    using Fifty =
+        boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
     const auto third = acceleration(Fifty(1) * newton, Fifty(3) * kilogram);
     CHECK(abs(in(third, metre_per_second_squared) * 3 - 1) < Fifty("1e-49"));
     CHECK(in_equilibrium(Fifty("0.1") * newton, Fifty("0.2") * newton, Fifty("-0.3") * newton));

@@ -6,6 +6,10 @@
 
 using namespace motion_tests;
 
-TEST_CASE("I16 order per force class: quadratic drag (a force, with mass)", "[motion][I16][I9]") { check_order_of_all_integrators<FallProblem>(); }
+TEST_CASE("I16 order per force class: quadratic drag (a force, with mass)", "[motion][I16][I9]") {
+    check_order_of_all_integrators<FallProblem>();
+}
 
-TEST_CASE("I16 order per force class: forcing, a force of time", "[motion][I16]") { check_order_of_all_integrators<DrivenProblem>(); }
+TEST_CASE("I16 order per force class: forcing, a force of time", "[motion][I16]") {
+    check_order_of_all_integrators<DrivenProblem>();
+}

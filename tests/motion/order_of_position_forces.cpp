@@ -7,6 +7,10 @@
 
 using namespace motion_tests;
 
-TEST_CASE("I16 order per force class: a spring of another mass, axis and centre", "[motion][I16]") { check_order_of_all_integrators<SpringProblem>(); }
+TEST_CASE("I16 order per force class: a spring of another mass, axis and centre", "[motion][I16]") {
+    check_order_of_all_integrators<SpringProblem>();
+}
 
-TEST_CASE("I16 order per force class: Kepler, not linear", "[motion][I16]") { check_order_of_all_integrators<KeplerProblem>(); }
+TEST_CASE("I16 order per force class: Kepler, not linear", "[motion][I16]") {
+    check_order_of_all_integrators<KeplerProblem>();
+}

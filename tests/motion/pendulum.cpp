@@ -19,7 +19,9 @@ template <class I> auto state_after(int steps) {
     run(world, steps, T / steps);
     return state(world, body);
 }
-template <class I> double error_after(int steps) { return distance(state_after<I>(steps), state(pendulum(Pendulum{}, k, T * second))); }
+template <class I> double error_after(int steps) {
+    return distance(state_after<I>(steps), state(pendulum(Pendulum{}, k, T * second)));
+}
 template <class I> double error_of_arc(int steps) {
     return std::abs(state_after<I>(steps)[0] - pendulum(Pendulum{}, k, T * second).x.value());
 }
@@ -41,8 +43,8 @@ template <class S, class I, class... More> double there_and_back(int steps, doub
 TEST_CASE("I15 pendulum: against Jacobi's elliptic functions", "[motion][I15]") {
     const double coarse = error_of_arc<VelocityVerlet>(10000), fine = error_of_arc<VelocityVerlet>(100000);
     INFO("errors of velocity Verlet at h = 0.01 and 0.001: " << coarse << " m, " << fine << " m");
-    CHECK(coarse <= 0.15);  // measured 0.114; near the top errors grow by e in every second
-    CHECK(fine <= 1.5e-3);  // measured 1.10e-3
+    CHECK(coarse <= 0.15); // measured 0.114; near the top errors grow by e in every second
+    CHECK(fine <= 1.5e-3); // measured 1.10e-3
     for_each_type(Types<VelocityVerlet, Verlet>{}, []<class I> { check_order(2, 0.05, 20000, 3, error_after<I>); });
     check_order(4, 0.2, 16000, 3, error_after<RungeKutta4>);
 }

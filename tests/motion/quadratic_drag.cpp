@@ -22,8 +22,11 @@ template <class S, class I> auto falling(double up = 0) {
 
 } // namespace
 
-TEST_CASE("I9 quadratic drag: v = v_t tanh(g t / v_t), s = v_t^2/g ln cosh(g t / v_t)", "[motion][I9][quadratic_drag]") {
-    struct Row { double t, v, s; };
+TEST_CASE("I9 quadratic drag: v = v_t tanh(g t / v_t), s = v_t^2/g ln cosh(g t / v_t)",
+          "[motion][I9][quadratic_drag]") {
+    struct Row {
+        double t, v, s;
+    };
     for (const Row& row : {Row{5, 37.674924, 106.877442}, Row{20, 49.960962, 823.456492}}) {
         const double t = row.t, v = row.v, s = row.s; // clang 14 captures no structured bindings
         const auto exact = fall_with_quadratic_drag(terminal, g, t * second);
@@ -32,14 +35,16 @@ TEST_CASE("I9 quadratic drag: v = v_t tanh(g t / v_t), s = v_t^2/g ln cosh(g t /
         for_each_type(Types<VelocityVerlet, Verlet, RungeKutta4>{}, [&]<class I> {
             auto [world, body] = falling<Space<double, 3>, I>();
             run(world, int(240 * t), 1.0 / 240);
-            INFO("t = " << t << " s: v " << -world.velocity(body).value()[1] << " m/s, s " << -world.position(body).value()[1] << " m");
+            INFO("t = " << t << " s: v " << -world.velocity(body).value()[1] << " m/s, s "
+                        << -world.position(body).value()[1] << " m");
             CHECK(std::abs(-world.velocity(body).value()[1] / v - 1) <= 1e-4);
             CHECK(std::abs(-world.position(body).value()[1] / s - 1) <= 1e-4);
         });
     }
 }
 
-TEST_CASE("I9 quadratic drag: a launch upwards at 60 m/s, drag against the velocity at all times", "[motion][I9][quadratic_drag]") {
+TEST_CASE("I9 quadratic drag: a launch upwards at 60 m/s, drag against the velocity at all times",
+          "[motion][I9][quadratic_drag]") {
     for_each_type(Types<Space<double, 3>, Space<float, 2>>{}, []<class S> {
         for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet>{}, []<class I> {
             auto [world, body] = falling<S, I>(60);
@@ -57,7 +62,8 @@ TEST_CASE("I9 quadratic drag: a launch upwards at 60 m/s, drag against the veloc
             CHECK(against);
             INFO("highest point " << highest << " m, should be " << top << " m");
             // The first-order scheme is off by half a step of the launch's velocity; float's Verlet by its roundings.
-            CHECK(std::abs(highest / top - 1) <= (I::order == 1 ? 60.0 / 240 / top : 2e-4) + (std::is_same_v<typename S::Scalar, float> ? 2e-3 : 0));
+            CHECK(std::abs(highest / top - 1) <=
+                  (I::order == 1 ? 60.0 / 240 / top : 2e-4) + (std::is_same_v<typename S::Scalar, float> ? 2e-3 : 0));
         });
     });
 }
@@ -79,7 +85,8 @@ TEST_CASE("quadratic drag: terminal speed sqrt(m g / k), approached and not pass
     CHECK(std::abs(-world.velocity(heavy).value()[1] / before - 3) <= 1e-9);
 }
 
-TEST_CASE("quadratic drag is against the motion in every direction, with the square of the speed", "[motion][quadratic_drag]") {
+TEST_CASE("quadratic drag is against the motion in every direction, with the square of the speed",
+          "[motion][quadratic_drag]") {
     const detail::Bound<QuadraticDrag, Space<double, 3>> law(QuadraticDrag{0.25 * kilogram_per_metre});
     const auto f = law.force(metres_per_second(3, -4, 12), 0); // |v| = 13
     CHECK(f.value().isApprox(-0.25 * 13 * Eigen::Vector3d(3, -4, 12), 1e-15));
@@ -91,7 +98,9 @@ TEST_CASE("quadratic drag is against the motion in every direction, with the squ
         Eigen::Vector3d up(3, -4, 12), down(3, -4, 12);
         up[i] += 1e-4;
         down[i] -= 1e-4;
-        const Eigen::Vector3d slope_i = (law.force(up * (1.0 * metre_per_second), 0).value() - law.force(down * (1.0 * metre_per_second), 0).value()) / 2e-4;
+        const Eigen::Vector3d slope_i = (law.force(up * (1.0 * metre_per_second), 0).value() -
+                                         law.force(down * (1.0 * metre_per_second), 0).value()) /
+                                        2e-4;
         CHECK((j.velocity.value().col(i) - slope_i).norm() <= 1e-8);
     }
     CHECK(law.jacobian(metres_per_second(0, 0, 0), 0).velocity.value().norm() == 0);

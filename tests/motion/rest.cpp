@@ -12,7 +12,8 @@ using namespace motion_tests;
 TEST_CASE("rest: a slow body sleeps after its time and not before, exactly at zero", "[motion][rest]") {
     for_each_type(AllIntegrators{}, []<class I> {
         World world{I{}, Rest{0.1 * metre_per_second, 0.5 * second}};
-        const auto slow = world.add(velocity(metres_per_second(0.05, 0, 0))), fast = world.add(velocity(metres_per_second(0.2, 0, 0)));
+        const auto slow = world.add(velocity(metres_per_second(0.05, 0, 0))),
+                   fast = world.add(velocity(metres_per_second(0.2, 0, 0)));
         run(world, 29, 1.0 / 60);
         CHECK(world.motion(slow) == Motion::awake);
         run(world, 1, 1.0 / 60);
@@ -99,16 +100,21 @@ TEST_CASE("rest: a force that begins later wakes it when it begins", "[motion][r
     CHECK(world.motion(body) == Motion::awake);
 }
 
-TEST_CASE("rest refuses a threshold that nothing is below, a negative time, and a pull that is none", "[motion][rest]") {
+TEST_CASE("rest refuses a threshold that nothing is below, a negative time, and a pull that is none",
+          "[motion][rest]") {
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.0 * metre_per_second, 0.5 * second}}), std::invalid_argument);
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{0.1 * metre_per_second, -0.5 * second}}), std::invalid_argument);
-    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = -1e-3 * metre_per_second_squared}}), std::invalid_argument);
-    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = INFINITY * metre_per_second_squared}}), std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = -1e-3 * metre_per_second_squared}}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS((World{SemiImplicitEuler{}, Rest{.pull = INFINITY * metre_per_second_squared}}),
+                    std::invalid_argument);
 }
 
-TEST_CASE("rest: what remains of all that pulls may be as much as it says, and zero is nothing at all", "[motion][rest]") {
+TEST_CASE("rest: what remains of all that pulls may be as much as it says, and zero is nothing at all",
+          "[motion][rest]") {
     const auto sleeps = [](double most, double g) {
-        World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -g, 0)}, Rest{.pull = most * metre_per_second_squared}};
+        World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -g, 0)},
+                    Rest{.pull = most * metre_per_second_squared}};
         const auto body = world.add();
         run(world, 30, 1.0 / 60);
         return world.motion(body) == Motion::resting;

@@ -63,7 +63,8 @@ TEST_CASE("I2 exact growth: explicit and implicit Euler by (1 + omega^2 h^2)^(+-
 TEST_CASE("I5 sharp limit: omega h = 2 for semi-implicit Euler and both Verlets", "[motion][I5]") {
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet>{}, []<class I> {
         const double below = largest<I>(1.999, 2000), above = largest<I>(2.001, 2000);
-        INFO("largest |x| at omega h = 1.999: " << below << " (theory: at most 31.6); at 2.001: " << above << " (it should diverge)");
+        INFO("largest |x| at omega h = 1.999: " << below << " (theory: at most 31.6); at 2.001: " << above
+                                                << " (it should diverge)");
         CHECK(below <= 100); // measured 24.1
         CHECK(above > 1e9);
     });
@@ -82,16 +83,18 @@ TEST_CASE("I5 sharp limit: 2 sqrt(2) for Runge-Kutta, none for implicit Euler, z
 }
 
 TEST_CASE("I6 explicit damping shrinks the limit of semi-implicit Euler", "[motion][I6]") {
-    struct Row { double k, c, limit; };
-    for (const auto& [k, c, limit] : {Row{100, 0, 0.2}, Row{100, 2, 0.180998}, Row{100, 20, 0.0828427}, Row{100, 200, 0.00997512}, Row{1e4, 2000, 0.000997512}}) {
+    struct Row {
+        double k, c, limit;
+    };
+    for (const auto& [k, c, limit] : {Row{100, 0, 0.2}, Row{100, 2, 0.180998}, Row{100, 20, 0.0828427},
+                                      Row{100, 200, 0.00997512}, Row{1e4, 2000, 0.000997512}}) {
         const double formula = (std::sqrt(c * c + 4 * k) - c) / k;
         CHECK(std::abs(formula / limit - 1) <= 1e-5);
         const double below = damped_size(k, c, 0.99 * formula), above = damped_size(k, c, 1.01 * formula);
-        INFO("k = " << k << ", c = " << c << ": limit h = " << formula << " s; size at 0.99 of it " << below << ", at 1.01 of it " << above);
-        if (c > 0)
-            CHECK(below < 1e-3);
-        else
-            CHECK(below < 100); // nothing damps it: bounded is all
+        INFO("k = " << k << ", c = " << c << ": limit h = " << formula << " s; size at 0.99 of it " << below
+                    << ", at 1.01 of it " << above);
+        if (c > 0) CHECK(below < 1e-3);
+        else CHECK(below < 100); // nothing damps it: bounded is all
         CHECK(above > 1e50);
     }
 }

@@ -8,7 +8,8 @@ using namespace motion_tests;
 
 namespace {
 
-/// A spring to the origin that is hard along one direction of the plane and soft across it: the Jacobian is a full matrix.
+/// A spring to the origin that is hard along one direction of the plane and soft across it: the Jacobian is a full
+/// matrix.
 struct TwoStiffnesses {
     using role = roles::Force;
     using reads = Columns<Position>;
@@ -95,7 +96,8 @@ TEST_CASE("I17 stiff and soft: implicit Euler, both in one body, not along the a
     };
     double hard = 0, ignored = 0;
     const double exact = std::cos(10.0), both = soft_mode({}, hard), own = soft_mode({1, 1, 0.5}, ignored);
-    INFO("slow mode: error " << both - exact << " beside the stiff one, " << own - exact << " by itself; stiff mode: largest " << hard << " m");
+    INFO("slow mode: error " << both - exact << " beside the stiff one, " << own - exact
+                             << " by itself; stiff mode: largest " << hard << " m");
     CHECK(hard <= 1);
     CHECK(std::abs(both - exact) <= 2 * std::abs(own - exact));
 }
@@ -110,7 +112,8 @@ TEST_CASE("I17 stiff and soft: explicit schemes say that they diverged, and hold
             return world;
         };
         const auto diverged = world_after(1.0 / 60);
-        INFO("at 60 Hz omega h = 16.7, far beyond 2: World::status must name the body that is not finite any more, and only it");
+        INFO("at 60 Hz omega h = 16.7, far beyond 2: World::status must name the body that is not finite any more, and "
+             "only it");
         CHECK(diverged.status().not_finite == 1);
         CHECK(diverged.status().first_not_finite == diverged.handles()[1]);
         CHECK(std::abs(diverged.position(diverged.handles()[0]).value()[0]) <= 1.01); // the soft one does not notice

@@ -8,8 +8,8 @@
 /// A tolerance here follows from the order and the step, or is a number of roundings; where a bound was measured, the
 /// measured value stands beside it.
 
-#include <ansatz/motion/integrators/odeint.hpp>
 #include <ansatz/motion/energy.hpp>
+#include <ansatz/motion/integrators/odeint.hpp>
 #include <ansatz/world.hpp>
 
 #include "chapters/1-motion/problems.hpp"
@@ -47,16 +47,18 @@ template <> inline constexpr const char* name_of<OdeintRungeKutta4> = "Odeint<ru
 template <> inline constexpr const char* name_of<OdeintFehlberg78> = "Odeint<runge_kutta_fehlberg78>";
 
 using Staged = Types<ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4>;
-using Explicit = Types<ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4, OdeintFehlberg78>;
-using AllIntegrators =
-    Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4, OdeintFehlberg78>;
+using Explicit =
+    Types<ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4, OdeintFehlberg78>;
+using AllIntegrators = Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4,
+                             OdeintRungeKutta4, OdeintFehlberg78>;
 using AllSpaces = Types<Space<double, 3>, Space<double, 2>, Space<float, 3>, Space<float, 2>>;
 
 /// Calls `f.operator()<T>()` for each type of a list, naming integrators in the messages of a failure.
 template <class... T, class F> void for_each_type(Types<T...>, F&& f) {
     auto one = [&]<class One>() {
         if constexpr (requires { One::dimension; }) {
-            INFO("in Space<" << (std::is_same_v<typename One::Scalar, float> ? "float" : "double") << ", " << One::dimension << ">");
+            INFO("in Space<" << (std::is_same_v<typename One::Scalar, float> ? "float" : "double") << ", "
+                             << One::dimension << ">");
             f.template operator()<One>();
         } else {
             INFO("with " << name_of<One>);
@@ -82,18 +84,20 @@ template <class S, class Unit> typename S::template VectorOf<Unit> vector_in(dou
     for (int i = 0; i < S::dimension; ++i) v[i] = static_cast<typename S::Scalar>(all[i]);
     return S::template VectorOf<Unit>::from_value(v);
 }
-template <class S> auto at(double x, double y = 0, double z = 0) { return position(vector_in<S, unit::Length>(x, y, z)); }
-template <class S> auto going(double x, double y = 0, double z = 0) { return velocity(vector_in<S, unit::Velocity>(x, y, z)); }
+template <class S> auto at(double x, double y = 0, double z = 0) {
+    return position(vector_in<S, unit::Length>(x, y, z));
+}
+template <class S> auto going(double x, double y = 0, double z = 0) {
+    return velocity(vector_in<S, unit::Velocity>(x, y, z));
+}
 
 /// Adds a body of 1 kg, or one without a mass where the world stores none.
 template <class World_> Handle add_body(World_& world, const InAPlane& start, double kilograms = 1) {
     using S = typename World_::S;
     const auto x = at<S>(start.x.value()[0], start.x.value()[1]);
     const auto v = going<S>(start.v.value()[0], start.v.value()[1]);
-    if constexpr (World_::composition::has_mass)
-        return world.add(x, v, mass(kilograms * kilogram));
-    else
-        return world.add(x, v);
+    if constexpr (World_::composition::has_mass) return world.add(x, v, mass(kilograms * kilogram));
+    else return world.add(x, v);
 }
 template <class World_> Handle add_body(World_& world, const OnALine& start, double kilograms = 1) {
     return add_body(world, InAPlane{metres(start.x.value(), 0), metres_per_second(start.v.value(), 0)}, kilograms);
@@ -117,7 +121,9 @@ template <class World_> std::array<double, 6> state(const World_& world, Handle 
     }
     return s;
 }
-inline std::array<double, 6> state(const InAPlane& p) { return {p.x.value()[0], p.x.value()[1], 0, p.v.value()[0], p.v.value()[1], 0}; }
+inline std::array<double, 6> state(const InAPlane& p) {
+    return {p.x.value()[0], p.x.value()[1], 0, p.v.value()[0], p.v.value()[1], 0};
+}
 inline std::array<double, 6> state(const OnALine& p) { return {p.x.value(), 0, 0, p.v.value(), 0, 0}; }
 inline double distance(const std::array<double, 6>& a, const std::array<double, 6>& b) {
     double sum = 0;
@@ -139,8 +145,9 @@ template <class Error> void check_order(double order, double tolerance, int step
         ladder << "\n  " << steps << " steps: error " << fine;
         if (k > 0) ladder << ", slope " << slope(coarse, fine);
     }
-    INFO("a method of order " << order << " divides the error by " << std::pow(2.0, order) << " when the step is halved; the last slope should be "
-                              << order << " within " << tolerance << ladder.str());
+    INFO("a method of order " << order << " divides the error by " << std::pow(2.0, order)
+                              << " when the step is halved; the last slope should be " << order << " within "
+                              << tolerance << ladder.str());
     CHECK(std::abs(slope(coarse, fine) - order) <= tolerance);
 }
 
@@ -150,7 +157,8 @@ template <class T> bool same_bits(const T& a, const T& b) { return a == b || (a 
 /// Are position and velocity of two bodies the same to the bit?
 template <class A, class B> bool same_state(const A& a, Handle in_a, const B& b, Handle in_b) {
     for (int i = 0; i < A::S::dimension; ++i)
-        if (!same_bits(a.position(in_a).value()[i], b.position(in_b).value()[i]) || !same_bits(a.velocity(in_a).value()[i], b.velocity(in_b).value()[i]))
+        if (!same_bits(a.position(in_a).value()[i], b.position(in_b).value()[i]) ||
+            !same_bits(a.velocity(in_a).value()[i], b.velocity(in_b).value()[i]))
             return false;
     return true;
 }

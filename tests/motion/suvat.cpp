@@ -55,14 +55,20 @@ std::vector<Five<Hundred>> textbook(const std::string& knowns, const Five<Hundre
     return both;
 }
 
-template <class S> Five<Hundred> widened(const Five<S>& m) { return {Hundred(m.s), Hundred(m.u), Hundred(m.v), Hundred(m.a), Hundred(m.t)}; }
+template <class S> Five<Hundred> widened(const Five<S>& m) {
+    return {Hundred(m.s), Hundred(m.u), Hundred(m.v), Hundred(m.a), Hundred(m.t)};
+}
 
-template <class S> Five<S> plain(const suvat::Solution<S>& m) { return {m.s.value(), m.u.value(), m.v.value(), m.a.value(), m.t.value()}; }
+template <class S> Five<S> plain(const suvat::Solution<S>& m) {
+    return {m.s.value(), m.u.value(), m.v.value(), m.a.value(), m.t.value()};
+}
 
 /// The largest relative error among the five, in units of the scalar's epsilon.
 template <class S> double error_of(const suvat::Solution<S>& got, const Five<Hundred>& truth) {
     const auto g = widened(plain(got));
-    auto one = [](const Hundred& x, const Hundred& y) { return y == 0 ? (x == 0 ? 0.0 : 1e300) : double(abs((x - y) / y)); };
+    auto one = [](const Hundred& x, const Hundred& y) {
+        return y == 0 ? (x == 0 ? 0.0 : 1e300) : double(abs((x - y) / y));
+    };
     const double worst =
         std::max({one(g.s, truth.s), one(g.u, truth.u), one(g.v, truth.v), one(g.a, truth.a), one(g.t, truth.t)});
     return worst / double(std::numeric_limits<S>::epsilon());
@@ -72,14 +78,17 @@ template <class S> double error_of(const suvat::Solution<S>& got, const Five<Hun
 class Numbers {
 public:
     double between(double from, double to) { return from + (to - from) * double(engine_() >> 11) * 0x1p-53; }
-    double signed_decades(double decades) { return (engine_() >> 63 ? 1 : -1) * std::pow(10.0, between(-decades, decades)); }
+    double signed_decades(double decades) {
+        return (engine_() >> 63 ? 1 : -1) * std::pow(10.0, between(-decades, decades));
+    }
 
 private:
     std::mt19937_64 engine_{20240315};
 };
 
 template <class S> Five<S> random_motion(Numbers& numbers, double decades) {
-    const S u = S(numbers.signed_decades(decades)), a = S(numbers.signed_decades(decades)), t = S(numbers.signed_decades(decades));
+    const S u = S(numbers.signed_decades(decades)), a = S(numbers.signed_decades(decades)),
+            t = S(numbers.signed_decades(decades));
     const Hundred v = Hundred(u) + Hundred(a) * Hundred(t);
     const Hundred s = (Hundred(u) + v) * Hundred(t) / 2;
     return {s.convert_to<S>(), u, v.convert_to<S>(), a, t};
@@ -107,7 +116,8 @@ TEST_CASE("SUVAT: all ten ways to know three of five lead to the same motion", "
         CAPTURE(knowns);
         const auto found = solve(knowns, motion);
         REQUIRE(found.size() == (has_two(knowns) ? 2 : 1));
-        // With s, u, a the other one is before the start; with s, v, a it starts the other way, turns round and takes longer.
+        // With s, u, a the other one is before the start; with s, v, a it starts the other way, turns round and takes
+        // longer.
         const auto& m = knowns == "sua" ? found.back() : found.front();
         CHECK(m.s == 28 * metre);
         CHECK(m.u == 3 * metre_per_second);
@@ -129,7 +139,8 @@ TEST_CASE("SUVAT: the order of the knowns does not matter", "[motion][suvat]") {
 }
 
 // Measured: 1.41 (double) and 1.28 (float) epsilon; bound 2.
-TEMPLATE_TEST_CASE("SUVAT: random motions over six decades agree with a hundred digits", "[motion][suvat]", double, float) {
+TEMPLATE_TEST_CASE("SUVAT: random motions over six decades agree with a hundred digits", "[motion][suvat]", double,
+                   float) {
     Numbers numbers;
     double worst = 0;
     int two = 0, turning_points = 0;
@@ -153,8 +164,8 @@ TEMPLATE_TEST_CASE("SUVAT: random motions over six decades agree with a hundred 
         }
     }
     CHECK(two + turning_points == 2000); // both ways with s, a and one velocity, and nothing dropped
-    CHECK(turning_points < 200); // measured 5 (double) and 166 (float), which has seven digits for six decades
-    CHECK(worst > 0.1);   // a reference that is the thing itself would prove nothing
+    CHECK(turning_points < 200);         // measured 5 (double) and 166 (float), which has seven digits for six decades
+    CHECK(worst > 0.1);                  // a reference that is the thing itself would prove nothing
 }
 
 TEST_CASE("SUVAT: a ball thrown up passes a height twice, by Vieta's rules", "[motion][suvat]") {
@@ -165,7 +176,7 @@ TEST_CASE("SUVAT: a ball thrown up passes a height twice, by Vieta's rules", "[m
     const auto& down = passes.back();
     CHECK(up.t > 0 * second);
     CHECK(up.t < down.t);
-    CHECK(in(up.t + down.t, second) == Catch::Approx(1.6).epsilon(1e-15)); // -2 u / a
+    CHECK(in(up.t + down.t, second) == Catch::Approx(1.6).epsilon(1e-15));             // -2 u / a
     CHECK(in(up.t, second) * in(down.t, second) == Catch::Approx(0.2).epsilon(1e-15)); // -2 s / a
     CHECK(up.v == -down.v);
     CHECK(up.v > 0 * metre_per_second);
@@ -194,18 +205,21 @@ TEST_CASE("SUVAT: back at the start is at once, and once more later", "[motion][
 }
 
 TEST_CASE("SUVAT: s = v t - a t^2 / 2 holds for the final velocity, not for the initial one", "[motion][suvat]") {
-    const auto m = suvat::solve(suvat::initial_velocity(0 * metre_per_second), suvat::acceleration(2 * metre_per_second_squared),
-                                suvat::time(3.0 * second)).front();
+    const auto m = suvat::solve(suvat::initial_velocity(0 * metre_per_second),
+                                suvat::acceleration(2 * metre_per_second_squared), suvat::time(3.0 * second))
+                       .front();
     CHECK(m.s == 9 * metre);
     CHECK(m.v * m.t - 0.5 * m.a * m.t * m.t == m.s);
     CHECK(m.u * m.t - 0.5 * m.a * m.t * m.t == -m.s); // the usual mistake: -9 m
-    const auto from_the_end = suvat::solve(suvat::final_velocity(6 * metre_per_second), suvat::acceleration(2 * metre_per_second_squared),
-                                           suvat::time(3.0 * second)).front();
+    const auto from_the_end = suvat::solve(suvat::final_velocity(6 * metre_per_second),
+                                           suvat::acceleration(2 * metre_per_second_squared), suvat::time(3.0 * second))
+                                  .front();
     CHECK(from_the_end.s == 9 * metre);
     CHECK(from_the_end.u == 0 * metre_per_second);
 }
 
-TEMPLATE_TEST_CASE("SUVAT: the turning point is one motion, a little below it are two, above it is none", "[motion][suvat]", double, float) {
+TEMPLATE_TEST_CASE("SUVAT: the turning point is one motion, a little below it are two, above it is none",
+                   "[motion][suvat]", double, float) {
     using S = TestType;
     auto reach = [](S s) { return solve<S>("sua", {s, S(4), S(0), S(-2), S(0)}); }; // turns round at 4 m, after 2 s
     REQUIRE(reach(S(4)).size() == 1);
@@ -219,7 +233,8 @@ TEMPLATE_TEST_CASE("SUVAT: the turning point is one motion, a little below it ar
     CHECK(solve<S>("sva", {S(4), S(0), S(4), S(2), S(0)}).size() == 1); // it was at rest 2 s ago
 }
 
-TEMPLATE_TEST_CASE("SUVAT: the height u^2 / 2 g is always reached, however it is rounded", "[motion][suvat]", double, float) {
+TEMPLATE_TEST_CASE("SUVAT: the height u^2 / 2 g is always reached, however it is rounded", "[motion][suvat]", double,
+                   float) {
     Numbers numbers;
     for (int i = 0; i < 2000; ++i) {
         const auto u = TestType(numbers.between(0.1, 100)), g = TestType(numbers.between(0.1, 30));
@@ -233,8 +248,8 @@ TEMPLATE_TEST_CASE("SUVAT: the height u^2 / 2 g is always reached, however it is
     }
 }
 
-// Measured: 0.95 (double) and 1.08 (float) epsilon; bound 2. The textbook's (-u +- sqrt(u^2 + 2 a s)) / a is off by up to a
-// quarter in these cases.
+// Measured: 0.95 (double) and 1.08 (float) epsilon; bound 2. The textbook's (-u +- sqrt(u^2 + 2 a s)) / a is off by up
+// to a quarter in these cases.
 TEMPLATE_TEST_CASE("SUVAT: roots are right where the textbook's formula cancels", "[motion][suvat]", double, float) {
     using S = TestType;
     Numbers numbers;
@@ -242,9 +257,11 @@ TEMPLATE_TEST_CASE("SUVAT: roots are right where the textbook's formula cancels"
     for (int i = 0; i < 1000; ++i) {
         const bool close = i % 2 == 0;
         const S u = S(numbers.signed_decades(2)), a = S(numbers.signed_decades(2));
-        // Either u^2 is far larger than 2 a s, so that one root nearly cancels, or almost equal to it, so that the other does.
+        // Either u^2 is far larger than 2 a s, so that one root nearly cancels, or almost equal to it, so that the
+        // other does.
         const S turn = -u * u / (2 * a);
-        const S s = close ? S(turn * (1 - S(numbers.between(4, 400)) * std::numeric_limits<S>::epsilon())) : S(turn * S(numbers.signed_decades(1.5)) * 100 * std::numeric_limits<S>::epsilon());
+        const S s = close ? S(turn * (1 - S(numbers.between(4, 400)) * std::numeric_limits<S>::epsilon()))
+                          : S(turn * S(numbers.signed_decades(1.5)) * 100 * std::numeric_limits<S>::epsilon());
         if (u * u + 2 * a * s < 0) continue;
         const Five<S> motion{s, u, 0, a, 0};
         CAPTURE(i, s, u, a);
@@ -253,7 +270,8 @@ TEMPLATE_TEST_CASE("SUVAT: roots are right where the textbook's formula cancels"
         REQUIRE(found.size() == 2);
         for (std::size_t k = 0; k < 2; ++k) {
             CHECK(error_of(found.begin()[k], truth[k]) <= 2);
-            const S naive = ((k == 0) == (a > 0) ? -u - std::sqrt(u * u + 2 * a * s) : -u + std::sqrt(u * u + 2 * a * s)) / a;
+            const S naive =
+                ((k == 0) == (a > 0) ? -u - std::sqrt(u * u + 2 * a * s) : -u + std::sqrt(u * u + 2 * a * s)) / a;
             textbook_worst = std::max(textbook_worst, double(abs(Hundred(naive) / truth[k].t - 1)));
         }
     }
@@ -288,14 +306,16 @@ TEST_CASE("SUVAT: the unit of length and of time may be anything", "[motion][suv
                 for (const int time : {-90, 5, 90}) {
                     CAPTURE(i, knowns, length, time);
                     const int velocity = length - time, acceleration = velocity - time;
-                    const Five<double> scaled{std::ldexp(motion.s, length), std::ldexp(motion.u, velocity), std::ldexp(motion.v, velocity),
-                                              std::ldexp(motion.a, acceleration), std::ldexp(motion.t, time)};
+                    const Five<double> scaled{std::ldexp(motion.s, length), std::ldexp(motion.u, velocity),
+                                              std::ldexp(motion.v, velocity), std::ldexp(motion.a, acceleration),
+                                              std::ldexp(motion.t, time)};
                     const auto found = solve(knowns, scaled);
                     REQUIRE(found.size() == plain_found.size());
                     for (std::size_t k = 0; k < found.size(); ++k) {
                         const auto m = plain(found.begin()[k]), p = plain(plain_found.begin()[k]);
-                        CHECK((m.s == std::ldexp(p.s, length) && m.u == std::ldexp(p.u, velocity) && m.v == std::ldexp(p.v, velocity) &&
-                               m.a == std::ldexp(p.a, acceleration) && m.t == std::ldexp(p.t, time)));
+                        CHECK((m.s == std::ldexp(p.s, length) && m.u == std::ldexp(p.u, velocity) &&
+                               m.v == std::ldexp(p.v, velocity) && m.a == std::ldexp(p.a, acceleration) &&
+                               m.t == std::ldexp(p.t, time)));
                     }
                 }
         }
@@ -323,8 +343,10 @@ TEST_CASE("SUVAT: mirrored, or seen backwards, it is the same motion", "[motion]
         const auto mirror = solve<double>("sua", {-m.s, -m.u, -m.v, -m.a, m.t});
         const auto back = solve<double>("sva", {-m.s, m.v, m.u, m.a, -m.t}); // its end velocity is our start velocity
         REQUIRE((there.size() == 2 && mirror.size() == 2 && back.size() == 2));
-        CHECK((there.front().t == mirror.front().t && there.front().v == -mirror.front().v && there.back().t == mirror.back().t));
-        CHECK((there.front().t == -back.back().t && there.back().t == -back.front().t && there.front().v == back.back().u));
+        CHECK((there.front().t == mirror.front().t && there.front().v == -mirror.front().v &&
+               there.back().t == mirror.back().t));
+        CHECK((there.front().t == -back.back().t && there.back().t == -back.front().t &&
+               there.front().v == back.back().u));
     }
 }
 

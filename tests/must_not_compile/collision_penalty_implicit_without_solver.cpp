@@ -9,7 +9,8 @@ using namespace ansatz;
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    World world{ImplicitEulerBy<Cholesky>{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Penalty{}}; // cholesky.hpp is in no umbrella
+    World world{ImplicitEulerBy<Cholesky>{}, BoundingBoxes{}, Narrowphase<Sphere>{},
+                Penalty{}}; // cholesky.hpp is in no umbrella
 #else
     World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Penalty{}};
 #endif

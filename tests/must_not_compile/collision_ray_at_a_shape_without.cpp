@@ -17,12 +17,20 @@ struct Blob {
     template <class S> struct In {
         using description = Blob;
         explicit In(const Blob&) {}
-        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const { lower = upper = x; }
+        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+            lower = upper = x;
+        }
     };
 };
-template <class S> bool collide(const Blob::In<S>&, const typename S::Position&, const Blob::In<S>&, const typename S::Position&, Touch<S>&) { return false; }
+template <class S>
+bool collide(const Blob::In<S>&, const typename S::Position&, const Blob::In<S>&, const typename S::Position&,
+             Touch<S>&) {
+    return false;
+}
 #ifndef ANSATZ_MISTAKE
-template <class S> bool ray_hits(const Blob::In<S>&, const RayIn<S>&, const typename S::Position&, RayTouch<S>&) { return false; }
+template <class S> bool ray_hits(const Blob::In<S>&, const RayIn<S>&, const typename S::Position&, RayTouch<S>&) {
+    return false;
+}
 #endif
 
 int main() {

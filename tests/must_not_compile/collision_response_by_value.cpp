@@ -19,9 +19,10 @@ struct Stick {
         void respond(const auto&, auto& a, auto& b, const auto&) const {
 #endif
             a.template get<Velocity>() = b.template get<Velocity>();
-        }
-    };
+    }
 };
+}
+;
 
 int main() {
     World world{SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Stick{}};

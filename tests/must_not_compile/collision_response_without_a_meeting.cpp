@@ -1,6 +1,5 @@
-// expect: a response with a wrong signature; its In<S> needs `void respond(const auto& contact, auto& a, auto& b, const auto& meeting) const`
-// SPDX-License-Identifier: BSL-1.0
-// One argument too few.
+// expect: a response with a wrong signature; its In<S> needs `void respond(const auto& contact, auto& a, auto& b, const
+// auto& meeting) const` SPDX-License-Identifier: BSL-1.0 One argument too few.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
@@ -19,9 +18,10 @@ struct Stick {
         void respond(const auto&, auto& a, auto& b, const auto&) const {
 #endif
             a.template get<Velocity>() = b.template get<Velocity>();
-        }
-    };
+    }
 };
+}
+;
 
 int main() {
     World world{SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Stick{}};

@@ -1,6 +1,5 @@
-// expect: a shape that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from the shape
-// SPDX-License-Identifier: BSL-1.0
-// A shape whose In is not made from it.
+// expect: a shape that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from the
+// shape SPDX-License-Identifier: BSL-1.0 A shape whose In is not made from it.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
@@ -19,12 +18,15 @@ struct Capsule {
 #else
         explicit In(const Capsule& capsule) : reach(S::convert(capsule.radius) + S::convert(capsule.length)) {}
 #endif
-        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const { lower = upper = x; }
+        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+            lower = upper = x;
+        }
         typename S::Length reach;
     };
 };
 template <class S>
-bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&, Touch<S>&) {
+bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&,
+             Touch<S>&) {
     return false;
 }
 

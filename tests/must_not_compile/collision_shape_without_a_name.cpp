@@ -17,12 +17,15 @@ struct Capsule {
     template <class S> struct In {
         using description = Capsule;
         explicit In(const Capsule& capsule) : reach(S::convert(capsule.radius) + S::convert(capsule.length)) {}
-        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const { lower = upper = x; }
+        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+            lower = upper = x;
+        }
         typename S::Length reach;
     };
 };
 template <class S>
-bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&, Touch<S>&) {
+bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&,
+             Touch<S>&) {
     return false;
 }
 

@@ -16,13 +16,16 @@ struct Capsule {
         using description = Capsule;
         explicit In(const Capsule& capsule) : reach(S::convert(capsule.radius) + S::convert(capsule.length)) {}
 #ifndef ANSATZ_MISTAKE
-        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const { lower = upper = x; }
+        void bounds(const typename S::Position& x, typename S::Position& lower, typename S::Position& upper) const {
+            lower = upper = x;
+        }
 #endif
         typename S::Length reach;
     };
 };
 template <class S>
-bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&, Touch<S>&) {
+bool collide(const Capsule::In<S>&, const typename S::Position&, const Capsule::In<S>&, const typename S::Position&,
+             Touch<S>&) {
     return false;
 }
 

@@ -11,7 +11,8 @@ int main() {
 #ifdef ANSATZ_MISTAKE
     World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Impulse<>{.threshold = 0.5}};
 #else
-    World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Impulse<>{.threshold = 0.5 * metre_per_second}};
+    World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{},
+                Impulse<>{.threshold = 0.5 * metre_per_second}};
 #endif
     world.step(0.01 * second);
 }

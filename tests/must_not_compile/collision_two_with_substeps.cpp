@@ -9,7 +9,8 @@ using namespace ansatz;
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, SoftSubsteps<>{}, SoftSubsteps<Friction>{}};
+    World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, SoftSubsteps<>{},
+                SoftSubsteps<Friction>{}};
 #else
     World world{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, SoftSubsteps<Friction>{}};
 #endif

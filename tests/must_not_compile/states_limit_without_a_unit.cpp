@@ -13,9 +13,12 @@ struct Npc {
 struct GuardNpc {
     using Context = Npc;
 #ifdef ANSATZ_MISTAKE
-    static constexpr auto machine = states::machine(state("patrol", transition(when(value("distance", &Npc::distance) < 5.0), to("chase"))), state("chase"));
+    static constexpr auto machine = states::machine(
+        state("patrol", transition(when(value("distance", &Npc::distance) < 5.0), to("chase"))), state("chase"));
 #else
-    static constexpr auto machine = states::machine(state("patrol", transition(when(value("distance", &Npc::distance) < 5.0 * metre), to("chase"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(when(value("distance", &Npc::distance) < 5.0 * metre), to("chase"))),
+                        state("chase"));
 #endif
 };
 

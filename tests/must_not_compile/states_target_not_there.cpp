@@ -14,9 +14,11 @@ struct Npc {
 struct GuardNpc {
     using Context = Npc;
 #ifdef ANSATZ_MISTAKE
-    static constexpr auto machine = states::machine(state("patrol", transition(on("alarm"), to("chse"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(on("alarm"), to("chse"))), state("chase"));
 #else
-    static constexpr auto machine = states::machine(state("patrol", transition(on("alarm"), to("chase"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(on("alarm"), to("chase"))), state("chase"));
 #endif
 };
 

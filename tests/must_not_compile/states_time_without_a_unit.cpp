@@ -13,9 +13,11 @@ struct Npc {
 struct GuardNpc {
     using Context = Npc;
 #ifdef ANSATZ_MISTAKE
-    static constexpr auto machine = states::machine(state("patrol", transition(when(after(2.0)), to("chase"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(when(after(2.0)), to("chase"))), state("chase"));
 #else
-    static constexpr auto machine = states::machine(state("patrol", transition(when(after(2.0 * second)), to("chase"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(when(after(2.0 * second)), to("chase"))), state("chase"));
 #endif
 };
 

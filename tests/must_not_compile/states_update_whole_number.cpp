@@ -11,8 +11,9 @@ struct Npc {
 };
 struct GuardNpc {
     using Context = Npc;
-    static constexpr auto machine = states::machine(states::state("patrol", states::transition(states::when(states::after(2.0 * second)), states::to("chase"))),
-                                                    states::state("chase"));
+    static constexpr auto machine = states::machine(
+        states::state("patrol", states::transition(states::when(states::after(2.0 * second)), states::to("chase"))),
+        states::state("chase"));
 };
 
 int main() {

@@ -12,7 +12,8 @@ struct Npc {
 };
 struct GuardNpc {
     using Context = Npc;
-    static constexpr auto machine = states::machine(state("patrol", transition(when(after(2.0 * second)), to("chase"))), state("chase"));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(when(after(2.0 * second)), to("chase"))), state("chase"));
 };
 
 int main() {

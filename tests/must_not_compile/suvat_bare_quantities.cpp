@@ -11,6 +11,7 @@ int main() {
 #ifdef ANSATZ_MISTAKE
     suvat::solve(5.0 * metre_per_second, 2.0 * metre_per_second, 1.0 * second);
 #else
-    suvat::solve(suvat::initial_velocity(5.0 * metre_per_second), suvat::final_velocity(2.0 * metre_per_second), suvat::time(1.0 * second));
+    suvat::solve(suvat::initial_velocity(5.0 * metre_per_second), suvat::final_velocity(2.0 * metre_per_second),
+                 suvat::time(1.0 * second));
 #endif
 }

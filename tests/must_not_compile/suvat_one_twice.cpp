@@ -11,6 +11,7 @@ int main() {
 #ifdef ANSATZ_MISTAKE
     suvat::solve(suvat::time(5.0 * second), suvat::time(5.0 * second), suvat::displacement(1.0 * metre));
 #else
-    suvat::solve(suvat::time(5.0 * second), suvat::initial_velocity(5.0 * metre_per_second), suvat::displacement(1.0 * metre));
+    suvat::solve(suvat::time(5.0 * second), suvat::initial_velocity(5.0 * metre_per_second),
+                 suvat::displacement(1.0 * metre));
 #endif
 }

@@ -12,7 +12,10 @@ struct Wind {
     using reads = Columns<>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const auto& context) const { return context.time().value() > 1 ? typename S::Acceleration() : S::template zero_vector<unit::Acceleration>(); }
+        typename S::Acceleration acceleration(const auto& context) const {
+            return context.time().value() > 1 ? typename S::Acceleration()
+                                              : S::template zero_vector<unit::Acceleration>();
+        }
     };
 };
 #else
@@ -21,7 +24,10 @@ struct Wind {
     using reads = Columns<Clock>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const auto& context) const { return context.time().value() > 1 ? typename S::Acceleration() : S::template zero_vector<unit::Acceleration>(); }
+        typename S::Acceleration acceleration(const auto& context) const {
+            return context.time().value() > 1 ? typename S::Acceleration()
+                                              : S::template zero_vector<unit::Acceleration>();
+        }
     };
 };
 #endif

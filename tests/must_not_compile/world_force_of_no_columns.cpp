@@ -12,7 +12,9 @@ struct Wind {
     using reads = Velocity;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const { return v / (16.0 * context.dt()); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const {
+            return v / (16.0 * context.dt());
+        }
     };
 };
 #else
@@ -21,7 +23,9 @@ struct Wind {
     using reads = Columns<Velocity>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const { return v / (16.0 * context.dt()); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const {
+            return v / (16.0 * context.dt());
+        }
     };
 };
 #endif

@@ -21,7 +21,9 @@ struct Wind {
     using reads = Columns<Velocity>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        auto acceleration(const typename S::Velocity& v, const auto& context) const { return v / (16.0 * context.dt()); }
+        auto acceleration(const typename S::Velocity& v, const auto& context) const {
+            return v / (16.0 * context.dt());
+        }
     };
 };
 #endif

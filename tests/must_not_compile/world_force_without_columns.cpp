@@ -11,7 +11,9 @@ struct Wind {
     using role = roles::Force;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const { return v / (16.0 * context.dt()); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const {
+            return v / (16.0 * context.dt());
+        }
     };
 };
 #else
@@ -20,7 +22,9 @@ struct Wind {
     using reads = Columns<Velocity>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const { return v / (16.0 * context.dt()); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto& context) const {
+            return v / (16.0 * context.dt());
+        }
     };
 };
 #endif

@@ -12,7 +12,9 @@ struct Wind {
     using reads = Columns<Velocity>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const { return -(S::convert(2.0 / second) * v); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const {
+            return -(S::convert(2.0 / second) * v);
+        }
     };
 };
 #else
@@ -21,7 +23,9 @@ struct Wind {
     using reads = Columns<Velocity>;
     template <class S> struct In {
         explicit In(const Wind&) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const { return -(S::convert(2.0 / second) * v); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const {
+            return -(S::convert(2.0 / second) * v);
+        }
         Jacobian<S> jacobian(const typename S::Velocity&, const auto&) const { return {}; }
     };
 };

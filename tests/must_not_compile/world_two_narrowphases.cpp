@@ -9,7 +9,8 @@ using namespace ansatz;
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    World world{SemiImplicitEuler{}, BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{}, Narrowphase<Sphere, Plane>{}, Impulse<>{}};
+    World world{SemiImplicitEuler{},          BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{},
+                Narrowphase<Sphere, Plane>{}, Impulse<>{}};
 #else
     World world{SemiImplicitEuler{}, BoundingBoxes{}, Layers{}, Narrowphase<Sphere>{}, Impulse<>{}};
 #endif

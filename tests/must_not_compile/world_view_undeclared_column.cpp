@@ -14,7 +14,8 @@ struct Magnet {
     template <class S> struct In {
         explicit In(const Magnet&) {}
         void couple(auto& view, const auto& context) const {
-            for (std::size_t i = 0; i < view.size(); ++i) view.add_force(i, -(S::convert(2.0 * kilogram) * view.template get<Velocity>(i) / context.dt()));
+            for (std::size_t i = 0; i < view.size(); ++i)
+                view.add_force(i, -(S::convert(2.0 * kilogram) * view.template get<Velocity>(i) / context.dt()));
         }
     };
 };
@@ -26,7 +27,8 @@ struct Magnet {
     template <class S> struct In {
         explicit In(const Magnet&) {}
         void couple(auto& view, const auto& context) const {
-            for (std::size_t i = 0; i < view.size(); ++i) view.add_force(i, -(S::convert(2.0 * kilogram) * view.template get<Velocity>(i) / context.dt()));
+            for (std::size_t i = 0; i < view.size(); ++i)
+                view.add_force(i, -(S::convert(2.0 * kilogram) * view.template get<Velocity>(i) / context.dt()));
         }
     };
 };

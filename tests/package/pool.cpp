@@ -5,9 +5,10 @@
 using namespace ansatz;
 
 int main() {
-    World pool{SemiImplicitEuler{}, Gravity{}, Rest{}, SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}};
+    World pool{SemiImplicitEuler{},          Gravity{}, Rest{},      SortAndSweep{},
+               Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}};
     pool.add(Plane::ground(), fixed);
     auto ball = pool.add(Sphere{0.5 * metre}, position(metres(0, 10, 0)), mass(2.0 * kilogram), restitution(0.8));
     for (int i = 0; i < 600; ++i) pool.step(1.0 / 60 * second);
-    std::cout << pool.position(ball) << '\n';      // prints with its unit
+    std::cout << pool.position(ball) << '\n'; // prints with its unit
 }

@@ -121,7 +121,9 @@ TEST_CASE("every node on the closed list was on the open list before, and a visi
     }
 }
 
-TEST_CASE("optimal as Dijkstra on random graphs, with zero edges and inconsistent heuristics, by every queue and engine", "[paths]") {
+TEST_CASE(
+    "optimal as Dijkstra on random graphs, with zero edges and inconsistent heuristics, by every queue and engine",
+    "[paths]") {
     std::mt19937 random(1);
     int reopened = 0, unreachable = 0;
     for (int k = 0; k < 1000; ++k) {
@@ -133,7 +135,8 @@ TEST_CASE("optimal as Dijkstra on random graphs, with zero edges and inconsisten
         const auto truth = true_costs<int>(g, goal);
         std::vector<int> h(n);
         for (std::size_t v = 0; v < n; ++v)
-            h[v] = truth[v] == std::numeric_limits<int>::max() ? int(random() % 2000) : int(random() % (unsigned(truth[v]) + 1));
+            h[v] = truth[v] == std::numeric_limits<int>::max() ? int(random() % 2000)
+                                                               : int(random() % (unsigned(truth[v]) + 1));
         const By guess{[&](std::size_t v) { return h[v]; }};
         AStar heap{g, guess};
         AStar buckets{g, guess, Buckets{4}};
@@ -146,7 +149,8 @@ TEST_CASE("optimal as Dijkstra on random graphs, with zero edges and inconsisten
             return outcome == Outcome::found && double(search.cost()) == best && cost_along(g, search.path()) == best &&
                    search.path().front() == start && search.path().back() == goal;
         };
-        INFO("graph " << k << ": " << n << " vertices, from " << start << " to " << goal << ", the best costs " << best);
+        INFO("graph " << k << ": " << n << " vertices, from " << start << " to " << goal << ", the best costs "
+                      << best);
         REQUIRE(check(heap));
         REQUIRE(check(buckets));
         REQUIRE(check(wide));
@@ -188,7 +192,8 @@ TEST_CASE("weighted: within w of the best, with and without reopening", "[paths]
         const auto truth = true_costs<int>(g, goal);
         for (const double w : {1.0, 1.2, 2.0, 5.0}) {
             // Consistent: half of the truth. (What nobody can come from is never asked.)
-            const Weighted h{By{[&](std::size_t v) { return truth[v] == std::numeric_limits<int>::max() ? 0 : truth[v] / 2.0; }}, w};
+            const Weighted h{
+                By{[&](std::size_t v) { return truth[v] == std::numeric_limits<int>::max() ? 0 : truth[v] / 2.0; }}, w};
             AStar once{g, h, NoReopening{}, CostIn<double>{}};
             AStar again{g, h, CostIn<double>{}};
             REQUIRE(once.find(start, goal) == Outcome::found);
@@ -213,7 +218,8 @@ TEST_CASE("blocked nodes and edges of any graph: boost::filtered_graph, against 
         for (std::size_t v = 0; v < n; ++v) shut[v] = random() % 4 == 0;
         auto edge_free = [&](const Roads::edge_descriptor& e) { return get(boost::edge_weight, g, e) % 5 != 1; };
         auto node_free = [&](std::size_t v) { return !shut[v]; };
-        const boost::filtered_graph left(g, std::function<bool(Roads::edge_descriptor)>(edge_free), std::function<bool(std::size_t)>(node_free));
+        const boost::filtered_graph left(g, std::function<bool(Roads::edge_descriptor)>(edge_free),
+                                         std::function<bool(std::size_t)>(node_free));
         const std::size_t start = random() % n, goal = random() % n;
         if (shut[start] || shut[goal]) continue;
         Roads copy(n);
@@ -285,7 +291,9 @@ TEST_CASE("what a search is given wrongly it says, and never throws once it has 
     CHECK(search.find(0, 2) == Outcome::too_far); // 1 + (max - 1) is the dearest cost there is
     AStar wide{g, CostIn<double>{}};
     CHECK(wide.find(0, 2) == Outcome::found);
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, boost::property<boost::edge_weight_t, double>> d(2);
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                          boost::property<boost::edge_weight_t, double>>
+        d(2);
     const auto e = boost::add_edge(0, 1, std::nan(""), d).first;
     AStar of_doubles{d};
     CHECK(of_doubles.find(0, 1) == Outcome::bad_weight);
@@ -306,7 +314,8 @@ TEST_CASE("weights and numbers may stand beside the graph, vertices need no numb
     CHECK(hashed.closed_list().size() >= 2);
     std::map<Linked::edge_descriptor, double> weights{{ab, 1.0}, {bc, 1.0}, {ac, 5.0}};
     std::map<Linked::vertex_descriptor, std::size_t> numbers{{a, 0}, {b, 1}, {c, 2}};
-    AStar outside{g, WeightsOf{boost::make_assoc_property_map(weights)}, IndexOf{boost::make_assoc_property_map(numbers), 3}};
+    AStar outside{g, WeightsOf{boost::make_assoc_property_map(weights)},
+                  IndexOf{boost::make_assoc_property_map(numbers), 3}};
     CHECK(outside.find(a, c) == Outcome::found);
     CHECK(outside.cost() == 2.0);
     AStar many{g, WeightsOf{boost::make_assoc_property_map(weights)}};
@@ -321,7 +330,8 @@ TEST_CASE("weights may be a function, whose map cannot be assigned", "[paths]") 
     using Streets = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Street>;
     Streets g(3);
     add_edge(0, 1, {3, 50}, g), add_edge(1, 2, {4, 50}, g), add_edge(0, 2, {6, 30}, g);
-    const auto hours = boost::make_function_property_map<Streets::edge_descriptor>([&g](const Streets::edge_descriptor& e) { return g[e].km / g[e].speed; });
+    const auto hours = boost::make_function_property_map<Streets::edge_descriptor>(
+        [&g](const Streets::edge_descriptor& e) { return g[e].km / g[e].speed; });
     AStar search{g, WeightsOf{hours}};
     AStar by_boost{g, WeightsOf{hours}, BoostAStar{}};
     for (int twice = 0; twice < 2; ++twice) {
@@ -332,7 +342,8 @@ TEST_CASE("weights may be a function, whose map cannot be assigned", "[paths]") 
     }
 }
 
-TEST_CASE("an estimate of yours that is below zero or no number counts as nothing, one without end as no way", "[paths]") {
+TEST_CASE("an estimate of yours that is below zero or no number counts as nothing, one without end as no way",
+          "[paths]") {
     const Grid<> map(12, 9);
     const Cell start{1, 2}, goal{10, 7};
     AStar best{map, ZeroHeuristic{}};

@@ -22,7 +22,8 @@ namespace {
 /// A fire, of wood that is felled or of sticks that are gathered.
 struct Camp {
     goap::Domain<> domain;
-    goap::Fact lies = domain.fact("an axe lies there"), axe = domain.fact("has axe"), wood = domain.fact("has wood"), fire = domain.fact("fire burns");
+    goap::Fact lies = domain.fact("an axe lies there"), axe = domain.fact("has axe"), wood = domain.fact("has wood"),
+               fire = domain.fact("fire burns");
     goap::Action take = domain.action("take axe", 1).needs(lies).makes(axe, !lies);
     goap::Action fell = domain.action("fell tree", 3).needs(axe).makes(wood);
     goap::Action gather = domain.action("gather sticks", 9).makes(wood);
@@ -46,12 +47,15 @@ struct Woodcutter {
         state("idle"),
         state("take axe", on_entry([](Man& m) { m.does(m.camp->take); }), transition(to("done"))), // over at once
         state("fell tree", on_entry([](Man& m) { m.blows = 0; }), each_update([](Man& m) { ++m.blows; }),
-              transition(when("slips", [](const Man& m) { return m.slips && m.blows == 2; }), then([](Man& m) { m.slips = false; }), to("hurt")),
-              transition(when("falls", [](const Man& m) { return m.blows == 3; }), then([](Man& m) { m.does(m.camp->fell), ++m.felled; }), to("done"))),
-        state("gather sticks", transition(when(after(2.0 * second)), then([](Man& m) { m.does(m.camp->gather); }), to("done"))),
-        state("light fire",
-              state("strike", transition(when("sparks", [](const Man&) { return true; }), to("blow"))),
-              state("blow", transition(when("burns", [](const Man&) { return true; }), then([](Man& m) { m.does(m.camp->light); }), to("done")))),
+              transition(when("slips", [](const Man& m) { return m.slips && m.blows == 2; }),
+                         then([](Man& m) { m.slips = false; }), to("hurt")),
+              transition(when("falls", [](const Man& m) { return m.blows == 3; }),
+                         then([](Man& m) { m.does(m.camp->fell), ++m.felled; }), to("done"))),
+        state("gather sticks",
+              transition(when(after(2.0 * second)), then([](Man& m) { m.does(m.camp->gather); }), to("done"))),
+        state("light fire", state("strike", transition(when("sparks", [](const Man&) { return true; }), to("blow"))),
+              state("blow", transition(when("burns", [](const Man&) { return true; }),
+                                       then([](Man& m) { m.does(m.camp->light); }), to("done")))),
         state("done"), state("hurt"));
 };
 
@@ -73,7 +77,8 @@ template <class Representation> struct Evening {
         return goap::perform(runner, crew, performance, [&] { return man.now; });
     }
     void to_the_end() {
-        while (ticks < 50 && tick()) {}
+        while (ticks < 50 && tick()) {
+        }
     }
     /// The states that the machine entered, in order; the actions among them are the plan.
     std::string entered(bool only_actions = false) const {
@@ -92,7 +97,8 @@ template <class Representation> struct Evening {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a plan runs through a machine, and the machine's trace is the plan", "[goap]", Switch, Interpreted) {
+TEMPLATE_TEST_CASE("a plan runs through a machine, and the machine's trace is the plan", "[goap]", Switch,
+                   Interpreted) {
     Evening<TestType> e;
     static_assert(goap::Performer<decltype(e.crew)>);
     CHECK(e.planner.why() == "take axe, fell tree, light fire");
@@ -103,7 +109,7 @@ TEMPLATE_TEST_CASE("a plan runs through a machine, and the machine's trace is th
     CHECK(e.entered(true) == e.planner.why());
     CHECK(e.entered() == "idle, take axe, done, fell tree, done, light fire, strike, blow, done");
     CHECK(e.ticks == 1 + 4 + 2); // at once; three blows and the look at what they did; two conditions
-    CHECK_FALSE(e.tick()); // nothing more to do, and nothing is done
+    CHECK_FALSE(e.tick());       // nothing more to do, and nothing is done
     CHECK(e.machine.active_name() == "done");
 }
 
@@ -139,14 +145,15 @@ TEMPLATE_TEST_CASE("a world that breaks the plan takes the machine out of its ac
     CHECK(e.ticks == 3 + 4 + 2); // 2 s of gathering are four ticks of 0.5 s: the machine's clock runs
 }
 
-TEMPLATE_TEST_CASE("what the machine refuses has failed, though it still stands in done", "[goap]", Switch, Interpreted) {
+TEMPLATE_TEST_CASE("what the machine refuses has failed, though it still stands in done", "[goap]", Switch,
+                   Interpreted) {
     Evening<TestType> e;
     for (int i = 0; i < 5; ++i) REQUIRE(e.tick());
     CHECK(e.runner.action() == e.camp.light);
     CHECK(e.machine.active_name() == "done");
     e.man.rain = true;
     for (int i = 0; i < 3; ++i) REQUIRE(e.tick());
-    CHECK(e.runner.plans() == 4); // each refusal is planned anew
+    CHECK(e.runner.plans() == 4);                // each refusal is planned anew
     CHECK(e.machine.time() == 8 * 0.5 * second); // and the machine goes on
     CHECK_FALSE(e.machine.is_in("light fire"));
     e.crew.begin(e.camp.light); // asked itself: the runner would plan anew either way, since nothing burns
@@ -172,10 +179,14 @@ TEST_CASE("a machine that does not know the actions is refused", "[goap]") {
         CHECK_THAT(made(other, bad * second, "done"), ContainsSubstring("dt is " + describe(bad * second)));
     goap::Domain<> more = other;
     more.action("sing");
-    CHECK_THAT(made(more, 0.5 * second, "done"), ContainsSubstring("the action \"sing\" is no state of the machine; add state(\"sing\", ...)"));
+    CHECK_THAT(made(more, 0.5 * second, "done"),
+               ContainsSubstring("the action \"sing\" is no state of the machine; add state(\"sing\", ...)"));
     other.action("hurt");
-    CHECK_THAT(made(other, 0.5 * second, "done"), ContainsSubstring("the event \"hurt\" is not mentioned by the machine; add transition(on(\"hurt\"), to(\"hurt\"))"));
-    CHECK_THAT(test::refusal([&] { e.crew.begin(4); }), ContainsSubstring("the action is 4; the domain had 4 when this was made"));
+    CHECK_THAT(made(other, 0.5 * second, "done"),
+               ContainsSubstring(
+                   "the event \"hurt\" is not mentioned by the machine; add transition(on(\"hurt\"), to(\"hurt\"))"));
+    CHECK_THAT(test::refusal([&] { e.crew.begin(4); }),
+               ContainsSubstring("the action is 4; the domain had 4 when this was made"));
     CHECK_THAT(test::refusal([&] { e.crew.tick(4); }), ContainsSubstring("the action is 4"));
     CHECK(e.machine.active_name() == "idle"); // nothing half-changed
 }

@@ -27,24 +27,32 @@ TEST_CASE("a heuristic is judged in the number in which the search counts", "[pa
         const int dx = std::abs(int(c.x) - g.x), dy = std::abs(int(c.y) - g.y);
         return std::pair(std::min(dx, dy), std::max(dx, dy) - std::min(dx, dy));
     };
-    // On a grid 33461 and 47321 a tile is the right measure; it is 33461 times too much for costs that are counted in tiles.
-    const By whole{[&](Cell c, Cell g) { return 47321u * unsigned(tiles(c, g).first) + 33461u * unsigned(tiles(c, g).second); }};
+    // On a grid 33461 and 47321 a tile is the right measure; it is 33461 times too much for costs that are counted in
+    // tiles.
+    const By whole{
+        [&](Cell c, Cell g) { return 47321u * unsigned(tiles(c, g).first) + 33461u * unsigned(tiles(c, g).second); }};
     CHECK_FALSE(check_heuristic(map, whole, goal));
     CHECK(check_heuristic(map, whole, goal, CostIn<double>{}));
     CHECK(check_heuristic<double>(map, whole, goal));
     CHECK_FALSE(check_heuristic(map, Octile{}, goal));
-    const By twice{[&](Cell c, Cell g) { return 2 * (47321u * unsigned(tiles(c, g).first) + 33461u * unsigned(tiles(c, g).second)); }};
+    const By twice{[&](Cell c, Cell g) {
+        return 2 * (47321u * unsigned(tiles(c, g).first) + 33461u * unsigned(tiles(c, g).second));
+    }};
     const auto wrong = check_heuristic(map, twice, goal);
     REQUIRE(wrong);
     CHECK_THAT(wrong->sentence, ContainsSubstring("tiles, the true cost to the goal is ")); // in words of the graph
-    // What the check says is what the search does: an estimate that it passes finds the best path, one a node too high is told.
+    // What the check says is what the search does: an estimate that it passes finds the best path, one a node too high
+    // is told.
     for (int k = 0; k < 200; ++k) {
         const Roads g = random_roads(random, 12, 36, 9);
         const auto truth = true_costs<int>(g, 11);
         std::vector<double> h(12);
         bool over = false;
-        for (std::size_t v = 0; v < 12; ++v) { // a fraction is cut off by a search in whole numbers: 2.9 is no more than 2
-            h[v] = truth[v] == std::numeric_limits<int>::max() ? 5 : truth[v] + 0.9 - double(random() % 4) + (random() % 40 == 0 ? 1 : 0);
+        for (std::size_t v = 0; v < 12;
+             ++v) { // a fraction is cut off by a search in whole numbers: 2.9 is no more than 2
+            h[v] = truth[v] == std::numeric_limits<int>::max()
+                       ? 5
+                       : truth[v] + 0.9 - double(random() % 4) + (random() % 40 == 0 ? 1 : 0);
             over = over || (truth[v] != std::numeric_limits<int>::max() && int(std::max(0.0, h[v])) > truth[v]);
         }
         const By guess{[&](std::size_t v) { return h[v]; }};
@@ -60,7 +68,8 @@ TEST_CASE("a heuristic is judged by the weights that the search has", "[paths]")
     for (int k = 0; k < 100; ++k) {
         const Roads g = random_roads(random, 12, 36, 9);
         // The search goes by halves of the weights of the graph.
-        const WeightsOf halves{boost::make_function_property_map<Roads::edge_descriptor>([&g](const Roads::edge_descriptor& e) { return get(boost::edge_weight, g, e) / 2.0; })};
+        const WeightsOf halves{boost::make_function_property_map<Roads::edge_descriptor>(
+            [&g](const Roads::edge_descriptor& e) { return get(boost::edge_weight, g, e) / 2.0; })};
         const std::size_t goal = 11;
         const auto truth = true_costs<double>(g, goal, Toward::to_it, halves);
         const auto whole = true_costs<double>(g, goal);
@@ -89,14 +98,17 @@ TEST_CASE("an estimate may be more than a cost's number holds; the path counts, 
     const auto check = [](auto number, double w, bool by_boost) {
         using Cost = decltype(number);
         const std::size_t n = 40;
-        boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, boost::property<boost::edge_weight_t, Cost>> g(2 * n);
+        boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                              boost::property<boost::edge_weight_t, Cost>>
+            g(2 * n);
         const Cost step = Cost(std::numeric_limits<Cost>::max() / Cost(n + 2));
         for (std::size_t v = 0; v + 1 < n; ++v) {
             add_edge(v, v + 1, step, g);         // the way
             add_edge(n + v, n + v + 1, step, g); // and one beside it that leads nowhere
             add_edge(v, n + v, Cost(0), g);
         }
-        const By left{[&](std::size_t v) { return v < n ? Cost(step * Cost(n - 1 - v)) : Cost(step * Cost(2 * n - v - 1)); }};
+        const By left{
+            [&](std::size_t v) { return v < n ? Cost(step * Cost(n - 1 - v)) : Cost(step * Cost(2 * n - v - 1)); }};
         const auto searched = [&](auto&& search) {
             INFO("w = " << w << ", " << (by_boost ? "Boost" : "ours") << ", a cost of " << sizeof(Cost) << " bytes");
             REQUIRE(search.find(0, n - 1) == Outcome::found);
@@ -146,8 +158,9 @@ TEST_CASE("where a cost is more than its number holds nobody claims that there i
     map.set_passable(Cell{38, 0}, false); // and there is none
     AStar search{map};
     REQUIRE(search.find(Cell{0, 0}, Cell{39, 0}) == Outcome::too_far);
-    CHECK(search.why() == "no path from (0, 0) to (39, 0) was found whose cost its number holds, and there were ways that cost more; "
-                          "take CostIn<std::uint64_t> or CostIn<double>");
+    CHECK(search.why() ==
+          "no path from (0, 0) to (39, 0) was found whose cost its number holds, and there were ways that cost more; "
+          "take CostIn<std::uint64_t> or CostIn<double>");
     AStar wide{map, CostIn<std::uint64_t>{}};
     CHECK(wide.find(Cell{0, 0}, Cell{39, 0}) == Outcome::no_path);
     // Boost's loop knows no such end; its outcome is the same.

@@ -31,8 +31,8 @@ static_assert(SearchGraph<goap::StateGraph<2>>);
 /// Felling a tree, with an axe that can be bought or found.
 struct Wood {
     goap::Domain<> domain;
-    Fact axe = domain.fact("has axe"), money = domain.fact("has money"), wood = domain.fact("has wood"), fire = domain.fact("fire burns"),
-         sticks = domain.fact("has sticks");
+    Fact axe = domain.fact("has axe"), money = domain.fact("has money"), wood = domain.fact("has wood"),
+         fire = domain.fact("fire burns"), sticks = domain.fact("has sticks");
     goap::Action work = domain.action("work", 4).makes(money);
     goap::Action buy = domain.action("buy axe", 1).needs(money).makes(axe, !money);
     goap::Action fell = domain.action("fell tree", 2).needs(axe).makes(wood);
@@ -47,7 +47,9 @@ template <std::size_t Words> struct Gripper {
     goap::State<Words> start;
     goap::Condition<Words> goal;
     explicit Gripper(int balls) {
-        auto n = [](const std::string& word, int ball, const char* more = "") { return word + std::to_string(ball) + more; };
+        auto n = [](const std::string& word, int ball, const char* more = "") {
+            return word + std::to_string(ball) + more;
+        };
         const Fact here = domain.fact("robot in the first room");
         domain.action("go over").needs(here).makes(!here);
         domain.action("go back").needs(!here).makes(here);
@@ -56,7 +58,8 @@ template <std::size_t Words> struct Gripper {
             const Fact free = domain.fact(std::string("free") + hand);
             start.set(free.number, true);
             for (int b = 0; b < balls; ++b) {
-                const Fact first = domain.fact(n("first room ", b)), second = domain.fact(n("second room ", b)), held = domain.fact(n("held ", b, hand));
+                const Fact first = domain.fact(n("first room ", b)), second = domain.fact(n("second room ", b)),
+                           held = domain.fact(n("held ", b, hand));
                 domain.action(n("pick first ", b, hand)).needs(here, first, free).makes(held, !first, !free);
                 domain.action(n("pick second ", b, hand)).needs(!here, second, free).makes(held, !second, !free);
                 domain.action(n("drop first ", b, hand)).needs(here, held).makes(first, free, !held);
@@ -80,12 +83,18 @@ struct Blocks {
     explicit Blocks(std::string blocks) : names(std::move(blocks)) {
         const Fact empty = domain.fact("hand empty");
         for (const char a : names) {
-            domain.action(std::string("pick up ") + a).needs(clear(a), table(a), empty).makes(held(a), !clear(a), !table(a), !empty);
+            domain.action(std::string("pick up ") + a)
+                .needs(clear(a), table(a), empty)
+                .makes(held(a), !clear(a), !table(a), !empty);
             domain.action(std::string("put down ") + a).needs(held(a)).makes(clear(a), table(a), empty, !held(a));
             for (const char b : names) {
                 if (a == b) continue;
-                domain.action(std::string("stack ") + a + b).needs(held(a), clear(b)).makes(on(a, b), clear(a), empty, !held(a), !clear(b));
-                domain.action(std::string("unstack ") + a + b).needs(on(a, b), clear(a), empty).makes(held(a), clear(b), !on(a, b), !clear(a), !empty);
+                domain.action(std::string("stack ") + a + b)
+                    .needs(held(a), clear(b))
+                    .makes(on(a, b), clear(a), empty, !held(a), !clear(b));
+                domain.action(std::string("unstack ") + a + b)
+                    .needs(on(a, b), clear(a), empty)
+                    .makes(held(a), clear(b), !on(a, b), !clear(a), !empty);
             }
         }
     }
@@ -153,7 +162,8 @@ struct Random {
 
 TEST_CASE("the trap for the usual heuristic: the best plan costs 3, not 6", "[goap]") {
     goap::Domain<> domain;
-    const Fact a = domain.fact("a"), b = domain.fact("b"), c = domain.fact("c"), d = domain.fact("d"), e = domain.fact("e"), f = domain.fact("f");
+    const Fact a = domain.fact("a"), b = domain.fact("b"), c = domain.fact("c"), d = domain.fact("d"),
+               e = domain.fact("e"), f = domain.fact("f");
     domain.action("set a", 2).makes(a);
     domain.action("set a and b", 1).makes(a, b);
     domain.action("optimal", 1).needs(a, !b).makes(a, b, c, d, e, f);
@@ -181,7 +191,8 @@ TEST_CASE("known optima: the gripper and the blocks", "[goap]") {
     CHECK(four.best({"A", "B", "C", "D"}, "DCBA") == 6);
     CHECK(four.best({"BCAD"}, "DCAB") == 10);
     CHECK(four.best({"DCBA"}, "DCBA") == 0);
-    CHECK(four.best({"ABCD"}, "DCBA") == 8); // each is lifted once, three of them onto another, the first onto the table
+    CHECK(four.best({"ABCD"}, "DCBA") ==
+          8); // each is lifted once, three of them onto another, the first onto the table
 }
 
 TEST_CASE("the cheapest plan of random domains, as by trying everything; greedy plans lead there too", "[goap]") {
@@ -220,7 +231,8 @@ TEST_CASE("the cheapest plan of random domains, as by trying everything; greedy 
         check(planner), check(greedy), check(by_buckets);
         // In slices the plan is the same.
         planner.begin(r.start, r.goal);
-        while (planner.advance(1) == Outcome::running) {}
+        while (planner.advance(1) == Outcome::running) {
+        }
         REQUIRE(planner.cost() == best);
     }
     CHECK(found > 300);
@@ -228,7 +240,8 @@ TEST_CASE("the cheapest plan of random domains, as by trying everything; greedy 
     CHECK(dearer > 0);
 }
 
-TEST_CASE("a plan goes on when it still holds, is made anew when the world breaks it, and ends when the goal is there", "[goap]") {
+TEST_CASE("a plan goes on when it still holds, is made anew when the world breaks it, and ends when the goal is there",
+          "[goap]") {
     Wood w;
     goap::Planner planner{w.domain};
     goap::Runner runner{planner};
@@ -292,13 +305,15 @@ TEST_CASE("a performer carries a plan out, tick by tick", "[goap]") {
 
 TEST_CASE("why there is no plan", "[goap]") {
     goap::Domain<> tea;
-    const Fact cup = tea.fact("has tea"), hot = tea.fact("water is hot"), water = tea.fact("has water"), cold = tea.fact("stove is cold");
+    const Fact cup = tea.fact("has tea"), hot = tea.fact("water is hot"), water = tea.fact("has water"),
+               cold = tea.fact("stove is cold");
     tea.action("brew", 1).needs(hot, water).makes(cup);
     tea.action("boil", 1).needs(water).makes(hot);
     goap::Planner planner{tea};
     CHECK(planner.plan(tea.state({}), tea.condition({cup})) == Outcome::no_path);
-    CHECK(planner.why() == "there is no plan: the goal wants \"has tea\", for which \"brew\" needs \"water is hot\", for which \"boil\" "
-                           "needs \"has water\", and no action makes it so");
+    CHECK(planner.why() ==
+          "there is no plan: the goal wants \"has tea\", for which \"brew\" needs \"water is hot\", for which \"boil\" "
+          "needs \"has water\", and no action makes it so");
     CHECK(planner.plan(tea.state({cold}), tea.condition({!cold})) == Outcome::no_path);
     CHECK(planner.why() == "there is no plan: the goal wants not \"stove is cold\", and no action makes it so");
     goap::Domain<> door;
@@ -314,7 +329,8 @@ TEST_CASE("why there is no plan", "[goap]") {
     ring.action("hatch").needs(egg).makes(hen);
     goap::Planner farmer{ring};
     CHECK(farmer.plan(ring.state({}), ring.condition({egg})) == Outcome::no_path);
-    CHECK(farmer.why() == "there is no plan: the goal wants \"egg\", for which \"lay\" needs \"hen\", and what would make it so needs it first");
+    CHECK(farmer.why() == "there is no plan: the goal wants \"egg\", for which \"lay\" needs \"hen\", and what would "
+                          "make it so needs it first");
     CHECK(farmer.plan(ring.state({egg}), ring.condition({egg})) == Outcome::found);
     CHECK(farmer.why() == "nothing needs to be done");
 }
@@ -324,7 +340,8 @@ TEST_CASE("what a domain is given wrongly it refuses, and a budget ends a plan",
     const Fact a = domain.fact("a");
     CHECK(domain.fact("a") == a);
     for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-        CHECK_THAT(test::refusal([&] { domain.action("x", bad); }), ContainsSubstring("the cost of \"x\" is " + describe(bad)));
+        CHECK_THAT(test::refusal([&] { domain.action("x", bad); }),
+                   ContainsSubstring("the cost of \"x\" is " + describe(bad)));
     CHECK(domain.actions() == 0);
     auto x = domain.action("x", 1);
     CHECK_THAT(test::refusal([&] { domain.action("x", 1); }), ContainsSubstring("\"x\" is there already"));
@@ -334,7 +351,8 @@ TEST_CASE("what a domain is given wrongly it refuses, and a budget ends a plan",
     CHECK_THAT(test::refusal([&] { domain.set_cost(7, 1); }), ContainsSubstring("the action is 7"));
     CHECK_THAT(test::refusal([&] { domain.fact(""); }), ContainsSubstring("a fact has a name"));
     for (int i = 1; i < 64; ++i) domain.fact("f" + std::to_string(i));
-    CHECK_THAT(test::refusal([&] { domain.fact("one more"); }), ContainsSubstring("there is room for 64; take Domain<2>"));
+    CHECK_THAT(test::refusal([&] { domain.fact("one more"); }),
+               ContainsSubstring("there is room for 64; take Domain<2>"));
     goap::Domain<2> wide; // facts of the second word count
     for (int i = 0; i < 100; ++i) wide.fact("f" + std::to_string(i));
     wide.action("first").makes(wide.fact("f70"));
@@ -352,10 +370,12 @@ TEST_CASE("an action that is learnt while one plans in slices does no harm", "[g
     goap::Domain<> domain;
     std::vector<Fact> steps;
     for (int i = 0; i < 20; ++i) steps.push_back(domain.fact("step " + std::to_string(i)));
-    for (std::size_t i = 1; i < steps.size(); ++i) domain.action("to " + std::to_string(i), double(i)).needs(steps[i - 1]).makes(steps[i]);
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        domain.action("to " + std::to_string(i), double(i)).needs(steps[i - 1]).makes(steps[i]);
     goap::Planner planner{domain};
     planner.begin(domain.state({steps[0]}), domain.condition({steps.back()}));
-    for (int i = 0; planner.advance(1) == Outcome::running; ++i) domain.action("new " + std::to_string(i), 1e6).makes(steps.back());
+    for (int i = 0; planner.advance(1) == Outcome::running; ++i)
+        domain.action("new " + std::to_string(i), 1e6).makes(steps.back());
     CHECK(planner.outcome() == Outcome::found);
     CHECK(planner.actions().size() == 19);
     CHECK(planner.cost() == 19 * 20 / 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Every type of graph that Boost.Graph has, with weights of every kind, and its views of another graph: the search finds what
-// a plain model finds on the same edges.
+// Every type of graph that Boost.Graph has, with weights of every kind, and its views of another graph: the search
+// finds what a plain model finds on the same edges.
 
 #include "tests/paths/support.hpp"
 
@@ -29,7 +29,8 @@ struct Street {
     int km = 1;
 };
 using Weighed = boost::property<boost::edge_weight_t, int>;
-template <class Out, class Vertices, class Directed, class Edge = boost::no_property> using List = boost::adjacency_list<Out, Vertices, Directed, boost::no_property, Edge>;
+template <class Out, class Vertices, class Directed, class Edge = boost::no_property>
+using List = boost::adjacency_list<Out, Vertices, Directed, boost::no_property, Edge>;
 using boost::bidirectionalS, boost::directedS, boost::listS, boost::setS, boost::undirectedS, boost::vecS;
 
 /// The model: edges in a row, each pair of vertices once, and Bellman and Ford's costs.
@@ -46,7 +47,8 @@ struct Model {
             for (std::size_t b = both_ways ? a + 1 : 0; b < n; ++b)
                 if (a != b && random() % 5 == 0) edges.push_back({a, b, int(random() % 9)});
     }
-    template <class Weight, class Free> int cost(std::size_t start, std::size_t goal, bool both_ways, Weight&& weight, Free&& free) const {
+    template <class Weight, class Free>
+    int cost(std::size_t start, std::size_t goal, bool both_ways, Weight&& weight, Free&& free) const {
         if (!free(start) || !free(goal)) return none;
         std::vector<int> costs(n, none);
         costs[start] = 0;
@@ -61,7 +63,9 @@ struct Model {
         return costs[goal];
     }
     int cost(std::size_t start, std::size_t goal, bool both_ways, bool weighed) const {
-        return cost(start, goal, both_ways, [&](const Edge& e) { return weighed ? e.weight : 1; }, [](std::size_t) { return true; });
+        return cost(
+            start, goal, both_ways, [&](const Edge& e) { return weighed ? e.weight : 1; },
+            [](std::size_t) { return true; });
     }
 };
 /// Whether the search answers as the model.
@@ -75,14 +79,17 @@ template <class Graph> Graph built(const Model& m) {
     Graph g(m.n);
     std::vector<typename boost::graph_traits<Graph>::vertex_descriptor> all(vertices(g).first, vertices(g).second);
     for (const auto& e : m.edges) {
-        if constexpr (std::is_same_v<typename Graph::edge_property_type, Street>) add_edge(all[e.from], all[e.to], Street{e.weight}, g);
-        else if constexpr (std::is_same_v<typename Graph::edge_property_type, Weighed>) add_edge(all[e.from], all[e.to], Weighed(e.weight), g);
+        if constexpr (std::is_same_v<typename Graph::edge_property_type, Street>)
+            add_edge(all[e.from], all[e.to], Street{e.weight}, g);
+        else if constexpr (std::is_same_v<typename Graph::edge_property_type, Weighed>)
+            add_edge(all[e.from], all[e.to], Weighed(e.weight), g);
         else add_edge(all[e.from], all[e.to], g);
     }
     return g;
 }
 /// A graph and policies against the model, from every vertex to one.
-template <class Graph, class... Policies> void check(const Model& m, const Graph& g, bool both_ways, bool weighed, const Policies&... policies) {
+template <class Graph, class... Policies>
+void check(const Model& m, const Graph& g, bool both_ways, bool weighed, const Policies&... policies) {
     const std::vector<VertexOf<Graph>> all(vertices(g).first, vertices(g).second);
     AStar search{g, policies...};
     for (std::size_t v = 0; v < m.n; ++v) agree(search, all[v], all[m.n - 1], m.cost(v, m.n - 1, both_ways, weighed));
@@ -134,9 +141,11 @@ TEST_CASE("rows, subgraphs and reversed graphs", "[paths]") {
         std::vector<std::pair<std::size_t, std::size_t>> ends;
         std::vector<Street> lengths;
         for (const auto& e : m.edges) ends.emplace_back(e.from, e.to), lengths.push_back({e.weight});
-        const boost::compressed_sparse_row_graph<directedS> bare(boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), m.n);
+        const boost::compressed_sparse_row_graph<directedS> bare(boost::edges_are_unsorted_multi_pass, ends.begin(),
+                                                                 ends.end(), m.n);
         check(m, bare, false, false);
-        const boost::compressed_sparse_row_graph<directedS, boost::no_property, Street> rows(boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), lengths.begin(), m.n);
+        const boost::compressed_sparse_row_graph<directedS, boost::no_property, Street> rows(
+            boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), lengths.begin(), m.n);
         check(m, rows, false, true, WeightsOf{get(&Street::km, rows)});
 
         const auto both = built<Sets<Weighed>>(m);
@@ -146,7 +155,8 @@ TEST_CASE("rows, subgraphs and reversed graphs", "[paths]") {
         const auto none = built<Sets<boost::no_property>>(m);
         check(turned, boost::make_reverse_graph(none), false, false);
 
-        using Whole = boost::subgraph<List<vecS, vecS, directedS, boost::property<boost::edge_index_t, std::size_t, Weighed>>>;
+        using Whole =
+            boost::subgraph<List<vecS, vecS, directedS, boost::property<boost::edge_index_t, std::size_t, Weighed>>>;
         Whole whole(m.n);
         for (const auto& e : m.edges) put(boost::edge_weight, whole, add_edge(e.from, e.to, whole).first, e.weight);
         check(m, whole, false, true);
@@ -154,7 +164,9 @@ TEST_CASE("rows, subgraphs and reversed graphs", "[paths]") {
         for (std::size_t v = 2; v < m.n; ++v) add_vertex(v, part);
         AStar search{part};
         for (std::size_t v = 2; v < m.n; ++v)
-            agree(search, v - 2, m.n - 3, m.cost(v, m.n - 1, false, [](const auto& e) { return e.weight; }, [](std::size_t u) { return u >= 2; }));
+            agree(search, v - 2, m.n - 3,
+                  m.cost(
+                      v, m.n - 1, false, [](const auto& e) { return e.weight; }, [](std::size_t u) { return u >= 2; }));
     }
 }
 
@@ -166,14 +178,19 @@ TEST_CASE("filtered graphs of every type; what is filtered out is blocked, as st
         const std::vector<VertexOf<Inner>> all(vertices(inner).first, vertices(inner).second);
         std::vector<bool> shut(m.n);
         for (std::size_t v = 0; v < m.n; ++v) shut[v] = random() % 4 == 0;
-        const std::function<bool(VertexOf<Inner>)> free = [&](const VertexOf<Inner>& v) { return !shut[std::size_t(std::find(all.begin(), all.end(), v) - all.begin())]; };
-        const boost::filtered_graph<Inner, boost::keep_all, std::function<bool(VertexOf<Inner>)>> left(inner, boost::keep_all{}, free);
+        const std::function<bool(VertexOf<Inner>)> free = [&](const VertexOf<Inner>& v) {
+            return !shut[std::size_t(std::find(all.begin(), all.end(), v) - all.begin())];
+        };
+        const boost::filtered_graph<Inner, boost::keep_all, std::function<bool(VertexOf<Inner>)>> left(
+            inner, boost::keep_all{}, free);
         const boost::filtered_graph<std::decay_t<decltype(left)>, boost::keep_all> twice(left, boost::keep_all{});
         AStar search{left, policies...};
         AStar of_view{twice, policies...};
         for (std::size_t v = 0; v < m.n; ++v)
             for (const std::size_t goal : {std::size_t(0), m.n - 1, v}) {
-                const int best = m.cost(v, goal, false, [&](const auto& e) { return weighed ? e.weight : 1; }, [&](std::size_t u) { return !shut[u]; });
+                const int best = m.cost(
+                    v, goal, false, [&](const auto& e) { return weighed ? e.weight : 1; },
+                    [&](std::size_t u) { return !shut[u]; });
                 agree(search, all[v], all[goal], best);
                 REQUIRE((search.outcome() == Outcome::blocked) == (shut[v] || shut[goal]));
                 agree(of_view, all[v], all[goal], best);
@@ -201,10 +218,14 @@ TEST_CASE("Boost.Graph's own maze: a filtered grid_graph", "[paths]") {
         const Board board(boost::array<std::size_t, 2>{{7, 6}});
         std::vector<bool> wall(42);
         for (std::size_t i = 0; i < 42; ++i) wall[i] = random() % 4 == 0;
-        const std::function<bool(Place)> free = [&](const Place& p) { return !wall[get(boost::vertex_index, board, p)]; };
-        const boost::filtered_graph<Board, boost::keep_all, std::function<bool(Place)>> maze(board, boost::keep_all{}, free);
+        const std::function<bool(Place)> free = [&](const Place& p) {
+            return !wall[get(boost::vertex_index, board, p)];
+        };
+        const boost::filtered_graph<Board, boost::keep_all, std::function<bool(Place)>> maze(board, boost::keep_all{},
+                                                                                             free);
         Grid<Four> tiles(7, 6); // the same map
-        for (std::size_t i = 0; i < 42; ++i) tiles.set_passable(Cell{std::uint16_t(i % 7), std::uint16_t(i / 7)}, !wall[i]);
+        for (std::size_t i = 0; i < 42; ++i)
+            tiles.set_passable(Cell{std::uint16_t(i % 7), std::uint16_t(i / 7)}, !wall[i]);
         AStar open{board};
         AStar search{maze};
         AStar by_boost{maze, BoostAStar{}};

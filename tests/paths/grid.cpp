@@ -59,7 +59,8 @@ Grid<Eight<>, Terrain> random_terrain(std::mt19937& random, std::size_t width, s
 /// Every edge by the rule itself, without the grid's masks.
 template <class Rule> bool by_rule(const Grid<Eight<Rule>>& map, Cell a, int dx, int dy) {
     auto free = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < int(map.width()) && y < int(map.height()) && map.passable({std::uint16_t(x), std::uint16_t(y)});
+        return x >= 0 && y >= 0 && x < int(map.width()) && y < int(map.height()) &&
+               map.passable({std::uint16_t(x), std::uint16_t(y)});
     };
     if (!free(a.x, a.y) || !free(a.x + dx, a.y + dy)) return false;
     return dx == 0 || dy == 0 || Rule::passes(free(a.x + dx, a.y), free(a.x, a.y + dy));
@@ -118,8 +119,8 @@ TEST_CASE("single edges are shut and opened, in one direction or both", "[paths]
     CHECK(map.version() == version);
 }
 
-TEMPLATE_TEST_CASE("terrain, walls and shut edges: optimal as Dijkstra in every number and queue", "[paths][grid]", std::uint32_t, std::uint64_t,
-                   float, double) {
+TEMPLATE_TEST_CASE("terrain, walls and shut edges: optimal as Dijkstra in every number and queue", "[paths][grid]",
+                   std::uint32_t, std::uint64_t, float, double) {
     using Number = TestType;
     std::mt19937 random(4);
     int found = 0;
@@ -129,15 +130,19 @@ TEMPLATE_TEST_CASE("terrain, walls and shut edges: optimal as Dijkstra in every 
         const double best = true_costs<double>(map, goal)[map.index(start)];
         AStar heap{map, CostIn<Number>{}};
         AStar buckets{map, CostIn<Number>{}, Buckets{}};
-        AStar both{map, CostIn<Number>{}, Maximum{Euclid{}, Chebyshev{}}, Buckets{0.37 * double(Tile<Number>::straight)}};
+        AStar both{map, CostIn<Number>{}, Maximum{Euclid{}, Chebyshev{}},
+                   Buckets{0.37 * double(Tile<Number>::straight)}};
         auto same = [&](auto& search) {
             const auto outcome = search.find(start, goal);
             if (!map.passable(start) || !map.passable(goal)) return outcome == Outcome::blocked;
             if (best == infinity) return outcome == Outcome::no_path;
             ++found;
             // Whole numbers round a weight to 1/33461 of a tile.
-            const double rounding = std::is_same_v<Number, double> ? 1e-12 : std::is_same_v<Number, float> ? 1e-5 : 3e-5 * double(search.path().size());
-            return outcome == Outcome::found && std::abs(cost_along(map, search.path()) - best) <= rounding * (1 + best);
+            const double rounding = std::is_same_v<Number, double>  ? 1e-12
+                                    : std::is_same_v<Number, float> ? 1e-5
+                                                                    : 3e-5 * double(search.path().size());
+            return outcome == Outcome::found &&
+                   std::abs(cost_along(map, search.path()) - best) <= rounding * (1 + best);
         };
         INFO("map " << k << " from " << name_of(start) << " to " << name_of(goal) << ", the best costs " << best);
         REQUIRE(same(heap));
@@ -147,12 +152,15 @@ TEMPLATE_TEST_CASE("terrain, walls and shut edges: optimal as Dijkstra in every 
     CHECK(found > 60);
 }
 
-TEST_CASE("every algorithm of Boost.Graph that needs no more runs on a grid, and astar_search is an engine", "[paths][grid]") {
+TEST_CASE("every algorithm of Boost.Graph that needs no more runs on a grid, and astar_search is an engine",
+          "[paths][grid]") {
     std::mt19937 random(6);
     const auto map = random_map(random, 20, 20, 0.25);
     std::vector<double> costs(map.size());
     const Cell start{0, 0};
-    boost::dijkstra_shortest_paths(map, start, boost::distance_map(boost::make_iterator_property_map(costs.begin(), get(boost::vertex_index, map))));
+    boost::dijkstra_shortest_paths(
+        map, start,
+        boost::distance_map(boost::make_iterator_property_map(costs.begin(), get(boost::vertex_index, map))));
     AStar ours{map, CostIn<double>{}};
     AStar boosts{map, CostIn<double>{}, BoostAStar{}};
     for (auto [v, end] = vertices(map); v != end; ++v) {
@@ -239,8 +247,10 @@ TEST_CASE("quantities: lengths, places and travel times", "[paths][grid]") {
     CHECK(map.travel_time(path, 4.0 * metre_per_second).value() == Approx(2 * (3 * root2 + 1) / 4));
     CHECK(map.position(Cell{2, 1}) == metres(5, 3));
     CHECK(map.cell_at(metres(5.9, 2.0)) == Cell{2, 1});
-    CHECK_THAT(test::refusal([&] { map.cell_at(metres(6, 0)); }), ContainsSubstring("Grid::cell_at: the place is (6, 0) m; the map has 3 x 2 tiles"));
-    CHECK_THAT(test::refusal([&] { map.travel_time(path, 0.0 * metre_per_second); }), ContainsSubstring("speed is 0 m/s"));
+    CHECK_THAT(test::refusal([&] { map.cell_at(metres(6, 0)); }),
+               ContainsSubstring("Grid::cell_at: the place is (6, 0) m; the map has 3 x 2 tiles"));
+    CHECK_THAT(test::refusal([&] { map.travel_time(path, 0.0 * metre_per_second); }),
+               ContainsSubstring("speed is 0 m/s"));
     CHECK_THAT(test::refusal([] { Grid(3, 3, -1.0 * metre); }), ContainsSubstring("Grid: tile is -1 m"));
 
     Waypoints<ByTime> ways;
@@ -254,7 +264,8 @@ TEST_CASE("quantities: lengths, places and travel times", "[paths][grid]") {
     const Grid even(4, 3);
     AStar on_tiles{even};
     REQUIRE(on_tiles.find({0, 0}, {2, 1}) == Outcome::found);
-    CHECK(on_tiles.why() == "the path from (0, 0) to (2, 1) costs 2.4142137 tiles"); // 1 + the root of 2, and not what it counts in
+    CHECK(on_tiles.why() ==
+          "the path from (0, 0) to (2, 1) costs 2.4142137 tiles"); // 1 + the root of 2, and not what it counts in
     CHECK(ways.travel_time(search.path()).value() == Approx(3));
     CHECK(ways.length(search.path()).value() == Approx(25));
     ways.set_road_passable(winding, false);
@@ -267,10 +278,14 @@ TEST_CASE("quantities: lengths, places and travel times", "[paths][grid]") {
     CHECK(search.path().size() == 2);
     CHECK(search.find(0, 1) == Outcome::blocked);
     CHECK(search.why() == "there is no path from 0 to 1: the goal is blocked");
-    CHECK_THAT(test::refusal([&] { ways.connect(0, 9, 1.0 * metre_per_second); }), ContainsSubstring("the place is 9; there are 3 places"));
-    CHECK_THAT(test::refusal([&] { ways.connect(0, 1, 4.0 * metre, 1.0 * metre_per_second); }), ContainsSubstring("at least the straight distance, 5 m"));
-    CHECK_THAT(test::refusal([&] { ways.set_speed(0, not_a_number * metre_per_second); }), ContainsSubstring("the speed is nan m/s"));
-    CHECK_THAT(test::refusal([&] { ways.add(metres(0, infinity, 0)); }), ContainsSubstring("the place is (0, inf, 0) m"));
+    CHECK_THAT(test::refusal([&] { ways.connect(0, 9, 1.0 * metre_per_second); }),
+               ContainsSubstring("the place is 9; there are 3 places"));
+    CHECK_THAT(test::refusal([&] { ways.connect(0, 1, 4.0 * metre, 1.0 * metre_per_second); }),
+               ContainsSubstring("at least the straight distance, 5 m"));
+    CHECK_THAT(test::refusal([&] { ways.set_speed(0, not_a_number * metre_per_second); }),
+               ContainsSubstring("the speed is nan m/s"));
+    CHECK_THAT(test::refusal([&] { ways.add(metres(0, infinity, 0)); }),
+               ContainsSubstring("the place is (0, inf, 0) m"));
     CHECK(ways.size() == 3);
 }
 
@@ -278,21 +293,37 @@ TEST_CASE("what a grid is given wrongly it refuses when it is set, and stays as 
     Grid<Eight<>, Terrain> map(4, 3);
     const auto version = map.version();
     for (const double bad : {-1.0, not_a_number, infinity, -infinity, 60001.0})
-        CHECK_THAT(test::refusal([&] { map.set_weight(Cell{2, 1}, bad); }), ContainsSubstring("Grid::set_weight: the weight of (2, 1) is " + describe(bad)));
+        CHECK_THAT(test::refusal([&] {
+                       map.set_weight(Cell{2, 1}, bad);
+                   }),
+                   ContainsSubstring("Grid::set_weight: the weight of (2, 1) is " + describe(bad)));
     CHECK(map.weight(Cell{2, 1}) == 1);
     CHECK(map.least_weight() == 1);
-    CHECK_THAT(test::refusal([&] { map.set_weight(Cell{4, 0}, 1); }), ContainsSubstring("the tile is (4, 0); the map has 4 x 3 tiles"));
+    CHECK_THAT(test::refusal([&] {
+                   map.set_weight(Cell{4, 0}, 1);
+               }),
+               ContainsSubstring("the tile is (4, 0); the map has 4 x 3 tiles"));
     CHECK_THAT(test::refusal([&] { map.set_passable(Cell{0, 3}, false); }), ContainsSubstring("the tile is (0, 3)"));
-    CHECK_THAT(test::refusal([&] { map.set_passable(Cell{0, 0}, Cell{2, 0}, false); }), ContainsSubstring("the edge is (0, 0) to (2, 0)"));
-    CHECK_THAT(test::refusal([&] { map.set_passable(std::vector<std::uint8_t>(5)); }), ContainsSubstring("the map has 12 tiles"));
+    CHECK_THAT(test::refusal([&] {
+                   map.set_passable(Cell{0, 0}, Cell{2, 0}, false);
+               }),
+               ContainsSubstring("the edge is (0, 0) to (2, 0)"));
+    CHECK_THAT(test::refusal([&] { map.set_passable(std::vector<std::uint8_t>(5)); }),
+               ContainsSubstring("the map has 12 tiles"));
     CHECK(map.version() == version);
     CHECK_THAT(test::refusal([] { Grid(0, 5); }), ContainsSubstring("Grid: width is 0"));
     CHECK_THAT(test::refusal([] { Grid(5, 65536); }), ContainsSubstring("Grid: height is 65536"));
     CHECK_THAT(test::refusal([] { grid_from({"..", "..."}); }), ContainsSubstring("the length of row 1 is 3"));
     CHECK_THAT(test::refusal([] { grid_from({".x"}); }), ContainsSubstring("row 0, column 1 is 'x'"));
     AStar search{map};
-    CHECK_THAT(test::refusal([&] { search.find(Cell{0, 0}, Cell{4, 2}); }), ContainsSubstring("AStar: goal is (4, 2); the map has 4 x 3 tiles"));
-    CHECK_THAT(test::refusal([&] { search.begin(Cell{0, 9}, Cell{1, 2}); }), ContainsSubstring("AStar: start is (0, 9)"));
+    CHECK_THAT(test::refusal([&] {
+                   search.find(Cell{0, 0}, Cell{4, 2});
+               }),
+               ContainsSubstring("AStar: goal is (4, 2); the map has 4 x 3 tiles"));
+    CHECK_THAT(test::refusal([&] {
+                   search.begin(Cell{0, 9}, Cell{1, 2});
+               }),
+               ContainsSubstring("AStar: start is (0, 9)"));
     map.set_passable(Cell{3, 2}, false);
     CHECK(search.find(Cell{0, 0}, Cell{3, 2}) == Outcome::blocked);
     CHECK(search.why() == "there is no path from (0, 0) to (3, 2): the goal is blocked");

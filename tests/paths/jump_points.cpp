@@ -53,7 +53,8 @@ TEMPLATE_TEST_CASE("Jump points cost what every edge does, on random maps", "[pa
         AStar every{map, ZeroHeuristic{}};
         AStar jumping{map, Octile{}, JumpPoints{}};
         for (int k = 0; k < 4; ++k)
-            require_the_same(every, jumping, map, random_cell(random, width, height), random_cell(random, width, height));
+            require_the_same(every, jumping, map, random_cell(random, width, height),
+                             random_cell(random, width, height));
     }
 }
 
@@ -115,7 +116,8 @@ TEST_CASE("A search by jump points can be left, given up, and repeated after a c
     AStar jumping{map, JumpPoints{}}, sliced{map, JumpPoints{}};
     REQUIRE(jumping.find({0, 0}, {119, 89}) == every.find({0, 0}, {119, 89}));
     sliced.begin({0, 0}, {119, 89});
-    while (sliced.advance(3) == Outcome::running) {}
+    while (sliced.advance(3) == Outcome::running) {
+    }
     CHECK(sliced.outcome() == jumping.outcome());
     CHECK(std::vector(sliced.path().begin(), sliced.path().end()) ==
           std::vector(jumping.path().begin(), jumping.path().end()));
@@ -134,7 +136,9 @@ TEST_CASE("Jump points refuse a map with blocked edges, and take it when they ar
     AStar jumping{map, JumpPoints{}};
     map.set_wall({3, 3}, {4, 3}, true);
     CHECK(map.blocked_edges() == 2);
-    CHECK(ansatz::test::refusal([&] { jumping.find({0, 0}, {7, 5}); }) ==
+    CHECK(ansatz::test::refusal([&] {
+              jumping.find({0, 0}, {7, 5});
+          }) ==
           "AStar: the number of blocked edges is 2; JumpPoints see blocked tiles only, so that it must be 0; leave "
           "JumpPoints out");
     map.set_wall({3, 3}, {4, 3}, false);

@@ -17,7 +17,8 @@ using namespace paths_tests;
 namespace {
 
 MovingAiMap map_of(const std::vector<std::string>& rows) {
-    std::string text = "type octile\nheight " + std::to_string(rows.size()) + "\nwidth " + std::to_string(rows.front().size()) + "\nmap\n";
+    std::string text = "type octile\nheight " + std::to_string(rows.size()) + "\nwidth " +
+                       std::to_string(rows.front().size()) + "\nmap\n";
     for (const auto& row : rows) text += row + "\n";
     std::istringstream in(text);
     return read_moving_ai_map(in, "by_hand.map");
@@ -79,7 +80,9 @@ TEST_CASE("MovingAI's ground by its kinds: every step of random maps as the form
         const auto file = map_of(rows);
         const auto eight = file.grid<Grid<>, GroundByKind>();
         const auto four = file.grid<Grid<Four>, GroundByKind>();
-        const auto at = [&](int x, int y) { return x < 0 || y < 0 || x > 7 || y > 6 ? '@' : rows[std::size_t(y)][std::size_t(x)]; };
+        const auto at = [&](int x, int y) {
+            return x < 0 || y < 0 || x > 7 || y > 6 ? '@' : rows[std::size_t(y)][std::size_t(x)];
+        };
         for (int y = 0; y < 7; ++y)
             for (int x = 0; x < 8; ++x) {
                 const Cell from{std::uint16_t(x), std::uint16_t(y)};
@@ -91,7 +94,8 @@ TEST_CASE("MovingAI's ground by its kinds: every step of random maps as the form
                         bool free = by_table(at(x, y), at(x + dx, y + dy));
                         if (dx != 0 && dy != 0) // the four straight steps round a diagonal
                             free = free && by_table(at(x, y), at(x + dx, y)) && by_table(at(x, y), at(x, y + dy)) &&
-                                   by_table(at(x + dx, y), at(x + dx, y + dy)) && by_table(at(x, y + dy), at(x + dx, y + dy));
+                                   by_table(at(x + dx, y), at(x + dx, y + dy)) &&
+                                   by_table(at(x, y + dy), at(x + dx, y + dy));
                         REQUIRE(eight.passable(from, to) == free);
                         if (dx == 0 || dy == 0) REQUIRE(four.passable(from, to) == free);
                         passed += free;

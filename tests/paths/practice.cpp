@@ -44,7 +44,7 @@ TEST_CASE("a path is searched again when its rest is touched, and not for anythi
     CHECK(route.renew());
     CHECK(route.searches() == 2);
     CHECK(route.here() == first);
-    CHECK_FALSE(route.renew()); // once for each change
+    CHECK_FALSE(route.renew());                             // once for each change
     map.set_wall(route.ahead()[0], route.ahead()[1], true); // an edge ahead
     CHECK(route.renew());
     while (!route.arrived()) route.step();
@@ -64,7 +64,8 @@ TEST_CASE("a path is searched again when its rest is touched, and not for anythi
     CHECK(route.here() == Cell{0, 2});
 }
 
-TEST_CASE("by choice it is searched again when anything got cheaper, and an unreachable goal when something opens", "[paths]") {
+TEST_CASE("by choice it is searched again when anything got cheaper, and an unreachable goal when something opens",
+          "[paths]") {
     auto map = grid_from<Grid<Four>>({".#.", ".#.", "..."});
     AStar search{map, Buckets{}};
     Route thrifty{search, Replan::also_when_cheaper};
@@ -138,8 +139,8 @@ TEST_CASE("a group: one search, everybody at an offset, who has no place is told
     CHECK(tight[2].blocked); // a wall
     CHECK(tight[2].cell == Cell{2, 0});
     CHECK_FALSE(tight[3].blocked);
-    CHECK(squad.at(map, Cell{0, 0})[1].blocked);                   // outside
-    CHECK(Formation({{2, 0}}).at(map, Cell{1, 1})[0].blocked);     // free, but behind the wall
+    CHECK(squad.at(map, Cell{0, 0})[1].blocked);               // outside
+    CHECK(Formation({{2, 0}}).at(map, Cell{1, 1})[0].blocked); // free, but behind the wall
     const auto [group, centre] = Formation::around_centre({{0, 0}, {2, 0}, {1, 2}, {1, 2}});
     CHECK(centre == Cell{1, 1});
     CHECK(group.offsets() == std::vector<Offset>{{-1, -1}, {1, -1}, {0, 1}, {0, 1}});
@@ -177,7 +178,8 @@ TEST_CASE("straight lines: seen both ways alike, walkable, never longer than the
     CHECK(smooth(mud, {}).empty());
 }
 
-TEMPLATE_TEST_CASE("landmarks are never too much, help where the straight line misleads, and stay right", "[paths]", std::uint32_t, double) {
+TEMPLATE_TEST_CASE("landmarks are never too much, help where the straight line misleads, and stay right", "[paths]",
+                   std::uint32_t, double) {
     std::mt19937 random(31);
     std::size_t plain = 0, helped = 0;
     for (int k = 0; k < 15; ++k) {
@@ -193,7 +195,8 @@ TEMPLATE_TEST_CASE("landmarks are never too much, help where the straight line m
         if (octile.outcome() != Outcome::found) continue;
         REQUIRE(double(by_marks.cost()) == Approx(double(octile.cost())).epsilon(1e-12));
         plain += octile.expanded(), helped += by_marks.expanded();
-        map.set_weight(by_marks.path()[by_marks.path().size() / 2], 0); // cheaper: the tables are out of date, and say nothing
+        map.set_weight(by_marks.path()[by_marks.path().size() / 2],
+                       0); // cheaper: the tables are out of date, and say nothing
         REQUIRE_FALSE(check_heuristic<TestType>(map, marks, b));
     }
     CHECK(2 * helped < plain);
@@ -213,9 +216,11 @@ TEST_CASE("road maps of DIMACS: read, searched with landmarks, refused with thei
     std::mt19937 random(32);
     std::string text = "c a map at random\np sp 60 240\n";
     for (int i = 0; i < 240; ++i)
-        text += "a " + std::to_string(1 + random() % 60) + " " + std::to_string(1 + random() % 60) + " " + std::to_string(random() % 50) + "\n";
+        text += "a " + std::to_string(1 + random() % 60) + " " + std::to_string(1 + random() % 60) + " " +
+                std::to_string(random() % 50) + "\n";
     const auto roads = read(text);
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, boost::property<boost::edge_weight_t, std::uint32_t>>;
+    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                                        boost::property<boost::edge_weight_t, std::uint32_t>>;
     const auto g = roads.graph<Graph>();
     CHECK(num_vertices(g) == 60);
     CHECK(num_edges(g) == 240);
@@ -228,7 +233,8 @@ TEST_CASE("road maps of DIMACS: read, searched with landmarks, refused with thei
     auto refused = [&](const std::string& bad) { return test::refusal([&] { read(bad); }); };
     CHECK_THAT(refused(""), ContainsSubstring("small.gr:0: the file ends; expected \"p sp"));
     CHECK_THAT(refused("a 1 2 3\n"), ContainsSubstring("small.gr:1: \"a 1 2 3\"; expected \"p sp"));
-    CHECK_THAT(refused("p sp 2 1\na 1 3 3\n"), ContainsSubstring("small.gr:2: an arc from 1 to 3; expected vertices from 1 to 2"));
+    CHECK_THAT(refused("p sp 2 1\na 1 3 3\n"),
+               ContainsSubstring("small.gr:2: an arc from 1 to 3; expected vertices from 1 to 2"));
     CHECK_THAT(refused("p sp 2 1\na 1 2 -3\n"), ContainsSubstring("none negative"));
     CHECK_THAT(refused("p sp 2 2\na 1 2 3\n"), ContainsSubstring("the file ends with 1 arcs; expected 2"));
 }

@@ -48,7 +48,9 @@ template <bool T> auto out_edges(std::size_t v, const Net<T>& g) {
 }
 template <bool T> std::size_t target(const typename Net<T>::Street& s, const Net<T>&) { return s.to; }
 template <bool T> std::size_t num_vertices(const Net<T>& g) { return g.streets.size(); }
-template <bool T> boost::typed_identity_property_map<std::size_t> get(boost::vertex_index_t, const Net<T>&) { return {}; }
+template <bool T> boost::typed_identity_property_map<std::size_t> get(boost::vertex_index_t, const Net<T>&) {
+    return {};
+}
 struct Costs {};
 template <class Street> double get(Costs, const Street& s) { return s.cost; }
 template <bool T> Costs get(boost::edge_weight_t, const Net<T>&) { return {}; }
@@ -91,7 +93,8 @@ template <bool T> struct graph_traits<renewing::Net<T>> {
 
 namespace renewing {
 
-TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at nothing else", "[paths]", ((bool Tells), Tells), true, false) {
+TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at nothing else", "[paths]",
+                       ((bool Tells), Tells), true, false) {
     std::mt19937 random(71);
     int kept = 0, renewed = 0, opened = 0;
     for (int k = 0; k < 100; ++k) {
@@ -99,7 +102,8 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
         Net<Tells> net(n);
         for (std::size_t e = 0; e < 2 * n; ++e) {
             const std::size_t from = random() % n, to = random() % n;
-            if (std::none_of(net.streets[from].begin(), net.streets[from].end(), [&](const auto& s) { return s.to == to; }))
+            if (std::none_of(net.streets[from].begin(), net.streets[from].end(),
+                             [&](const auto& s) { return s.to == to; }))
                 net.streets[from].push_back({from, to, double(1 + random() % 9)});
         }
         AStar search{net};
@@ -113,7 +117,8 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
         };
         auto take = [&] {
             costs.clear();
-            for (std::size_t i = 0; i + 1 < route.ahead().size(); ++i) costs.push_back(cost_of(route.ahead()[i], route.ahead()[i + 1]));
+            for (std::size_t i = 0; i + 1 < route.ahead().size(); ++i)
+                costs.push_back(cost_of(route.ahead()[i], route.ahead()[i + 1]));
         };
         take();
         std::size_t changes = net.changes, cheaper = net.cheaper;
@@ -125,7 +130,8 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
             bool due = false; // by the table in route.hpp
             if (route.outcome() == Outcome::no_path) due = Tells ? net.cheaper != cheaper : net.changes != changes;
             else if (net.changes != changes) {
-                for (std::size_t i = 0; i + 1 < route.ahead().size(); ++i) due = due || cost_of(route.ahead()[i], route.ahead()[i + 1]) > costs[i];
+                for (std::size_t i = 0; i + 1 < route.ahead().size(); ++i)
+                    due = due || cost_of(route.ahead()[i], route.ahead()[i + 1]) > costs[i];
                 if (k % 2 == 1) due = due || (Tells ? net.cheaper != cheaper : true);
             }
             const bool opens = route.outcome() == Outcome::no_path;
@@ -166,7 +172,9 @@ TEST_CASE("an action is begun once, also when a new plan begins with it", "[goap
         for (int a = 0; a < 12; ++a) {
             const std::size_t needed = random() % 6, made = (needed + 1 + random() % 5) % 6;
             const auto needs = facts[needed], makes = facts[made];
-            domain.action("action " + std::to_string(a), 1 + random() % 5).needs(random() % 2 ? needs : !needs).makes(random() % 3 ? makes : !makes);
+            domain.action("action " + std::to_string(a), 1 + random() % 5)
+                .needs(random() % 2 ? needs : !needs)
+                .makes(random() % 3 ? makes : !makes);
         }
         goap::Planner planner{domain};
         goap::Runner runner{planner};
@@ -180,7 +188,8 @@ TEST_CASE("an action is begun once, also when a new plan begins with it", "[goap
             const auto before = clerk.at_work;
             const int begins = clerk.begun;
             const int ticked = clerk.kept;
-            if (!goap::perform(runner, clerk, performance, [&] { return now; })) clerk.at_work.reset(); // there was nothing to do
+            if (!goap::perform(runner, clerk, performance, [&] { return now; }))
+                clerk.at_work.reset(); // there was nothing to do
             kept += runner.plans() > plans && clerk.kept > ticked && clerk.at_work == before && clerk.begun == begins;
         }
         REQUIRE(clerk.faults == 0);

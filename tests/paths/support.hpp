@@ -36,7 +36,8 @@ inline Roads random_roads(std::mt19937& random, std::size_t n, std::size_t edges
 }
 
 /// A map of walls at random, with a margin of nothing in particular.
-template <class Map = Grid<>> Map random_map(std::mt19937& random, std::size_t width, std::size_t height, double walls) {
+template <class Map = Grid<>>
+Map random_map(std::mt19937& random, std::size_t width, std::size_t height, double walls) {
     Map map(width, height);
     std::bernoulli_distribution wall(walls);
     for (std::uint16_t y = 0; y < height; ++y)

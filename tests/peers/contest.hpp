@@ -4,9 +4,9 @@
 /// \file
 /// `Contest`: scenes that several libraries play, timed in turn: what `./workbook peers` runs.
 ///
-/// A program for each area has a main that makes a Contest, hands it scenes and writes its rows. A scene is a list of subjects
-/// that do the same work for `n` bodies; each is run in turn, many times over, by this thread's CPU time, and the smallest of
-/// its repeats counts. Ratios of one run are what a reader may compare.
+/// A program for each area has a main that makes a Contest, hands it scenes and writes its rows. A scene is a list of
+/// subjects that do the same work for `n` bodies; each is run in turn, many times over, by this thread's CPU time, and
+/// the smallest of its repeats counts. Ratios of one run are what a reader may compare.
 
 #include "tools/costs/json.hpp"
 
@@ -46,7 +46,8 @@ public:
     /// Times the subjects in turn and keeps a row for each.
     /// \param unit    e.g. "ns a body"
     /// \param divisor by what a repeat's nanoseconds are divided to be in that unit
-    void play(const std::string& scene, int n, const std::string& unit, double divisor, const std::vector<Subject>& subjects) {
+    void play(const std::string& scene, int n, const std::string& unit, double divisor,
+              const std::vector<Subject>& subjects) {
         std::vector<std::vector<double>> times(subjects.size());
         for (const Subject& s : subjects) s.run(); // warm
         for (int repeat = 0; repeat < repeats_; ++repeat)
@@ -59,13 +60,15 @@ public:
         for (std::size_t k = 0; k < subjects.size(); ++k) {
             std::sort(times[k].begin(), times[k].end());
             const double best = times[k].front(), spread = times[k][times[k].size() / 2] / best - 1;
-            std::printf("  %-34s %10.1f %s   (median %+.0f %%)  %s\n", subjects[k].name.c_str(), best, unit.c_str(), 100 * spread, subjects[k].remark.c_str());
+            std::printf("  %-34s %10.1f %s   (median %+.0f %%)  %s\n", subjects[k].name.c_str(), best, unit.c_str(),
+                        100 * spread, subjects[k].remark.c_str());
             rows_.push_back({area_, scene, n, subjects[k].name, best, unit, spread});
         }
         std::fflush(stdout);
     }
     /// A number that a scene measured by itself.
-    void note(const std::string& scene, int n, const std::string& subject, double value, const std::string& unit, double spread = 0) {
+    void note(const std::string& scene, int n, const std::string& subject, double value, const std::string& unit,
+              double spread = 0) {
         rows_.push_back({area_, scene, n, subject, value, unit, spread});
     }
     int repeats() const { return repeats_; } ///< of every subject of a scene
@@ -83,11 +86,23 @@ public:
     void write(const std::string& folder) const {
         const auto machine = ansatz::workbook::this_machine();
         ansatz::workbook::Json json;
-        json["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}, {"system", machine.system}, {"compiler", machine.compiler},
-                           {"flags", machine.flags}, {"date", machine.date}, {"clock", "thread CPU time, one thread"}, {"repeats", repeats_}};
+        json["machine"] = {{"cpu", machine.cpu},
+                           {"cores", machine.cores},
+                           {"system", machine.system},
+                           {"compiler", machine.compiler},
+                           {"flags", machine.flags},
+                           {"date", machine.date},
+                           {"clock", "thread CPU time, one thread"},
+                           {"repeats", repeats_}};
         json["rows"] = ansatz::workbook::Json::array();
         for (const Row& r : rows_)
-            json["rows"].push_back({{"area", r.area}, {"scene", r.scene}, {"n", r.n}, {"subject", r.subject}, {"value", r.value}, {"unit", r.unit}, {"spread", r.spread}});
+            json["rows"].push_back({{"area", r.area},
+                                    {"scene", r.scene},
+                                    {"n", r.n},
+                                    {"subject", r.subject},
+                                    {"value", r.value},
+                                    {"unit", r.unit},
+                                    {"spread", r.spread}});
         const std::string file = folder + "/" + area_ + ".json";
         ansatz::workbook::write_whole(file, json.dump(2) + "\n");
         std::cout << "\nwritten: " << file << '\n';

@@ -31,9 +31,13 @@ void* take_or_throw(std::size_t bytes, std::size_t alignment) {
 
 // Those without `nothrow` would be enough, if the address sanitizer did not bring its own of the others.
 void* operator new(std::size_t bytes) { return take_or_throw(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) { return take_or_throw(bytes, std::size_t(alignment)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return take_or_throw(bytes, std::size_t(alignment));
+}
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return take(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept { return take(bytes, std::size_t(alignment)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+    return take(bytes, std::size_t(alignment));
+}
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
@@ -85,9 +89,11 @@ TEST_CASE("A world stores the columns that its policies name, and nothing else")
     // gravity accelerates every mass alike, damping multiplies: neither needs a column
     costs("fall", World{SemiImplicitEuler{}, Gravity{}}, 3 + 3, handles);
     costs("fall with drag", World{SemiImplicitEuler{}, Gravity{}, Drag{}}, 3 + 3, handles);
-    costs("fall with the notes' drag and threshold", World{ExplicitEuler{}, Gravity{}, FrameDrag{}, StopBelow{}}, 3 + 3, handles);
+    costs("fall with the notes' drag and threshold", World{ExplicitEuler{}, Gravity{}, FrameDrag{}, StopBelow{}}, 3 + 3,
+          handles);
     // a force needs the mass
-    costs("fall in air, float", World{Space<float, 3>{}, SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}}, 3 + 3 + 1, handles);
+    costs("fall in air, float", World{Space<float, 3>{}, SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}}, 3 + 3 + 1,
+          handles);
     costs("applied forces", World{SemiImplicitEuler{}, AppliedForces{}}, 3 + 3 + 1 + 3, handles);
     // the stages of an integrator are locals while nothing couples bodies
     costs("Runge-Kutta", World{RungeKutta4{}, Gravity{}}, 3 + 3, handles);
@@ -103,10 +109,12 @@ TEST_CASE("A world stores the columns that its policies name, and nothing else")
     costs("attraction, velocity Verlet", World{VelocityVerlet{}, Attraction{}}, 3 + 3 + 1 + 3 + 3, handles);
     costs("attraction, Runge-Kutta", World{RungeKutta4{}, Attraction{}}, 3 + 3 + 1 + 3 + 4 * 3, handles);
     // and, where the velocity is derived, the sums before a change through the door
-    costs("attraction, Verlet", World{Verlet{}, Attraction{}}, 3 + 3 + 1 + 3, handles + start_of_history + 3 * sizeof(double));
+    costs("attraction, Verlet", World{Verlet{}, Attraction{}}, 3 + 3 + 1 + 3,
+          handles + start_of_history + 3 * sizeof(double));
     // what a user asks for
     costs("masses kept", World{SemiImplicitEuler{}, Gravity{}, Keep<InverseMass>{}}, 3 + 3 + 1, handles);
-    costs("a datum of the user's", World{SemiImplicitEuler{}, Gravity{}, Datum<double>{}}, 3 + 3, handles + sizeof(double));
+    costs("a datum of the user's", World{SemiImplicitEuler{}, Gravity{}, Datum<double>{}}, 3 + 3,
+          handles + sizeof(double));
     costs("interpolation", World{SemiImplicitEuler{}, Gravity{}, Interpolation{}}, 3 + 3 + 3, handles);
 }
 
@@ -118,17 +126,21 @@ TEST_CASE("The order of the policies does not change what a body costs") {
 TEST_CASE("What is not in a world is not in its size either") {
     // A policy without parameters has no byte (hard case N2).
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity, Idle>) == sizeof(World<SemiImplicitEuler, Gravity>));
-    STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity, Keep<Position>>) == sizeof(World<SemiImplicitEuler, Gravity>));
+    STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity, Keep<Position>>) ==
+                   sizeof(World<SemiImplicitEuler, Gravity>));
     STATIC_REQUIRE(sizeof(World<RungeKutta4, Gravity>) == sizeof(World<SemiImplicitEuler, Gravity>));
-    // Gravity costs its vector twice, as given and as bound; drag its rate twice, the factor of the step, and a gap before them.
+    // Gravity costs its vector twice, as given and as bound; drag its rate twice, the factor of the step, and a gap
+    // before them.
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity>) - sizeof(World<SemiImplicitEuler>) <= 2 * sizeof(Gravity));
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Drag>) - sizeof(World<SemiImplicitEuler>) <= 4 * sizeof(double));
-    // The buffers of events, and the list of bodies that wait for the start of their history, stand only where they have a use.
+    // The buffers of events, and the list of bodies that wait for the start of their history, stand only where they
+    // have a use.
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Rest>) >= sizeof(World<SemiImplicitEuler>) + sizeof(Events));
     STATIC_REQUIRE(sizeof(World<Verlet>) >= sizeof(World<SemiImplicitEuler>) + sizeof(detail::Starts));
-    // The empty world: the directory of the bodies, the lanes, the clock, and five words more; one of them says whether a step
-    // was broken off.
-    STATIC_REQUIRE(sizeof(World<SemiImplicitEuler>) <= sizeof(Bodies) + sizeof(Lanes<Space<>, Columns<Position, Velocity>>) +
+    // The empty world: the directory of the bodies, the lanes, the clock, and five words more; one of them says whether
+    // a step was broken off.
+    STATIC_REQUIRE(sizeof(World<SemiImplicitEuler>) <= sizeof(Bodies) +
+                                                           sizeof(Lanes<Space<>, Columns<Position, Velocity>>) +
                                                            sizeof(StepClock<Space<>>) + 5 * sizeof(void*));
 }
 

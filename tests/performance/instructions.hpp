@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-// The same steps of the same bodies, as a World (`by_world`) and as the loop over lanes that somebody writes by hand who
-// wants the fewest instructions (`by_hand`). instructions.sh compiles this file and counts with callgrind what each of
-// the two executes, callees included; what goes before the steps is outside of both and not counted.
+// The same steps of the same bodies, as a World (`by_world`) and as the loop over lanes that somebody writes by hand
+// who wants the fewest instructions (`by_hand`). instructions.sh compiles this file and counts with callgrind what each
+// of the two executes, callees included; what goes before the steps is outside of both and not counted.
 
 #include <ansatz/world.hpp>
 
@@ -15,26 +15,28 @@
 
 namespace ansatz::counted {
 
-constexpr std::size_t bodies = 20'000; // so that the 200 instructions of a step that do not depend on them are below 1 %
+constexpr std::size_t bodies =
+    20'000; // so that the 200 instructions of a step that do not depend on them are below 1 %
 constexpr int steps = 100;
 inline volatile double unknown_to_the_compiler = 1.0;
 
-template <class T> void free_flight(T* __restrict x, T* __restrict y, const T* __restrict vx, const T* __restrict vy, T dt) {
+template <class T>
+void free_flight(T* __restrict x, T* __restrict y, const T* __restrict vx, const T* __restrict vy, T dt) {
     for (std::size_t i = 0; i < bodies; ++i) {
         x[i] += vx[i] * dt;
         y[i] += vy[i] * dt;
     }
 }
 template <class T>
-void free_flight(T* __restrict x, T* __restrict y, T* __restrict z, const T* __restrict vx, const T* __restrict vy, const T* __restrict vz, T dt) {
+void free_flight(T* __restrict x, T* __restrict y, T* __restrict z, const T* __restrict vx, const T* __restrict vy,
+                 const T* __restrict vz, T dt) {
     for (std::size_t i = 0; i < bodies; ++i) {
         x[i] += vx[i] * dt;
         y[i] += vy[i] * dt;
         z[i] += vz[i] * dt;
     }
 }
-template <class T>
-void fall(T* __restrict x, T* __restrict y, T* __restrict vx, T* __restrict vy, T gx, T gy, T dt) {
+template <class T> void fall(T* __restrict x, T* __restrict y, T* __restrict vx, T* __restrict vy, T gx, T gy, T dt) {
     for (std::size_t i = 0; i < bodies; ++i) {
         vx[i] += gx * dt;
         vy[i] += gy * dt;
@@ -43,7 +45,8 @@ void fall(T* __restrict x, T* __restrict y, T* __restrict vx, T* __restrict vy, 
     }
 }
 template <class T>
-void fall(T* __restrict x, T* __restrict y, T* __restrict z, T* __restrict vx, T* __restrict vy, T* __restrict vz, T gx, T gy, T gz, T dt) {
+void fall(T* __restrict x, T* __restrict y, T* __restrict z, T* __restrict vx, T* __restrict vy, T* __restrict vz, T gx,
+          T gy, T gz, T dt) {
     for (std::size_t i = 0; i < bodies; ++i) {
         vx[i] += gx * dt;
         vy[i] += gy * dt;
@@ -61,16 +64,18 @@ template <class T, int Dim, bool Falling> [[gnu::noinline]] void by_hand(Hand<T,
     for (int s = 0; s < steps; ++s) {
         if constexpr (Dim == 2 && Falling)
             fall(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), T(0), g, dt);
-        else if constexpr (Dim == 2)
-            free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), dt);
+        else if constexpr (Dim == 2) free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), dt);
         else if constexpr (Falling)
-            fall(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(), T(0), g, T(0), dt);
+            fall(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(), T(0),
+                 g, T(0), dt);
         else
-            free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(), dt);
+            free_flight(lane[0].data(), lane[1].data(), lane[2].data(), lane[3].data(), lane[4].data(), lane[5].data(),
+                        dt);
     }
 }
 
-template <class T, int Dim, bool Falling, class World> [[gnu::noinline]] void by_world(World& world, Quantity<unit::Time> dt) {
+template <class T, int Dim, bool Falling, class World>
+[[gnu::noinline]] void by_world(World& world, Quantity<unit::Time> dt) {
     for (int s = 0; s < steps; ++s) world.step(dt);
 }
 
@@ -81,16 +86,12 @@ template <class T, int Dim, bool Falling> void fly_both() {
     by_hand<T, Dim, Falling>(hand, T(-9.81 * unknown_to_the_compiler), T(h));
 
     auto world = [] {
-        if constexpr (Falling)
-            return World{Space<T, Dim>{}, SemiImplicitEuler{}, Gravity{}};
-        else
-            return World{Space<T, Dim>{}, SemiImplicitEuler{}};
+        if constexpr (Falling) return World{Space<T, Dim>{}, SemiImplicitEuler{}, Gravity{}};
+        else return World{Space<T, Dim>{}, SemiImplicitEuler{}};
     }();
     for (std::size_t i = 0; i < bodies; ++i) {
-        if constexpr (Dim == 2)
-            world.add(position(metres(1, 1)), velocity(metres_per_second(1, 1)));
-        else
-            world.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)));
+        if constexpr (Dim == 2) world.add(position(metres(1, 1)), velocity(metres_per_second(1, 1)));
+        else world.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)));
     }
     by_world<T, Dim, Falling>(world, h * second);
 
@@ -115,12 +116,14 @@ template <class World> [[gnu::noinline]] void awake_beside_resting(World& world,
 
 template <class World> void rest_both(World alone) {
     const auto h = 0.01 * unknown_to_the_compiler * second;
-    for (std::size_t i = 0; i < bodies; ++i) alone.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)), mass(1.0 * kilogram));
+    for (std::size_t i = 0; i < bodies; ++i)
+        alone.add(position(metres(1, 1, 1)), velocity(metres_per_second(1, 1, 1)), mass(1.0 * kilogram));
     World both = alone;
     for (std::size_t i = 0; i < bodies; ++i) both.add(position(metres(1, 1, 1)), mass(1.0 * kilogram), resting);
     awake_alone(alone, h);
     awake_beside_resting(both, h);
-    if (alone.count(Motion::awake) != bodies || both.count(Motion::awake) != bodies || both.count(Motion::resting) != bodies) {
+    if (alone.count(Motion::awake) != bodies || both.count(Motion::awake) != bodies ||
+        both.count(Motion::resting) != bodies) {
         std::puts("some body fell asleep or woke, so that there is nothing to compare");
         std::exit(1);
     }

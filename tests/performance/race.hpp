@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// `Race`: subjects that do the same work, and how many times longer one may take than another. Ratios of one run: every
-/// subject in turn, many times over, this thread's CPU time, the smallest of the repeats. A neighbour on the machine can
-/// only make a repeat slower, and some repeats are always undisturbed when there are enough of them: so while a bound does
-/// not hold, more are taken, up to `most_rounds`, before the test fails. What the table says is then still the smallest of
-/// all, of both sides of a ratio.
+/// `Race`: subjects that do the same work, and how many times longer one may take than another. Ratios of one run:
+/// every subject in turn, many times over, this thread's CPU time, the smallest of the repeats. A neighbour on the
+/// machine can only make a repeat slower, and some repeats are always undisturbed when there are enough of them: so
+/// while a bound does not hold, more are taken, up to `most_rounds`, before the test fails. What the table says is then
+/// still the smallest of all, of both sides of a ratio.
 
 #include "tests/catch.hpp"
 
@@ -57,8 +57,10 @@ public:
         return subjects_.emplace_back(Subject{std::move(name), bodies, std::move(run)});
     }
     /// `ours` takes at most `limit` times what the fastest of `others` takes.
-    /// \param known_miss where the limit cannot be met: the table says MISSED, and what was measured must not become worse
-    void bound(std::string what, Competitor ours, std::vector<const Subject*> others, double limit, double known_miss = 0) {
+    /// \param known_miss where the limit cannot be met: the table says MISSED, and what was measured must not become
+    /// worse
+    void bound(std::string what, Competitor ours, std::vector<const Subject*> others, double limit,
+               double known_miss = 0) {
         bounds_.push_back({std::move(what), &ours, std::move(others), limit, known_miss});
     }
 
@@ -71,17 +73,21 @@ public:
             ++rounds;
         } while (rounds < fewest_rounds || (rounds < most_rounds && !all_hold()));
 
-        std::printf("\n%s\nsmallest of %d repeats, taken in turn; spread: how far their median lies above it\n\n", ANSATZ_FLAGS,
-                    rounds * repeats_a_round);
+        std::printf("\n%s\nsmallest of %d repeats, taken in turn; spread: how far their median lies above it\n\n",
+                    ANSATZ_FLAGS, rounds * repeats_a_round);
         std::printf("%-46s %8s %14s %8s\n", "", "bodies", "ns a body", "spread");
         for (const Subject& s : subjects_)
             std::printf("%-46s %8zu %14.3f %6.0f %%\n", s.name.c_str(), s.bodies, s.best(), 100 * s.spread());
         std::printf("\n%-70s %8s %8s\n", "", "ratio", "at most");
         for (const Bound& b : bounds_)
-            std::printf("%-70s %8.3f %8.3f  %s\n", b.what.c_str(), b.ratio(), b.limit, b.ratio() <= b.limit ? "PASS" : b.holds() ? "MISSED" : "FAIL");
+            std::printf("%-70s %8.3f %8.3f  %s\n", b.what.c_str(), b.ratio(), b.limit,
+                        b.ratio() <= b.limit ? "PASS"
+                        : b.holds()          ? "MISSED"
+                                             : "FAIL");
         std::fflush(stdout);
         for (const Bound& b : bounds_) {
-            INFO(b.what << ": " << b.ratio() << " times, at most " << b.limit << ", after " << rounds * repeats_a_round << " repeats");
+            INFO(b.what << ": " << b.ratio() << " times, at most " << b.limit << ", after " << rounds * repeats_a_round
+                        << " repeats");
             CHECK(b.holds());
         }
     }

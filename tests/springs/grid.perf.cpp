@@ -33,9 +33,11 @@ template <class Scalar> std::function<void(int)> in_a_world() {
     using W = World<SemiImplicitEuler, Gravity, Springs<>, Space<Scalar, 3>>;
     auto world = std::make_shared<W>(SemiImplicitEuler{}, Gravity{}, Springs<>{}, Space<Scalar, 3>{});
     std::vector<Handle> bodies;
-    for (int i = 0; i < side * side; ++i) bodies.push_back(world->add(position(metres(apart * (i % side), 0, apart * (i / side))), mass(m * kilogram)));
+    for (int i = 0; i < side * side; ++i)
+        bodies.push_back(world->add(position(metres(apart * (i % side), 0, apart * (i / side))), mass(m * kilogram)));
     each_spring([&](int a, int b) {
-        world->add(Spring{bodies[std::size_t(a)], bodies[std::size_t(b)], k * newton_per_metre, c * newton_second_per_metre, apart * metre});
+        world->add(Spring{bodies[std::size_t(a)], bodies[std::size_t(b)], k * newton_per_metre,
+                          c * newton_second_per_metre, apart * metre});
     });
     return [world](int steps) {
         for (int s = 0; s < steps; ++s) world->step(dt * second);
@@ -51,7 +53,9 @@ public:
             x[std::size_t(i)] = Scalar(apart * (i % side));
             z[std::size_t(i)] = Scalar(apart * (i / side));
         }
-        each_spring([&](int a, int b) { springs.push_back({std::uint32_t(a), std::uint32_t(b), Scalar(apart), Scalar(k), Scalar(c)}); });
+        each_spring([&](int a, int b) {
+            springs.push_back({std::uint32_t(a), std::uint32_t(b), Scalar(apart), Scalar(k), Scalar(c)});
+        });
     }
     [[gnu::noinline]] void step() {
         for (auto* lane : {&fx, &fy, &fz}) std::fill(lane->begin(), lane->end(), Scalar(0));
@@ -66,14 +70,15 @@ private:
         std::uint32_t a, b;
         Scalar rest, stiffness, damping;
     };
-    [[gnu::noinline]] void add_forces(const Scalar* px, const Scalar* py, const Scalar* pz, const Scalar* pu, const Scalar* pv, const Scalar* pw, Scalar* gx,
-                                      Scalar* gy, Scalar* gz) const {
+    [[gnu::noinline]] void add_forces(const Scalar* px, const Scalar* py, const Scalar* pz, const Scalar* pu,
+                                      const Scalar* pv, const Scalar* pw, Scalar* gx, Scalar* gy, Scalar* gz) const {
         for (const Link& s : springs) {
             const Scalar dx = px[s.b] - px[s.a], dy = py[s.b] - py[s.a], dz = pz[s.b] - pz[s.a];
             const Scalar length = std::sqrt(dx * dx + dy * dy + dz * dz);
             if (!(length > 0)) continue;
             const Scalar per_length = 1 / length;
-            const Scalar speed = ((pu[s.b] - pu[s.a]) * dx + (pv[s.b] - pv[s.a]) * dy + (pw[s.b] - pw[s.a]) * dz) * per_length;
+            const Scalar speed =
+                ((pu[s.b] - pu[s.a]) * dx + (pv[s.b] - pv[s.a]) * dy + (pw[s.b] - pw[s.a]) * dz) * per_length;
             const Scalar pull = (s.stiffness * (length - s.rest) + s.damping * speed) * per_length;
             gx[s.a] += pull * dx;
             gy[s.a] += pull * dy;
@@ -83,7 +88,8 @@ private:
             gz[s.b] -= pull * dz;
         }
     }
-    [[gnu::noinline]] static void advance(Scalar* __restrict place, Scalar* __restrict speed, const Scalar* __restrict force, Scalar falling) {
+    [[gnu::noinline]] static void advance(Scalar* __restrict place, Scalar* __restrict speed,
+                                          const Scalar* __restrict force, Scalar falling) {
         for (int i = 0; i < side * side; ++i) {
             speed[i] += (falling + force[i] * Scalar(1 / m)) * Scalar(dt);
             place[i] += speed[i] * Scalar(dt);
@@ -101,7 +107,8 @@ template <class Scalar> std::function<void(int)> by_hand() {
 
 } // namespace
 
-TEST_CASE("the springs of a grid of 100 x 100 bodies take at most 1.15 times a loop that was written by hand", "[springs][performance]") {
+TEST_CASE("the springs of a grid of 100 x 100 bodies take at most 1.15 times a loop that was written by hand",
+          "[springs][performance]") {
     std::size_t springs = 0;
     each_spring([&](int, int) { ++springs; });
     Race race;

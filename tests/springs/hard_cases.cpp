@@ -21,7 +21,9 @@ template <class I, class S> auto on_a_spring_of_no_length(double k, double c, do
     world.add(Spring{point(world, 0), body, k * N_per_m, c * N_s_per_m, 0.0 * metre});
     return std::pair(world, body);
 }
-template <class World_> double place(const World_& world, Handle body) { return double(world.position(body).value()[0]) - 1; }
+template <class World_> double place(const World_& world, Handle body) {
+    return double(world.position(body).value()[0]) - 1;
+}
 
 /// The largest displacement in so many steps.
 template <class World_> double reach(World_& world, Handle body, int steps, double dt) {
@@ -37,7 +39,8 @@ template <class World_> double reach(World_& world, Handle body, int steps, doub
 
 TEST_CASE("S1: the implicit step of a damped spring is its closed recurrence", "[springs][hard]") {
     const auto m = 1.0 * kilogram;
-    const double k = springs::stiffness(2.0 / second, m).value(), c = springs::damping(2.0 / second, 0.1, m).value(), h = 1.0 / 60;
+    const double k = springs::stiffness(2.0 / second, m).value(), c = springs::damping(2.0 / second, 0.1, m).value(),
+                 h = 1.0 / 60;
     for_each_type(AllSpaces{}, [&]<class S>() {
         for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
             auto [world, body] = on_a_spring_of_no_length<I, S>(k, c, 10);
@@ -46,14 +49,18 @@ TEST_CASE("S1: the implicit step of a damped spring is its closed recurrence", "
                 v = (v - h * k * x) / (1 + h * c + h * h * k);
                 x += h * v;
                 world.step(h * second);
-                REQUIRE(std::abs(double(world.position(body).value()[0]) - x) <= (std::is_same_v<typename S::Scalar, float> ? 5e-5 : 1e-9)); // measured 2e-5 and 2e-14; Jolt's bound is 5e-6 of 10 m
+                REQUIRE(std::abs(double(world.position(body).value()[0]) - x) <=
+                        (std::is_same_v<typename S::Scalar, float>
+                             ? 5e-5
+                             : 1e-9)); // measured 2e-5 and 2e-14; Jolt's bound is 5e-6 of 10 m
             }
             CHECK(world.status().ok());
         });
     });
 }
 
-TEST_CASE("S2: the damped spring in its three regimes, by its closed form and with the order of each method", "[springs][hard]") {
+TEST_CASE("S2: the damped spring in its three regimes, by its closed form and with the order of each method",
+          "[springs][hard]") {
     const double k = 100, x0 = 0.5;
     for (const double zeta : {0.1, 1.0, 10.0}) {
         INFO("zeta " << zeta);
@@ -78,20 +85,26 @@ TEST_CASE("S2: the damped spring in its three regimes, by its closed form and wi
             });
         });
         if (zeta >= 1) // never swings over
-            for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4, ImplicitEuler>{}, [&]<class I>() {
-                auto [world, body] = on_a_spring<I, Space<>>(k, c, x0);
-                for (int i = 0; i < 2400; ++i) {
-                    world.step(1.0 / 240 * second);
-                    REQUIRE(place(world, body) >= (std::same_as<I, Verlet> ? -1e-12 : -1e-14)); // the rounding of 1 m; in Verlet it is also one of the velocity
-                }
-            });
+            for_each_type(
+                Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4, ImplicitEuler>{}, [&]<class I>() {
+                    auto [world, body] = on_a_spring<I, Space<>>(k, c, x0);
+                    for (int i = 0; i < 2400; ++i) {
+                        world.step(1.0 / 240 * second);
+                        REQUIRE(place(world, body) >=
+                                (std::same_as<I, Verlet>
+                                     ? -1e-12
+                                     : -1e-14)); // the rounding of 1 m; in Verlet it is also one of the velocity
+                    }
+                });
     }
 }
 
-TEST_CASE("S3: k = 1e6 N/m: the limit is 2 ms to the last thousandth, and implicit Euler takes 60 Hz", "[springs][hard]") {
+TEST_CASE("S3: k = 1e6 N/m: the limit is 2 ms to the last thousandth, and implicit Euler takes 60 Hz",
+          "[springs][hard]") {
     for_each_type(AllSpaces{}, [&]<class S>() {
         for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet>{}, [&]<class I>() {
-            // The step that a float holds is not quite the one that was asked for: within a thousandth nothing depends on it.
+            // The step that a float holds is not quite the one that was asked for: within a thousandth nothing depends
+            // on it.
             auto [below, a] = on_a_spring<I, S>(1e6, 0, 1e-3);
             auto [above, b] = on_a_spring<I, S>(1e6, 0, 1e-3);
             CHECK(reach(below, a, 2000, 0.001998) <= 0.1);
@@ -105,7 +118,8 @@ TEST_CASE("S3: k = 1e6 N/m: the limit is 2 ms to the last thousandth, and implic
     });
 }
 
-TEST_CASE("S4: coincident ends, rest length 0 and 1, in every integrator: finite, and nothing moves that should not", "[springs][hard]") {
+TEST_CASE("S4: coincident ends, rest length 0 and 1, in every integrator: finite, and nothing moves that should not",
+          "[springs][hard]") {
     for_each_type(AllIntegrators{}, [&]<class I>() {
         for (const double rest : {0.0, 1.0}) {
             World world{I{}, Springs{}, Ropes{}};
@@ -125,7 +139,8 @@ TEST_CASE("S4: coincident ends, rest length 0 and 1, in every integrator: finite
     });
 }
 
-TEST_CASE("S5: two free masses, 1 : 1000: the centre of mass stays, and the pair swings with its reduced mass", "[springs][hard]") {
+TEST_CASE("S5: two free masses, 1 : 1000: the centre of mass stays, and the pair swings with its reduced mass",
+          "[springs][hard]") {
     const double k = 1e3, m = 1, M = 1000, mu = m * M / (m + M), omega = std::sqrt(k / mu), h = 1e-3;
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet>{}, [&]<class I>() {
         World world{I{}, Springs{}};
@@ -147,7 +162,8 @@ TEST_CASE("S5: two free masses, 1 : 1000: the centre of mass stays, and the pair
         // The discrete frequency: 2 asin(omega h / 2) / h, faster than omega by (omega h)^2 / 24.
         const double measured = 2 * M_PI * (crossings - 1) / (last_cross - first_cross);
         CHECK(measured / omega - 1 == Approx(omega * omega * h * h / 24).epsilon(0.02).margin(2e-7));
-        CHECK(std::abs(x(centre_of_mass(world)).value() - centre) <= 1e-13 * 20); // of 20 s of steps that round at 1e-16
+        CHECK(std::abs(x(centre_of_mass(world)).value() - centre) <=
+              1e-13 * 20); // of 20 s of steps that round at 1e-16
     });
 }
 
@@ -192,7 +208,8 @@ TEST_CASE("S8: ball and chain, 40 links, the end 200 times as heavy", "[springs]
     const auto chain = hang_chain(world, N, m, k, 50, 0.1, M);
     run(world, 2000, 0.05);
     const double stretch = -height(world, chain.back()) - 0.1 * N;
-    CHECK(stretch == Approx((N * M + m * (N - 1) * N / 2) * g / k).epsilon(0.01)); // the end itself is not one of the N - 1 light ones
+    CHECK(stretch == Approx((N * M + m * (N - 1) * N / 2) * g / k)
+                         .epsilon(0.01)); // the end itself is not one of the N - 1 light ones
     CHECK(world.status().ok());
 }
 
@@ -215,7 +232,8 @@ TEST_CASE("S9: driven at resonance: the amplitude that the damper allows, and no
     });
 }
 
-TEST_CASE("S10: a falling load is caught by a rope: never pushed, and the peak of the pull is what energy allows", "[springs][hard]") {
+TEST_CASE("S10: a falling load is caught by a rope: never pushed, and the peak of the pull is what energy allows",
+          "[springs][hard]") {
     const double k = 400, m = 2, g = 9.81;
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4, ImplicitEuler>{}, [&]<class I>() {
         World world{I{}, Gravity{}, Ropes{}};
@@ -233,7 +251,8 @@ TEST_CASE("S10: a falling load is caught by a rope: never pushed, and the peak o
         // v is the greatest speed, which the load has where the rope holds its weight, not where it becomes taut.
         CHECK(peak <= (fastest * std::sqrt(k * m) + m * g) * 1.001);
         const double v = std::sqrt(2 * g * 2);
-        const double exact = m * g + std::sqrt(m * m * g * g + v * v * k * m); // kinetic and potential energy against k x^2 / 2
+        const double exact =
+            m * g + std::sqrt(m * m * g * g + v * v * k * m); // kinetic and potential energy against k x^2 / 2
         CHECK(peak == Approx(exact).epsilon(std::same_as<I, ImplicitEuler> ? 0.03 : 0.005));
     });
 }

@@ -17,7 +17,8 @@ TEST_CASE("a spring's force is against its displacement, and damped against its 
     CHECK(springs::energy(k, -0.5 * metre) == 12.5 * joule);
 }
 
-TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest, what moves across is not damped", "[springs]", float, double) {
+TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest, what moves across is not damped",
+                   "[springs]", float, double) {
     using T = TestType;
     using S2 = Space<T, 2>;
     const auto rest = S2::Length::from_value(T(2));
@@ -27,7 +28,7 @@ TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest,
     const auto still = vector_in<S2, unit::Velocity>(0, 0);
     CHECK(springs::between(to, still, rest, k, c).value()[0] == Approx(18));
     CHECK(springs::between(to, still, rest, k, c).value()[1] == Approx(24));
-    const auto along = vector_in<S2, unit::Velocity>(0.6, 0.8);  // 1 m/s of lengthening
+    const auto along = vector_in<S2, unit::Velocity>(0.6, 0.8); // 1 m/s of lengthening
     const auto across = vector_in<S2, unit::Velocity>(-0.8, 0.6);
     CHECK(springs::between(to, along, rest, k, c).value()[0] == Approx(18 + 4 * 0.6));
     CHECK(springs::between(to, across, rest, k, c).value()[0] == Approx(18));
@@ -35,7 +36,8 @@ TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest,
     const auto there = springs::between(to, along, rest, k, c), back = springs::between(-to, -along, rest, k, c);
     CHECK((there.value() + back.value()).norm() == T(0));
     // It does not matter where and how fast the two move together, and a turned spring is a turned force.
-    const auto turned = springs::between(vector_in<S2, unit::Length>(-4, 3), vector_in<S2, unit::Velocity>(-0.8, 0.6), rest, k, c);
+    const auto turned =
+        springs::between(vector_in<S2, unit::Length>(-4, 3), vector_in<S2, unit::Velocity>(-0.8, 0.6), rest, k, c);
     CHECK(turned.value()[0] == Approx(-there.value()[1]));
     CHECK(turned.value()[1] == Approx(there.value()[0]));
 }
@@ -43,13 +45,19 @@ TEMPLATE_TEST_CASE("between two ends: along the axis, by the length beyond rest,
 TEST_CASE("hard case S4: ends in one place have no axis and feel nothing, with any rest length", "[springs]") {
     for (const double rest : {0.0, 1.0})
         for (const double v : {0.0, 3.0}) {
-            const auto f = springs::between(metres(0, 0, 0), metres_per_second(v, 0, 0), rest * metre, 100.0 * N_per_m, 2.0 * N_s_per_m);
+            const auto f = springs::between(metres(0, 0, 0), metres_per_second(v, 0, 0), rest * metre, 100.0 * N_per_m,
+                                            2.0 * N_s_per_m);
             CHECK(f == newtons(0, 0, 0));
         }
-    // Next to it the force is that of the law: of rest length 0 it goes to nothing, of rest length 1 m it pushes with k times 1 m.
+    // Next to it the force is that of the law: of rest length 0 it goes to nothing, of rest length 1 m it pushes with k
+    // times 1 m.
     const auto near = metres(1e-9, 0, 0);
-    CHECK(x(springs::between(near, metres_per_second(0, 0, 0), 0.0 * metre, 100.0 * N_per_m, 0.0 * N_s_per_m)).value() == Approx(1e-7));
-    CHECK(x(springs::between(near, metres_per_second(0, 0, 0), 1.0 * metre, 100.0 * N_per_m, 0.0 * N_s_per_m)).value() == Approx(-100));
+    CHECK(
+        x(springs::between(near, metres_per_second(0, 0, 0), 0.0 * metre, 100.0 * N_per_m, 0.0 * N_s_per_m)).value() ==
+        Approx(1e-7));
+    CHECK(
+        x(springs::between(near, metres_per_second(0, 0, 0), 1.0 * metre, 100.0 * N_per_m, 0.0 * N_s_per_m)).value() ==
+        Approx(-100));
 }
 
 TEST_CASE("hard case S10: a rope is slack below its length and never pushes, however fast it shortens", "[springs]") {
@@ -81,9 +89,12 @@ TEST_CASE("constants from frequency and damping ratio, and back", "[springs]") {
 
 TEST_CASE("constants that cannot be are refused by name, value and unit", "[springs]") {
     using namespace Catch::Matchers;
-    CHECK_THROWS_WITH(springs::stiffness(-1.0 / second, 1.0 * kilogram), ContainsSubstring("springs::stiffness: frequency is -1 1/s"));
+    CHECK_THROWS_WITH(springs::stiffness(-1.0 / second, 1.0 * kilogram),
+                      ContainsSubstring("springs::stiffness: frequency is -1 1/s"));
     CHECK_THROWS_WITH(springs::stiffness(1.0 / second, 0.0 * kilogram), ContainsSubstring("mass is 0 kg"));
-    CHECK_THROWS_WITH(springs::damping(1.0 / second, -0.5, 1.0 * kilogram), ContainsSubstring("springs::damping: ratio is -0.5"));
+    CHECK_THROWS_WITH(springs::damping(1.0 / second, -0.5, 1.0 * kilogram),
+                      ContainsSubstring("springs::damping: ratio is -0.5"));
     CHECK_THROWS_WITH(springs::critical_damping(NAN * N_per_m, 1.0 * kilogram), ContainsSubstring("stiffness is nan"));
-    CHECK_THROWS_WITH(springs::reduced_mass(1.0 * kilogram, double(INFINITY) * kilogram), ContainsSubstring("second is inf kg"));
+    CHECK_THROWS_WITH(springs::reduced_mass(1.0 * kilogram, double(INFINITY) * kilogram),
+                      ContainsSubstring("second is inf kg"));
 }

@@ -34,7 +34,8 @@ template <class Scalar, int d> auto random_matrix(int bodies, unsigned seed) {
     for (const auto& [a, b] : springs) {
         const Eigen::Matrix<Scalar, d, 1> n = Eigen::Matrix<Scalar, d, 1>::NullaryExpr(number);
         const Block k = Scalar(10) * n * n.transpose();
-        CHECK((sparse.add(a, a, k) && sparse.add(b, b, k) && sparse.add(a, b, Block(-k)) && sparse.add(b, a, Block(-k))));
+        CHECK(
+            (sparse.add(a, a, k) && sparse.add(b, b, k) && sparse.add(a, b, Block(-k)) && sparse.add(b, a, Block(-k))));
         dense.template block<d, d>(a * d, a * d) += k;
         dense.template block<d, d>(b * d, b * d) += k;
         dense.template block<d, d>(a * d, b * d) -= k;
@@ -44,14 +45,15 @@ template <class Scalar, int d> auto random_matrix(int bodies, unsigned seed) {
 }
 } // namespace
 
-TEMPLATE_TEST_CASE_SIG("a block matrix is the dense one, and both solvers solve it", "[springs][implicit]", ((class T, int d), T, d), (double, 3), (double, 2),
-                       (float, 3), (float, 2)) {
+TEMPLATE_TEST_CASE_SIG("a block matrix is the dense one, and both solvers solve it", "[springs][implicit]",
+                       ((class T, int d), T, d), (double, 3), (double, 2), (float, 3), (float, 2)) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const int bodies = 1 + int(seed);
         const auto both = random_matrix<T, d>(bodies, seed);
         const auto& sparse = both.first;
         const auto& dense = both.second;
-        CHECK((Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>(sparse.matrix()) - dense).cwiseAbs().maxCoeff() <= 1e-5f);
+        CHECK((Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>(sparse.matrix()) - dense).cwiseAbs().maxCoeff() <=
+              1e-5f);
         using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
         const Column b = Column::LinSpaced(bodies * d, T(-1), T(2));
         const Column truth = dense.ldlt().solve(b);
@@ -71,10 +73,12 @@ TEMPLATE_TEST_CASE_SIG("a block matrix is the dense one, and both solvers solve 
         BlockMatrix<T, d> old;
         old.make_pattern(bodies, all);
         for (int i = 0; i < bodies; ++i)
-            for (int j = 0; j < bodies; ++j) CHECK(old.add(i, j, Eigen::Matrix<T, d, d>(dense.template block<d, d>(i * d, j * d))));
+            for (int j = 0; j < bodies; ++j)
+                CHECK(old.add(i, j, Eigen::Matrix<T, d, d>(dense.template block<d, d>(i * d, j * d))));
         BlockMatrix<T, d> exact;
         auto pairs = all;
-        std::erase_if(pairs, [&](const auto& p) { return dense.template block<d, d>(p.first * d, p.second * d).isZero(T(0)); });
+        std::erase_if(
+            pairs, [&](const auto& p) { return dense.template block<d, d>(p.first * d, p.second * d).isZero(T(0)); });
         exact.make_pattern(bodies, pairs);
         for (int i = 0; i < bodies; ++i)
             for (int j = 0; j < bodies; ++j)
@@ -114,7 +118,8 @@ TEST_CASE("the end of an implicit step satisfies its equation, however the sprin
     for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
         World world{I{}, Gravity{}, Springs{}};
         const auto a = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(0, 3, 1)), mass(1.0 * kilogram));
-        const auto b = world.add(position(metres(1, 1, 0)), velocity(metres_per_second(-2, 0, 5)), mass(0.1 * kilogram));
+        const auto b =
+            world.add(position(metres(1, 1, 0)), velocity(metres_per_second(-2, 0, 5)), mass(0.1 * kilogram));
         world.add(Spring{metres(0, 0, 0), a, 1e4 * N_per_m, 3.0 * N_s_per_m, 0.7 * metre});
         world.add(Spring{a, b, 2e3 * N_per_m, 1.0 * N_s_per_m, 1.4 * metre}); // pressed
         const auto h = 0.02 * second;
@@ -130,7 +135,8 @@ TEST_CASE("the end of an implicit step satisfies its equation, however the sprin
     });
 }
 
-TEST_CASE("both solvers come to the same chain, and a chain of bodies by themselves is what each body alone would do", "[springs][implicit]") {
+TEST_CASE("both solvers come to the same chain, and a chain of bodies by themselves is what each body alone would do",
+          "[springs][implicit]") {
     auto end = []<class I>(I) {
         World world{I{}, Gravity{}, Springs{}};
         const auto chain = hang_chain(world, 12, 0.05, 800, 0.3, 0.1);
@@ -143,7 +149,8 @@ TEST_CASE("both solvers come to the same chain, and a chain of bodies by themsel
     // A spring of no stiffness makes the world one system; per body laws are solved with it as they are alone.
     World together{ImplicitEuler{}, problems::Pendulum{}, Springs{}};
     World alone{ImplicitEuler{}, problems::Pendulum{}, Keep<InverseMass>{}};
-    for (auto* w : {&together}) w->add(position(metres(1, 0.5, 0)), velocity(metres_per_second(0, 1, 0)), mass(2.0 * kilogram));
+    for (auto* w : {&together})
+        w->add(position(metres(1, 0.5, 0)), velocity(metres_per_second(0, 1, 0)), mass(2.0 * kilogram));
     alone.add(position(metres(1, 0.5, 0)), velocity(metres_per_second(0, 1, 0)), mass(2.0 * kilogram));
     together.add(Spring{together.handles()[0], metres(0, 0, 0), 0.0 * N_per_m});
     run(together, 100, 0.02);
@@ -151,7 +158,8 @@ TEST_CASE("both solvers come to the same chain, and a chain of bodies by themsel
     CHECK(distance(state(together, together.handles()[0]), state(alone, alone.handles()[0])) <= 1e-11);
 }
 
-TEMPLATE_TEST_CASE("what dies away is solved to the end: no square of a small number is taken for nothing", "[springs][implicit]", float, double) {
+TEMPLATE_TEST_CASE("what dies away is solved to the end: no square of a small number is taken for nothing",
+                   "[springs][implicit]", float, double) {
     for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
         using S = Space<TestType, 2>;
         World world{I{}, S{}, Springs{}};
@@ -159,7 +167,8 @@ TEMPLATE_TEST_CASE("what dies away is solved to the end: no square of a small nu
         world.add(Spring{point(world, 0), body, 1.0 * N_per_m, {}, 0.0 * metre});
         double expected = 1e-3, v = 0;
         const double smallest = 1e3 * double(std::numeric_limits<TestType>::min());
-        for (int n = 0; n < 2500; ++n) { // h^2 k/m = 1: it loses half of its energy in a step, and is at rest in double behind 2200
+        for (int n = 0; n < 2500;
+             ++n) { // h^2 k/m = 1: it loses half of its energy in a step, and is at rest in double behind 2200
             world.step(0.1 * second);
             v = (v - 0.1 * 100 * expected) / 2;
             expected += 0.1 * v;
@@ -170,7 +179,8 @@ TEMPLATE_TEST_CASE("what dies away is solved to the end: no square of a small nu
     });
 }
 
-TEST_CASE("springs added, removed and broken, bodies added, removed and asleep: the pattern follows", "[springs][implicit]") {
+TEST_CASE("springs added, removed and broken, bodies added, removed and asleep: the pattern follows",
+          "[springs][implicit]") {
     for_each_type(Types<ImplicitEuler, ImplicitEulerDirect>{}, [&]<class I>() {
         World world{I{}, Gravity{}, Springs<Breaking>{}};
         auto chain = hang_chain(world, 6, 0.1, 500, 2, 0.2);
@@ -190,28 +200,31 @@ TEST_CASE("springs added, removed and broken, bodies added, removed and asleep: 
     });
 }
 
-TEST_CASE("the Jacobian of a spring is what differences of its force say, where it is stretched", "[springs][implicit]") {
+TEST_CASE("the Jacobian of a spring is what differences of its force say, where it is stretched",
+          "[springs][implicit]") {
     World world{RungeKutta4{}, Springs{}};
-    const auto a = world.add(position(metres(0.1, 0.2, 0.3)), mass(1.0 * kilogram)), b = world.add(position(metres(1.1, -0.7, 0.9)), mass(1.0 * kilogram));
+    const auto a = world.add(position(metres(0.1, 0.2, 0.3)), mass(1.0 * kilogram)),
+               b = world.add(position(metres(1.1, -0.7, 0.9)), mass(1.0 * kilogram));
     world.add(Spring{a, b, 70.0 * N_per_m, 3.0 * N_s_per_m, 0.4 * metre});
     const detail::Bound<Springs<>, Space<>> force((Springs<>()));
     int calls = 0;
-    force.jacobian(world.view<Springs<>>(), world.context(), [&](std::size_t, std::size_t, const Eigen::Matrix3d& by_x, const Eigen::Matrix3d& by_v) {
-        ++calls;
-        for (int k = 0; k < 3; ++k) {
-            const double e = 1e-6;
-            auto pull = [&](double dx, double dv) {
-                auto w = world;
-                auto p = w.position(a).value(), v = w.velocity(a).value();
-                p[k] += dx;
-                v[k] += dv;
-                w.set_position(a, Space<>::Position::from_value(p));
-                w.set_velocity(a, Space<>::Velocity::from_value(v));
-                return Eigen::Vector3d(w.acceleration(a).value());
-            };
-            CHECK(((pull(e, 0) - pull(-e, 0)) / (2 * e) - by_x.col(k)).norm() <= 1e-6);
-            CHECK(((pull(0, e) - pull(0, -e)) / (2 * e) - by_v.col(k)).norm() <= 1e-6);
-        }
-    });
+    force.jacobian(world.view<Springs<>>(), world.context(),
+                   [&](std::size_t, std::size_t, const Eigen::Matrix3d& by_x, const Eigen::Matrix3d& by_v) {
+                       ++calls;
+                       for (int k = 0; k < 3; ++k) {
+                           const double e = 1e-6;
+                           auto pull = [&](double dx, double dv) {
+                               auto w = world;
+                               auto p = w.position(a).value(), v = w.velocity(a).value();
+                               p[k] += dx;
+                               v[k] += dv;
+                               w.set_position(a, Space<>::Position::from_value(p));
+                               w.set_velocity(a, Space<>::Velocity::from_value(v));
+                               return Eigen::Vector3d(w.acceleration(a).value());
+                           };
+                           CHECK(((pull(e, 0) - pull(-e, 0)) / (2 * e) - by_x.col(k)).norm() <= 1e-6);
+                           CHECK(((pull(0, e) - pull(0, -e)) / (2 * e) - by_v.col(k)).norm() <= 1e-6);
+                       }
+                   });
     CHECK(calls == 1);
 }

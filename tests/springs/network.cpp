@@ -2,8 +2,8 @@
 // Springs as things of a world: handles, changes at run time, refusals, copies, hashes.
 
 #include <ansatz/springs/network.hpp>
-#include <ansatz/world/element_door.hpp>
 #include <ansatz/springs/spring.hpp>
+#include <ansatz/world/element_door.hpp>
 
 #include "tests/springs/support.hpp"
 
@@ -15,7 +15,11 @@ TEST_CASE("springs are added, read, changed and removed by handles", "[springs]"
     const auto a = world.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto b = world.add(position(metres(0, 3, 4)), mass(1.0 * kilogram));
     const auto first = world.add(Spring{a, b, 10.0 * N_per_m});
-    const auto held = world.add(Spring{.first = metres(1, 2, 3), .second = b, .stiffness = 20.0 * N_per_m, .damping = 3.0 * N_s_per_m, .rest_length = 0.5 * metre});
+    const auto held = world.add(Spring{.first = metres(1, 2, 3),
+                                       .second = b,
+                                       .stiffness = 20.0 * N_per_m,
+                                       .damping = 3.0 * N_s_per_m,
+                                       .rest_length = 0.5 * metre});
     CHECK(world.elements<Spring>().size() == 2);
     CHECK(*world.get(first).rest_length == 5.0 * metre); // the distance when it was added
     CHECK(world.get(first).first.body() == a);
@@ -37,10 +41,12 @@ TEST_CASE("springs are added, read, changed and removed by handles", "[springs]"
     const auto third = world.add(Spring{a, b, 40.0 * N_per_m});
     CHECK(third.id == first.id); // the place is given again, the handle is another
     CHECK_FALSE(third == first);
-    CHECK_THROWS_WITH(world.get(first), ContainsSubstring("World::get: the handle is stale: number 0 of generation 0 was removed"));
+    CHECK_THROWS_WITH(world.get(first),
+                      ContainsSubstring("World::get: the handle is stale: number 0 of generation 0 was removed"));
     CHECK_THROWS_AS(world.remove(first), std::out_of_range);
     CHECK_THROWS_WITH(world.remove(SpringHandle{}), ContainsSubstring("World::remove: the handle is empty"));
-    CHECK_THROWS_WITH(world.set(SpringHandle{17, 0}, other), ContainsSubstring("number 17, but this world has given out only 2"));
+    CHECK_THROWS_WITH(world.set(SpringHandle{17, 0}, other),
+                      ContainsSubstring("number 17, but this world has given out only 2"));
 }
 
 TEST_CASE("a spring is gone with a body that it holds, and only that one", "[springs]") {
@@ -90,13 +96,16 @@ TEST_CASE("what cannot be is refused by name, value and unit, and the world is a
     CHECK_THROWS_WITH(world.add(Spring{a, b, 1e300 * N_per_m}), ContainsSubstring("the world's scalar can hold it"));
     CHECK_THROWS_WITH(world.add(Spring{a, Handle{7, 0}, 1.0 * N_per_m}), ContainsSubstring("body 7"));
     CHECK_THROWS_AS(world.add(Spring{Handle{}, b, 1.0 * N_per_m}), std::out_of_range);
-    CHECK_THROWS_WITH(world.add(Spring{a, b, 1.0 * N_per_m}, breaks_at(-3.0 * newton)), ContainsSubstring("break force is -3 N"));
+    CHECK_THROWS_WITH(world.add(Spring{a, b, 1.0 * N_per_m}, breaks_at(-3.0 * newton)),
+                      ContainsSubstring("break force is -3 N"));
     CHECK_THROWS_WITH(world.add(Spring{a, b, 1.0 * N_per_m}, breaks_at(0)), ContainsSubstring("break strain is 0"));
-    CHECK_THROWS_WITH(world.add(Spring{a, b, 1.0 * N_per_m, {}, 0.0 * metre}, breaks_at(0.5)), ContainsSubstring("rest length 0 has no strain"));
+    CHECK_THROWS_WITH(world.add(Spring{a, b, 1.0 * N_per_m, {}, 0.0 * metre}, breaks_at(0.5)),
+                      ContainsSubstring("rest length 0 has no strain"));
     CHECK(world.hash() == before);
     World undamped{Verlet{}, Springs<Undamped>{}};
     const auto c = undamped.add(mass(1.0 * kilogram));
-    CHECK_THROWS_WITH(undamped.add(Spring{c, metres(1, 0, 0), 1.0 * N_per_m, 1.0 * N_s_per_m}), ContainsSubstring("damping is 1 kg/s; the springs of this world are Undamped"));
+    CHECK_THROWS_WITH(undamped.add(Spring{c, metres(1, 0, 0), 1.0 * N_per_m, 1.0 * N_s_per_m}),
+                      ContainsSubstring("damping is 1 kg/s; the springs of this world are Undamped"));
 }
 
 TEST_CASE("a copy of a world has the springs, takes the handles and continues to the bit", "[springs]") {
@@ -139,5 +148,6 @@ TEST_CASE("the hash sees every number of a spring, and its ends", "[springs]") {
     CHECK_FALSE(plain == hash_with({a, b, 1.0 * N_per_m, 2.0 * N_s_per_m, 1.0 * metre}));
     CHECK_FALSE(plain == hash_with({a, b, 1.0 * N_per_m, 1.0 * N_s_per_m, 2.0 * metre}));
     CHECK_FALSE(plain == hash_with({a, b, 1.0 * N_per_m, 1.0 * N_s_per_m, 1.0 * metre}, breaks_at(1.0 * newton)));
-    CHECK_FALSE(hash_with({a, metres(0, 1, 0), 1.0 * N_per_m, {}, 1.0 * metre}) == hash_with({a, metres(0, 2, 0), 1.0 * N_per_m, {}, 1.0 * metre}));
+    CHECK_FALSE(hash_with({a, metres(0, 1, 0), 1.0 * N_per_m, {}, 1.0 * metre}) ==
+                hash_with({a, metres(0, 2, 0), 1.0 * N_per_m, {}, 1.0 * metre}));
 }

@@ -28,7 +28,8 @@ auto filled() {
 }
 } // namespace
 
-TEST_CASE("a loaded world has the springs, their handles and their places, and continues to the bit", "[springs][save]") {
+TEST_CASE("a loaded world has the springs, their handles and their places, and continues to the bit",
+          "[springs][save]") {
     auto world = filled();
     std::stringstream file;
     save(world, file);
@@ -40,10 +41,12 @@ TEST_CASE("a loaded world has the springs, their handles and their places, and c
     run(loaded, 50, 0.01);
     CHECK(loaded.hash() == world.hash());
     const auto b = world.handles()[0];
-    CHECK(world.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}) == loaded.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}));
+    CHECK(world.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}) ==
+          loaded.add(Spring{b, metres(1, 0, 0), 1.0 * N_per_m}));
 }
 
-TEST_CASE("a world saved between a change and its next step continues to the bit, whatever forces read", "[springs][save]") {
+TEST_CASE("a world saved between a change and its next step continues to the bit, whatever forces read",
+          "[springs][save]") {
     World world{Verlet{}, Gravity{}, Springs{}};
     const auto a = world.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto b = world.add(position(metres(1, 0.3, 0)), velocity(metres_per_second(0.5, 1, 0)), mass(2.0 * kilogram));
@@ -84,10 +87,12 @@ TEST_CASE("a file of springs that cannot be is refused with its place, and the w
         auto loaded = a_world();
         const auto before = loaded.hash();
         INFO(part << " -> " << by);
-        CHECK_THROWS_WITH(load(loaded, file, "saved"), ContainsSubstring("saved: elements.Springs") && ContainsSubstring(sentence));
+        CHECK_THROWS_WITH(load(loaded, file, "saved"),
+                          ContainsSubstring("saved: elements.Springs") && ContainsSubstring(sentence));
         CHECK(loaded.hash() == before);
     };
-    refused("\"stiffness\": 300.0", "\"stiffness\": -300.0", ".stiffness is -300.0; expected a number that is not negative");
+    refused("\"stiffness\": 300.0", "\"stiffness\": -300.0",
+            ".stiffness is -300.0; expected a number that is not negative");
     refused("\"stiffness\": 300.0", "\"stiffness\": \"inf\"", ".stiffness is \"inf\"; expected a finite number");
     refused("\"break force\": \"inf\"", "\"break force\": 0.0", "a number greater than 0, or \"inf\"");
     refused("\"first\": 1", "\"first\": 17", ".first is 17");

@@ -20,7 +20,9 @@ template <class I, class S, class... More> auto triangle(More... more) {
     world.add(Spring{c, a, 50.0 * N_per_m, 0.3 * N_s_per_m, 1.0 * metre});
     return world;
 }
-template <class World_> std::array<double, 6> last_state(const World_& world) { return state(world, world.handles().back()); }
+template <class World_> std::array<double, 6> last_state(const World_& world) {
+    return state(world, world.handles().back());
+}
 
 } // namespace
 
@@ -43,15 +45,18 @@ TEST_CASE("every integrator takes springs, and has its order with them, damped a
 
 TEST_CASE("momentum and angular momentum stay, with every integrator and in every space", "[springs]") {
     for_each_type(AllSpaces{}, [&]<class S>() {
-        for_each_type(Types<ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4, ImplicitEuler>{}, [&]<class I>() {
-            auto world = triangle<I, S>();
-            const auto before = total_momentum(world);
-            const double rounding = std::is_same_v<typename S::Scalar, float> ? 1e-7 : 1e-16;
-            run(world, 200, 0.005);
-            // Verlet's velocity is the difference of two positions: their rounding over the step.
-            const double factor = std::same_as<I, Verlet> ? 200 * 100 : std::same_as<I, ImplicitEuler> ? 1e6 : 200;
-            CHECK(norm(total_momentum(world) - before).value() <= factor * 10 * rounding);
-        });
+        for_each_type(
+            Types<ExplicitEuler, SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4,
+                  ImplicitEuler>{},
+            [&]<class I>() {
+                auto world = triangle<I, S>();
+                const auto before = total_momentum(world);
+                const double rounding = std::is_same_v<typename S::Scalar, float> ? 1e-7 : 1e-16;
+                run(world, 200, 0.005);
+                // Verlet's velocity is the difference of two positions: their rounding over the step.
+                const double factor = std::same_as<I, Verlet> ? 200 * 100 : std::same_as<I, ImplicitEuler> ? 1e6 : 200;
+                CHECK(norm(total_momentum(world) - before).value() <= factor * 10 * rounding);
+            });
     });
 }
 
@@ -80,7 +85,8 @@ TEST_CASE("a world with springs of no stiffness moves like one without any, to t
         World with{I{}, Gravity{}, Springs{}};
         World without{I{}, Gravity{}, Keep<InverseMass>{}};
         const auto a = with.add(position(metres(1, 2, 3)), velocity(metres_per_second(3, 2, 1)), mass(0.3 * kilogram));
-        const auto b = without.add(position(metres(1, 2, 3)), velocity(metres_per_second(3, 2, 1)), mass(0.3 * kilogram));
+        const auto b =
+            without.add(position(metres(1, 2, 3)), velocity(metres_per_second(3, 2, 1)), mass(0.3 * kilogram));
         with.add(Spring{a, metres(0, 0, 0), 0.0 * N_per_m});
         for (int i = 0; i < 500; ++i) {
             with.step(1.0 / 60 * second);
@@ -109,7 +115,8 @@ TEST_CASE("fixed ends stay, moving ends pull, and a spring between two of them d
     });
 }
 
-TEST_CASE("a platform within a step: stages see it where it is at their time, so that RungeKutta4 keeps its order", "[springs]") {
+TEST_CASE("a platform within a step: stages see it where it is at their time, so that RungeKutta4 keeps its order",
+          "[springs]") {
     auto pulled = [](int steps) {
         World world{RungeKutta4{}, Springs{}};
         const auto winch = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(2, 0, 0)), moving);
@@ -132,7 +139,8 @@ TEST_CASE("a resting end wakes when a spring pulls at it, not when it hangs slac
     World again{SemiImplicitEuler{}, Ropes{}, Rest{0.05 * metre_per_second, 0.05 * second}};
     const auto a = again.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto b = again.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
-    const auto rope = again.add(Rope{.first = a, .second = b, .stiffness = 100.0 * N_per_m, .rest_length = 1.5 * metre});
+    const auto rope =
+        again.add(Rope{.first = a, .second = b, .stiffness = 100.0 * N_per_m, .rest_length = 1.5 * metre});
     run(again, 40, 0.01);
     CHECK(again.motion(a) == Motion::resting); // the rope is slack for half a second
     run(again, 15, 0.01);
@@ -148,8 +156,10 @@ TEST_CASE("sums do not depend on who slept, was removed or stands where: springs
         World world{SemiImplicitEuler{}, Springs{}};
         std::vector<Handle> b;
         Handle guest;
-        for (int i = 0; i < 6; ++i) b.push_back(world.add(position(metres(0.1 * i * i, 0.3 * i, 0)), mass((1.0 + i) * kilogram)));
-        for (int i = 0; i < 5; ++i) world.add(Spring{b[std::size_t(i)], b[std::size_t(i) + 1], 100.0 * N_per_m, 1.0 * N_s_per_m, 0.2 * metre});
+        for (int i = 0; i < 6; ++i)
+            b.push_back(world.add(position(metres(0.1 * i * i, 0.3 * i, 0)), mass((1.0 + i) * kilogram)));
+        for (int i = 0; i < 5; ++i)
+            world.add(Spring{b[std::size_t(i)], b[std::size_t(i) + 1], 100.0 * N_per_m, 1.0 * N_s_per_m, 0.2 * metre});
         if (disturbed) { // slots change: the fixed ones stand behind, and a removed one is replaced by the last
             guest = world.add(position(metres(50, 0, 0)), fixed);
             world.remove(guest);

@@ -29,9 +29,11 @@ TEST_CASE("the limit of each method is its closed form, at any scale", "[springs
         CHECK(limit<ImplicitEuler>(k) == INFINITY);
         for (const double zeta : {0.01, 0.5, 1.0, 10.0}) {
             const double c = 2 * zeta * w;
-            CHECK(limit<SemiImplicitEuler>(k, c) == Approx((std::sqrt(c * c + 4 * k) - c) / k).epsilon(1e-9)); // hard case I6
+            CHECK(limit<SemiImplicitEuler>(k, c) ==
+                  Approx((std::sqrt(c * c + 4 * k) - c) / k).epsilon(1e-9)); // hard case I6
             // Explicit Euler needs damping: c/k while it swings, 2 over the faster rate when it creeps.
-            CHECK(limit<ExplicitEuler>(k, c) == Approx(zeta < 1 ? c / k : 2 / (0.5 * (c + std::sqrt(c * c - 4 * k)))).epsilon(1e-6));
+            CHECK(limit<ExplicitEuler>(k, c) ==
+                  Approx(zeta < 1 ? c / k : 2 / (0.5 * (c + std::sqrt(c * c - 4 * k)))).epsilon(1e-6));
             CHECK(limit<ImplicitEuler>(k, c) == INFINITY);
         }
     }
@@ -48,7 +50,8 @@ TEST_CASE("damping that is computed explicitly makes the limit smaller, not larg
     CHECK(limit<SemiImplicitEuler>(1e4, 2000) == Approx(0.000997512).epsilon(1e-5));
 }
 
-TEST_CASE("just below the limit a world stays, just above it explodes: every explicit method, damped and not", "[springs]") {
+TEST_CASE("just below the limit a world stays, just above it explodes: every explicit method, damped and not",
+          "[springs]") {
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4, OdeintRungeKutta4>{}, [&]<class I>() {
         for (const double c : {0.0, 2.0, 20.0, 200.0}) {
             INFO("damping " << c);
@@ -61,7 +64,7 @@ TEST_CASE("just below the limit a world stays, just above it explodes: every exp
                 for (int i = 0; i < 4000; ++i) {
                     world.step(h);
                     const double now = std::abs(x(world.position(body)).value() - 1);
-                    if (!(now < 1)) return 1e300; // it has turned over: no small swing any more
+                    if (!(now < 1)) return 1e300;              // it has turned over: no small swing any more
                     if (i >= 2000) most = std::max(most, now); // at first even what decays may grow: two equal rates
                 }
                 return most;
@@ -74,29 +77,30 @@ TEST_CASE("just below the limit a world stays, just above it explodes: every exp
 
 TEST_CASE("the bound holds for networks of any masses and stiffnesses, and is exact for two bodies", "[springs]") {
     World pair{SemiImplicitEuler{}, Springs{}};
-    const auto light = pair.add(position(metres(0, 0, 0)), mass(1.0 * kilogram)), heavy = pair.add(position(metres(1, 0, 0)), mass(1000.0 * kilogram));
+    const auto light = pair.add(position(metres(0, 0, 0)), mass(1.0 * kilogram)),
+               heavy = pair.add(position(metres(1, 0, 0)), mass(1000.0 * kilogram));
     pair.add(Spring{light, heavy, 1e3 * N_per_m, 7.0 * N_s_per_m});
     CHECK(stiffness_of(pair).largest.value() == Approx(1e3 * (1 + 1e-3)));
     CHECK(stiffness_of(pair).damping.value() == Approx(7 * (1 + 1e-3)));
     CHECK(measured_stiffness(pair).value() == Approx(1e3 * (1 + 1e-3)));
 
     std::mt19937 random(17);
-    auto uniform = [&](double low, double high) { return low + (high - low) * (double(random()) / double(random.max())); };
+    auto uniform = [&](double low, double high) {
+        return low + (high - low) * (double(random()) / double(random.max()));
+    };
     for (int trial = 0; trial < 30; ++trial) {
         World world{SemiImplicitEuler{}, Space<double, 2>{}, Springs{}, Ropes{}};
         std::vector<Handle> bodies;
         const int n = 2 + int(random() % 9);
         for (int i = 0; i < n; ++i)
-            bodies.push_back(world.add(position(metres(uniform(-1, 1), uniform(-1, 1))), mass(std::pow(10.0, uniform(-2, 2)) * kilogram)));
+            bodies.push_back(world.add(position(metres(uniform(-1, 1), uniform(-1, 1))),
+                                       mass(std::pow(10.0, uniform(-2, 2)) * kilogram)));
         for (int s = 0; s < 3 * n; ++s) {
             const auto i = random() % bodies.size(), j = random() % bodies.size();
             const auto k = std::pow(10.0, uniform(0, 4)) * N_per_m;
-            if (i == j)
-                world.add(Spring{bodies[i], metres(uniform(-1, 1), 0.0), k});
-            else if (s % 2 == 0)
-                world.add(Spring{bodies[i], bodies[j], k, {}, uniform(0, 0.2) * metre}); // stretched
-            else
-                world.add(Rope{bodies[i], bodies[j], k, {}, uniform(0, 3) * metre});
+            if (i == j) world.add(Spring{bodies[i], metres(uniform(-1, 1), 0.0), k});
+            else if (s % 2 == 0) world.add(Spring{bodies[i], bodies[j], k, {}, uniform(0, 0.2) * metre}); // stretched
+            else world.add(Rope{bodies[i], bodies[j], k, {}, uniform(0, 3) * metre});
         }
         // The truth: differences of the accelerations, as a dense matrix in the measure of the masses.
         Eigen::MatrixXd K(2 * n, 2 * n);
@@ -115,28 +119,36 @@ TEST_CASE("the bound holds for networks of any masses and stiffnesses, and is ex
         }
         for (int r = 0; r < 2 * n; ++r)
             for (int c = 0; c < 2 * n; ++c)
-                K(r, c) *= std::sqrt(world.mass(bodies[std::size_t(r / 2)]).value() / world.mass(bodies[std::size_t(c / 2)]).value());
-        const double truth = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues().maxCoeff();
+                K(r, c) *= std::sqrt(world.mass(bodies[std::size_t(r / 2)]).value() /
+                                     world.mass(bodies[std::size_t(c / 2)]).value());
+        const double truth =
+            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (K + K.transpose())).eigenvalues().maxCoeff();
         CHECK(stiffness_of(world).largest.value() >= truth * (1 - 1e-6));
-        CHECK(measured_stiffness(world, 20000).value() == Approx(truth).epsilon(0.02)); // power iteration is slow where two are close
+        CHECK(measured_stiffness(world, 20000).value() ==
+              Approx(truth).epsilon(0.02)); // power iteration is slow where two are close
         CHECK(measured_stiffness(world).value() <= stiffness_of(world).largest.value() * (1 + 1e-12));
     }
 }
 
-TEST_CASE("at the limit of a network with springs of every damping nothing grows, with every explicit method", "[springs]") {
+TEST_CASE("at the limit of a network with springs of every damping nothing grows, with every explicit method",
+          "[springs]") {
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4>{}, [&]<class I>() {
         std::mt19937 random(4);
-        auto uniform = [&](double low, double high) { return low + (high - low) * (double(random()) / double(random.max())); };
+        auto uniform = [&](double low, double high) {
+            return low + (high - low) * (double(random()) / double(random.max()));
+        };
         for (int trial = 0; trial < 20; ++trial) {
             World world{I{}, Space<double, 2>{}, Springs{}};
             std::vector<Handle> bodies;
             for (int i = 0; i < 8; ++i) { // on a line, so that it is linear: along it, and small
-                bodies.push_back(world.add(position(metres(i + 1, 0)), velocity(metres_per_second(uniform(-1e-6, 1e-6), 0)),
+                bodies.push_back(world.add(position(metres(i + 1, 0)),
+                                           velocity(metres_per_second(uniform(-1e-6, 1e-6), 0)),
                                            mass(std::pow(10.0, uniform(-1, 1)) * kilogram)));
                 SpringEnd before = metres(0, 0);
                 if (i > 0) before = bodies[std::size_t(i) - 1];
                 const double k = std::pow(10.0, uniform(1, 3));
-                world.add(Spring{before, bodies.back(), k * N_per_m, (trial % 2 == 0 ? uniform(0, 20) : 0.02 * k) * N_s_per_m});
+                world.add(Spring{before, bodies.back(), k * N_per_m,
+                                 (trial % 2 == 0 ? uniform(0, 20) : 0.02 * k) * N_s_per_m});
             }
             const auto h = 0.999 * stable_step(world);
             REQUIRE(h > 0.0 * second);
@@ -144,7 +156,8 @@ TEST_CASE("at the limit of a network with springs of every damping nothing grows
             for (int i = 0; i < 6000; ++i) {
                 world.step(h);
                 double now = 0;
-                for (std::size_t b = 0; b < bodies.size(); ++b) now = std::max(now, std::abs(x(world.position(bodies[b])).value() - double(b + 1)));
+                for (std::size_t b = 0; b < bodies.size(); ++b)
+                    now = std::max(now, std::abs(x(world.position(bodies[b])).value() - double(b + 1)));
                 (i < 2000 ? early : late) = std::max(i < 2000 ? early : late, now);
             }
             CHECK(late <= 1.5 * early);

@@ -20,9 +20,10 @@ template <class I, class... More> auto stiff(double k, More... more) {
 TEST_CASE("a step beyond the limit is refused with the longest that would do, and nothing has happened", "[springs]") {
     auto world = stiff<SemiImplicitEuler>(1e6, StepLimit<Refuse>{});
     const auto before = world.hash();
-    CHECK_THROWS_WITH(world.step(1.0 / 60 * second), ContainsSubstring("World::step: dt is 0.01666666666666666") &&
-                                                         ContainsSubstring("the longest that is stable for these springs is 0.002 s;") &&
-                                                         ContainsSubstring("StepLimit<Divide>, or ImplicitEuler"));
+    CHECK_THROWS_WITH(world.step(1.0 / 60 * second),
+                      ContainsSubstring("World::step: dt is 0.01666666666666666") &&
+                          ContainsSubstring("the longest that is stable for these springs is 0.002 s;") &&
+                          ContainsSubstring("StepLimit<Divide>, or ImplicitEuler"));
     CHECK(world.hash() == before);
     CHECK(world.tick() == 0);
     world.step(0.002 * second); // as the sentence says
@@ -70,11 +71,13 @@ TEST_CASE("the limit follows the springs and the masses as they change", "[sprin
     CHECK(world.tick() == 9);
 }
 
-TEST_CASE("a force from outside acts in every part of a divided step, and what happened in any of them is told", "[springs]") {
+TEST_CASE("a force from outside acts in every part of a divided step, and what happened in any of them is told",
+          "[springs]") {
     World world{SemiImplicitEuler{}, Springs<Breaking>{}, AppliedForces{}, StepLimit<Divide>{}};
     const auto pushed = world.add(position(metres(5, 0, 0)), mass(2.0 * kilogram));
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
-    world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre}, breaks_at(500.0 * newton)); // in the first millisecond
+    world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre},
+              breaks_at(500.0 * newton)); // in the first millisecond
     world.apply_force(pushed, newtons(10, 0, 0));
     world.step(0.1 * second);
     CHECK(world.tick() >= 50);
@@ -85,7 +88,8 @@ TEST_CASE("a force from outside acts in every part of a divided step, and what h
     CHECK(world.elements<Spring>().broken().empty());
 }
 
-TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not looked at", "[springs]") {
+TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not looked at",
+          "[springs]") {
     World world{SemiImplicitEuler{}, Springs{}, Attraction{}, StepLimit<Refuse>{}};
     const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
     world.add(Spring{metres(0, 0, 0), body, 100.0 * N_per_m, {}, 1.0 * metre});
@@ -100,22 +104,26 @@ TEST_CASE("a force between bodies that does not say how stiff it is stands besid
 TEST_CASE("what broke in one part of a divided step is gone once, whatever parts follow", "[springs]") {
     World world{SemiImplicitEuler{}, Springs<Breaking>{}, StepLimit<Divide>{}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
-    const auto first = world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre}, breaks_at(500.0 * newton)); // in the first part
-    const auto later = world.add(Spring{metres(0, 0, 0), body, 1.0 * N_per_m, {}, 1.0 * metre}, breaks_at(0.03 * newton));  // in another
+    const auto first = world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre},
+                                 breaks_at(500.0 * newton)); // in the first part
+    const auto later = world.add(Spring{metres(0, 0, 0), body, 1.0 * N_per_m, {}, 1.0 * metre},
+                                 breaks_at(0.03 * newton)); // in another
     const auto stays = world.add(Spring{metres(0, 0, 0), body, 1.0 * N_per_m, {}, 1.0 * metre});
     world.step(0.1 * second);
     REQUIRE(world.tick() >= 50);
     CHECK(broken<Spring>(world).size() == 2);
     CHECK(world.elements<Spring>().size() == 1);
     CHECK((!world.contains(first) && !world.contains(later) && world.contains(stays)));
-    const auto one = world.add(Spring{metres(0, 0, 0), body, 2.0 * N_per_m}), other = world.add(Spring{metres(0, 0, 0), body, 3.0 * N_per_m});
+    const auto one = world.add(Spring{metres(0, 0, 0), body, 2.0 * N_per_m}),
+               other = world.add(Spring{metres(0, 0, 0), body, 3.0 * N_per_m});
     CHECK(one.generation == 1);
     CHECK(one.id != other.id);
     CHECK(world.get(one).stiffness.value() == 2);
     CHECK(world.elements<Spring>().size() == 3);
 }
 
-TEST_CASE("a divided step is drawn as the one that it is: from where bodies were before all of its parts", "[springs]") {
+TEST_CASE("a divided step is drawn as the one that it is: from where bodies were before all of its parts",
+          "[springs]") {
     for_each_type(Types<SemiImplicitEuler, Verlet, RungeKutta4>{}, [&]<class I>() {
         World world{I{}, Springs{}, Interpolation{}, Drag{0.1 / second}, StepLimit<Divide>{}};
         const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
@@ -136,5 +144,6 @@ TEST_CASE("a divided step is drawn as the one that it is: from where bodies were
 TEST_CASE("parameters of StepLimit that cannot be are refused", "[springs]") {
     CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 0}), ContainsSubstring("StepLimit: part is 0"));
     CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.part = 1.5}), ContainsSubstring("StepLimit: part is 1.5"));
-    CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.most_parts = 0}), ContainsSubstring("StepLimit: most_parts is 0"));
+    CHECK_THROWS_WITH(stiff<Verlet>(1, StepLimit<Divide>{.most_parts = 0}),
+                      ContainsSubstring("StepLimit: most_parts is 0"));
 }

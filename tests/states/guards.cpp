@@ -33,7 +33,8 @@ constexpr auto place = value("x", &Walker::x);
 /// A machine of two states with a guard each way.
 template <auto There, auto Back> struct Turns {
     using Context = Walker;
-    static constexpr auto machine = states::machine(state("low", transition(when(There()), to("high"))), state("high", transition(when(Back()), to("low"))));
+    static constexpr auto machine = states::machine(state("low", transition(when(There()), to("high"))),
+                                                    state("high", transition(when(Back()), to("low"))));
 };
 template <auto There, auto Back> int turns(auto&& next, int updates) {
     Walker w;
@@ -91,13 +92,13 @@ TEST_CASE("a body that steps over a boundary: equality misses it, a crossing doe
 
 TEST_CASE("what a crossing is: touching, starting on the limit, gaps that are no numbers", "[states]") {
     Probe<decltype(crosses(place, 1.0 * metre))> c{crosses(place, 1.0 * metre)};
-    CHECK_FALSE(c(1.0));       // starts on it
-    CHECK_FALSE(c(2.0));       // and leaves it: it was not on the other side
-    CHECK(c(1.0));             // touches it
-    CHECK_FALSE(c(1.0));       // stays
+    CHECK_FALSE(c(1.0)); // starts on it
+    CHECK_FALSE(c(2.0)); // and leaves it: it was not on the other side
+    CHECK(c(1.0));       // touches it
+    CHECK_FALSE(c(1.0)); // stays
     CHECK_FALSE(c(3.0));
-    CHECK_FALSE(c(NAN));       // nothing is known
-    CHECK(c(0.5));             // since 3, through 1
+    CHECK_FALSE(c(NAN)); // nothing is known
+    CHECK(c(0.5));       // since 3, through 1
     CHECK(c(INFINITY));
     CHECK_FALSE(c(INFINITY));
     CHECK(c(-INFINITY));
@@ -111,13 +112,16 @@ TEST_CASE("what a crossing is: touching, starting on the limit, gaps that are no
     // Integers and floats too.
     CHECK(rises_through(value("coins", &Walker::coins), 5).name() == "coins rises through 5");
     CHECK((value("share", &Walker::share) < 0.5f).name() == "share < 0.5");
-    CHECK((place < 5.0 * metre && !(place > 7.0 * metre || after(2.0 * second))).name() == "(x < 5 m and not (x > 7 m or after 2 s))");
+    CHECK((place < 5.0 * metre && !(place > 7.0 * metre || after(2.0 * second))).name() ==
+          "(x < 5 m and not (x > 7 m or after 2 s))");
 }
 
 namespace {
 struct D1 {
     using Context = Walker;
-    static constexpr auto machine = states::machine(state("a", transition(on("go"), to("b"))), state("b", transition(when(rises_through(place, 1.0 * metre)), to("c"))), state("c"));
+    static constexpr auto machine =
+        states::machine(state("a", transition(on("go"), to("b"))),
+                        state("b", transition(when(rises_through(place, 1.0 * metre)), to("c"))), state("c"));
 };
 } // namespace
 
@@ -143,19 +147,27 @@ TEST_CASE("a crossing is between two updates of the machine, whichever state was
 }
 
 TEST_CASE("hysteresis in noise: transitions against band width (hard case P6)", "[states]") {
-    // Threshold 1, noise sigma = 0.1, N samples: N / 2 erfc(w / sqrt 2) transitions for a band of w sigma each way, the larger
-    // the band the nearer; the closed form counts the samples beyond either edge, of which every second half turns.
+    // Threshold 1, noise sigma = 0.1, N samples: N / 2 erfc(w / sqrt 2) transitions for a band of w sigma each way, the
+    // larger the band the nearer; the closed form counts the samples beyond either edge, of which every second half
+    // turns.
     constexpr int n = 100000;
     std::mt19937 random(42);
     std::normal_distribution<double> noise(1.0, 0.1);
     auto draw = [&](Walker& w, int, auto&) { w.noise = noise(random); };
     constexpr auto v = value("noise", &Walker::noise);
-    const double found[] = {double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.0).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.0).below(); }>(draw, n)),
-                            double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.1).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.1).below(); }>(draw, n)),
-                            double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.2).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.2).below(); }>(draw, n)),
-                            double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.3).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.3).below(); }>(draw, n)),
-                            double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.4).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.4).below(); }>(draw, n)),
-                            double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.5).above(); }, [] { return band(value("noise", &Walker::noise), 1.0, 0.5).below(); }>(draw, n))};
+    const double found[] = {
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.0).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.0).below(); }>(draw, n)),
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.1).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.1).below(); }>(draw, n)),
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.2).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.2).below(); }>(draw, n)),
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.3).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.3).below(); }>(draw, n)),
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.4).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.4).below(); }>(draw, n)),
+        double(turns<[] { return band(value("noise", &Walker::noise), 1.0, 0.5).above(); },
+                     [] { return band(value("noise", &Walker::noise), 1.0, 0.5).below(); }>(draw, n))};
     for (int w = 0; w < 5; ++w) {
         const double expected = n * 0.5 * std::erfc(w / std::sqrt(2.0));
         INFO("half-width " << w << " sigma: " << found[w] << " transitions, the law says " << expected);
@@ -167,16 +179,20 @@ TEST_CASE("hysteresis in noise: transitions against band width (hard case P6)", 
 }
 
 TEST_CASE("a feedback loop: the behaviour of the states throws the value back", "[states]") {
-    // A heater with a delay: it goes on warming after it was switched off. One threshold turns it at every swing, a band less
-    // often; a dwell time bounds it, whatever the loop does.
+    // A heater with a delay: it goes on warming after it was switched off. One threshold turns it at every swing, a
+    // band less often; a dwell time bounds it, whatever the loop does.
     auto loop = [](Walker& w, int, auto& m) {
         const double drive = m.is_in("low") ? 1.0 : -1.0;
         w.share += float(0.2 * (drive - double(w.share))); // the actuator follows late
         w.noise += 0.05 * double(w.share);
     };
-    const int bare = turns<[] { return (value("t", &Walker::noise) > 1.0); }, [] { return value("t", &Walker::noise) < 1.0; }>(loop, 6000);
-    const int banded = turns<[] { return band(value("t", &Walker::noise), 1.0, 0.5).above(); }, [] { return band(value("t", &Walker::noise), 1.0, 0.5).below(); }>(loop, 6000);
-    const int dwelling = turns<[] { return (value("t", &Walker::noise) > 1.0 && after(2.0 * second)); }, [] { return value("t", &Walker::noise) < 1.0 && after(2.0 * second); }>(loop, 6000);
+    const int bare =
+        turns<[] { return (value("t", &Walker::noise) > 1.0); }, [] { return value("t", &Walker::noise) < 1.0; }>(loop,
+                                                                                                                  6000);
+    const int banded = turns<[] { return band(value("t", &Walker::noise), 1.0, 0.5).above(); },
+                             [] { return band(value("t", &Walker::noise), 1.0, 0.5).below(); }>(loop, 6000);
+    const int dwelling = turns<[] { return (value("t", &Walker::noise) > 1.0 && after(2.0 * second)); },
+                               [] { return value("t", &Walker::noise) < 1.0 && after(2.0 * second); }>(loop, 6000);
     CHECK(bare > 2 * banded);
     CHECK(banded > 0);
     CHECK(dwelling <= 6000 / 120); // at most once in 2 s of 60 updates each
@@ -186,8 +202,9 @@ TEST_CASE("a feedback loop: the behaviour of the states throws the value back", 
 namespace {
 struct D2 {
     using Context = Walker;
-    static constexpr auto machine = states::machine(state("walk", transition(when(after(0.5 * second) && value("x", &Walker::noise) > 0.0), to("rest"))),
-                                                    state("rest", transition(when(held_for(value("x", &Walker::noise) < 0.2, 0.3 * second)), to("walk"))));
+    static constexpr auto machine = states::machine(
+        state("walk", transition(when(after(0.5 * second) && value("x", &Walker::noise) > 0.0), to("rest"))),
+        state("rest", transition(when(held_for(value("x", &Walker::noise) < 0.2, 0.3 * second)), to("walk"))));
 };
 } // namespace
 
@@ -212,7 +229,8 @@ TEST_CASE("times are seconds: the same scenario at 30, 60 and 240 updates a seco
 namespace {
 struct D3 {
     using Context = Walker;
-    static constexpr auto machine = states::machine(state("a", transition(when(after(2.0 * second)), to("b"))), state("b"));
+    static constexpr auto machine =
+        states::machine(state("a", transition(when(after(2.0 * second)), to("b"))), state("b"));
 };
 } // namespace
 
@@ -228,7 +246,8 @@ TEST_CASE("a dwell time ends with the step that completes it, whichever way a su
         }
     });
     CHECK_THAT(refusal([] { after(-1.0 * second); }), ContainsSubstring("after: the time is -1 s"));
-    CHECK_THAT(refusal([] { held_for(place > 1.0 * metre, double(INFINITY) * second); }), ContainsSubstring("held_for: the time is inf s"));
+    CHECK_THAT(refusal([] { held_for(place > 1.0 * metre, double(INFINITY) * second); }),
+               ContainsSubstring("held_for: the time is inf s"));
 }
 
 TEST_CASE("values that are not numbers decide nothing (hard case P9)", "[states]") {
@@ -236,10 +255,18 @@ TEST_CASE("values that are not numbers decide nothing (hard case P9)", "[states]
     Walker w;
     w.x = double(NAN) * metre;
     Question<Walker, NoBehaviour> q{w, {}, {}, {}};
-    for (const auto answer : {(place < 1.0 * metre).ask(q, {}), (place <= 1.0 * metre).ask(q, {}), (place > 1.0 * metre).ask(q, {}), (place >= 1.0 * metre).ask(q, {}), (place == 1.0 * metre).ask(q, {}), (place != 1.0 * metre).ask(q, {})})
+    for (const auto answer :
+         {(place < 1.0 * metre).ask(q, {}), (place <= 1.0 * metre).ask(q, {}), (place > 1.0 * metre).ask(q, {}),
+          (place >= 1.0 * metre).ask(q, {}), (place == 1.0 * metre).ask(q, {}), (place != 1.0 * metre).ask(q, {})})
         CHECK_FALSE(answer);
     int n = 0;
-    CHECK(turns<[] { return band(place, 1.0 * metre, 0.1 * metre).above(); }, [] { return band(place, 1.0 * metre, 0.1 * metre).below(); }>([&](Walker& v, int i, auto&) { v.x = (i % 2 ? double(NAN) : 2.0) * metre; ++n; }, 100) == 1);
+    CHECK(turns<[] { return band(place, 1.0 * metre, 0.1 * metre).above(); },
+                [] { return band(place, 1.0 * metre, 0.1 * metre).below(); }>(
+              [&](Walker& v, int i, auto&) {
+                  v.x = (i % 2 ? double(NAN) : 2.0) * metre;
+                  ++n;
+              },
+              100) == 1);
 }
 
 namespace {
@@ -249,8 +276,11 @@ struct Scene {
 };
 struct D4 {
     using Context = Scene;
-    static constexpr auto height = value("height", [](const Scene& s) { return component(s.world.position(s.ball), 1); });
-    static constexpr auto machine = states::machine(state("falling", transition(when(falls_through(height, 5.0 * metre)), to("low"))), state("low", transition(when(height < 0.0 * metre), to("gone"))), state("gone"));
+    static constexpr auto height =
+        value("height", [](const Scene& s) { return component(s.world.position(s.ball), 1); });
+    static constexpr auto machine =
+        states::machine(state("falling", transition(when(falls_through(height, 5.0 * metre)), to("low"))),
+                        state("low", transition(when(height < 0.0 * metre), to("gone"))), state("gone"));
 };
 struct Game {
     Scene scene;
@@ -282,7 +312,8 @@ TEST_CASE("a machine reads a world, and both are steps of one clock", "[states]"
 }
 
 TEST_CASE("an oscillation is more than n transitions between two states within a time", "[states]") {
-    using D = Turns<[] { return (value("noise", &Walker::noise) > 0.0); }, [] { return value("noise", &Walker::noise) < 0.0; }>;
+    using D = Turns<[] { return (value("noise", &Walker::noise) > 0.0); },
+                    [] { return value("noise", &Walker::noise) < 0.0; }>;
     each_representation([]<class R>() {
         auto run = [](int period, std::uint32_t n, double within) {
             Walker w;
@@ -315,18 +346,25 @@ namespace {
 struct Bad {
     using Context = Walker;
     static constexpr auto machine = states::machine(
-        state("a", transition(when(place == 5.0 * metre), to("b")), transition(on("e"), to("b")), transition(on("e"), when("x", [](const Walker&) { return true; }), to("trap"))),
-        state("b", transition(on("back"), to("a")), transition(when(value("coins", &Walker::coins) == 3), to("trap"))), state("trap"), state("island", transition(on("e"), to("a"))));
+        state("a", transition(when(place == 5.0 * metre), to("b")), transition(on("e"), to("b")),
+              transition(on("e"), when("x", [](const Walker&) { return true; }), to("trap"))),
+        state("b", transition(on("back"), to("a")), transition(when(value("coins", &Walker::coins) == 3), to("trap"))),
+        state("trap"), state("island", transition(on("e"), to("a"))));
 };
 struct Twice {
     using Context = Walker;
-    static constexpr auto machine = states::machine(state("a", transition(when(place > 1.0 * metre), to("b")), transition(when(place > 2.0 * metre), to("c"))), state("b"), state("c"));
+    static constexpr auto machine = states::machine(
+        state("a", transition(when(place > 1.0 * metre), to("b")), transition(when(place > 2.0 * metre), to("c"))),
+        state("b"), state("c"));
 };
 } // namespace
 
 TEST_CASE("the checkers name what is probably wrong", "[states]") {
     const auto found = check(outline_of<Bad>());
-    auto count = [&](Finding::What what, const std::string& name) { return std::count_if(found.begin(), found.end(), [&](const Finding& f) { return f.what == what && f.state == name; }); };
+    auto count = [&](Finding::What what, const std::string& name) {
+        return std::count_if(found.begin(), found.end(),
+                             [&](const Finding& f) { return f.what == what && f.state == name; });
+    };
     CHECK(count(Finding::What::equality, "a") == 1);
     CHECK(count(Finding::What::hidden, "a") == 1);
     CHECK(count(Finding::What::no_exit, "trap") == 1);
@@ -341,7 +379,8 @@ TEST_CASE("the checkers name what is probably wrong", "[states]") {
     const auto both = overlapping<Same>(grid);
     REQUIRE(both.size() == 1);
     CHECK(both[0].what == Finding::What::back_and_forth);
-    CHECK_THAT(both[0].text, ContainsSubstring("\"x > 1 m\" leads from \"low\" to \"high\" and \"x < 2 m\" leads back"));
+    CHECK_THAT(both[0].text,
+               ContainsSubstring("\"x > 1 m\" leads from \"low\" to \"high\" and \"x < 2 m\" leads back"));
     CHECK(overlapping<Apart>(grid).empty());
     const auto twice = overlapping<Twice>(grid);
     REQUIRE(twice.size() == 1);
@@ -356,7 +395,11 @@ struct Guard {
 };
 struct GuardsLife {
     using Context = Guard;
-    static constexpr auto machine = states::machine(state("alive", transition(when(held_for(value("health", &Guard::health) < 0.5 && !after(9.0 * second), 1.0 * second)), to("dead"))), final_state("dead"));
+    static constexpr auto machine = states::machine(
+        state("alive",
+              transition(when(held_for(value("health", &Guard::health) < 0.5 && !after(9.0 * second), 1.0 * second)),
+                         to("dead"))),
+        final_state("dead"));
 };
 
 TEST_CASE("whoever uses both namespaces may call his class Guard", "[states]") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a machine does, in every representation: entry and exit order, hierarchy, histories, raised events, options, value.
+// What a machine does, in every representation: entry and exit order, hierarchy, histories, raised events, options,
+// value.
 
 #include <ansatz/states/bindings.hpp>
 #include <ansatz/states/chart_build.hpp>
@@ -66,13 +67,22 @@ struct Patrol {
 struct Npc {
     using Context = Log;
     static constexpr auto machine = states::machine(
-        state("calm", on_entry("hi", says("calm+")), on_exit("bye", says("calm-")), transition(on("alarm"), then("go", says("go")), to("combat")), transition(on("self"), to("calm")),
-              state("idle", behaves<Patrol>("Patrol"), on_exit(says("idle-")), transition(on("walk"), to("patrol")), transition(on("seen"), when([](const Log&, const Patrol& p) { return p.updates > 2; }), to("combat"))),
-              state("patrol", on_entry(says("patrol+")), transition(on("walk"), to("idle")), transition(on("inside"), to("calm"), internal())), shallow_history("last", to("idle"))),
-        state("combat", on_entry(says("combat+")), transition(on("flee"), to("last")), transition(on("done.state.combat"), then(says("won")), to("calm")), transition(on("stay"), then(says("stay"))),
-              transition(on("outer"), to("deeper")),
-              state("aim", each_update(says("aim")), transition(when("armed", [](const Log& l) { return l.armed; }), to("shoot"))),
-              state("shoot", on_entry(raise("loaded")), on_entry(says("shoot+")), transition(on("loaded"), then(says("fire")), to("won")), state("deeper")), final_state("won")),
+        state("calm", on_entry("hi", says("calm+")), on_exit("bye", says("calm-")),
+              transition(on("alarm"), then("go", says("go")), to("combat")), transition(on("self"), to("calm")),
+              state("idle", behaves<Patrol>("Patrol"), on_exit(says("idle-")), transition(on("walk"), to("patrol")),
+                    transition(on("seen"), when([](const Log&, const Patrol& p) { return p.updates > 2; }),
+                               to("combat"))),
+              state("patrol", on_entry(says("patrol+")), transition(on("walk"), to("idle")),
+                    transition(on("inside"), to("calm"), internal())),
+              shallow_history("last", to("idle"))),
+        state("combat", on_entry(says("combat+")), transition(on("flee"), to("last")),
+              transition(on("done.state.combat"), then(says("won")), to("calm")),
+              transition(on("stay"), then(says("stay"))), transition(on("outer"), to("deeper")),
+              state("aim", each_update(says("aim")),
+                    transition(when("armed", [](const Log& l) { return l.armed; }), to("shoot"))),
+              state("shoot", on_entry(raise("loaded")), on_entry(says("shoot+")),
+                    transition(on("loaded"), then(says("fire")), to("won")), state("deeper")),
+              final_state("won")),
         final_state("dead"));
 };
 
@@ -121,7 +131,9 @@ TEST_CASE("a child fires its parent's self transition: child exit, parent exit, 
     });
 }
 
-TEST_CASE("conditions of every active ancestor, inner first, one an update; a raised event is handled before it returns", "[states]") {
+TEST_CASE(
+    "conditions of every active ancestor, inner first, one an update; a raised event is handled before it returns",
+    "[states]") {
     each_representation([]<class R>() {
         Log log;
         Seen<R> m;
@@ -160,7 +172,7 @@ TEST_CASE("a history returns to where its parent was, and a state keeps its data
         CHECK(patrol.updates == 3);
         CHECK_THROWS(m.template own<Patrol>(m.state("patrol")));
 
-        auto copy = m; // a snapshot
+        auto copy = m;                // a snapshot
         CHECK(m.handle(log, "seen")); // the guard reads the state's own data
         CHECK(m.is_in("combat"));
         CHECK(copy.is_in("idle"));
@@ -183,20 +195,37 @@ struct Reentrant {
 };
 struct Calls {
     using Context = Reentrant;
-    static constexpr auto machine = states::machine(state("a", transition(on("go"), to("b"))), state("b", on_entry([](Reentrant& r) { ++r.entered; r.call(); }), transition(on("go"), to("c")), transition(on("throw"), then([](Reentrant&) { throw 5; }), to("a"))), state("c"));
+    static constexpr auto machine = states::machine(
+        state("a", transition(on("go"), to("b"))),
+        state("b", on_entry([](Reentrant& r) {
+                  ++r.entered;
+                  r.call();
+              }),
+              transition(on("go"), to("c")), transition(on("throw"), then([](Reentrant&) { throw 5; }), to("a"))),
+        state("c"));
 };
 struct Forever {
     using Context = Log;
-    static constexpr auto machine = states::machine(state("a", on_entry(raise("x")), transition(on("x"), to("b"))), state("b", on_entry(raise("x")), transition(on("x"), to("a")), transition(on("many"), then([](Log&, EventQueue& q) { for (int i = 0; i < 20; ++i) q.raise(EventId(1)); }))));
+    static constexpr auto machine = states::machine(state("a", on_entry(raise("x")), transition(on("x"), to("b"))),
+                                                    state("b", on_entry(raise("x")), transition(on("x"), to("a")),
+                                                          transition(on("many"), then([](Log&, EventQueue& q) {
+                                                                         for (int i = 0; i < 20; ++i)
+                                                                             q.raise(EventId(1));
+                                                                     }))));
 };
 struct Flat {
     using Context = Log;
-    static constexpr auto machine = states::machine(state("a", transition(on("e"), to("b"))), state("b", transition(on("e"), to("a")), transition(on("armed"), when([](const Log& l) { return l.armed; }), to("a"))));
+    static constexpr auto machine =
+        states::machine(state("a", transition(on("e"), to("b"))),
+                        state("b", transition(on("e"), to("a")),
+                              transition(on("armed"), when([](const Log& l) { return l.armed; }), to("a"))));
 };
 
 } // namespace
 
-TEST_CASE("handle within an action waits; an action that throws leaves a machine that works; endless events are stopped", "[states]") {
+TEST_CASE(
+    "handle within an action waits; an action that throws leaves a machine that works; endless events are stopped",
+    "[states]") {
     each_representation([]<class R>() {
         Reentrant context;
         Machine<Calls, R> m;
@@ -231,17 +260,22 @@ namespace {
 
 struct Circle {
     using Context = Log;
-    static constexpr auto machine = states::machine(state("a", transition(on("x"), then(raise("y")), to("b"))), state("b", transition(on("y"), then(raise("x")), to("a"))));
+    static constexpr auto machine = states::machine(state("a", transition(on("x"), then(raise("y")), to("b"))),
+                                                    state("b", transition(on("y"), then(raise("x")), to("a"))));
 };
 
 } // namespace
 
-TEST_CASE("start is anew: no event of before, not stuck; not from an action; what is no state has no name", "[states]") {
+TEST_CASE("start is anew: no event of before, not stuck; not from an action; what is no state has no name",
+          "[states]") {
     each_representation([]<class R>() {
         Reentrant context;
         Machine<Calls, R> m;
         m.start(context);
-        context.call = [&]() -> bool { m.handle(context, "go"); throw 5; }; // one waits, and then
+        context.call = [&]() -> bool {
+            m.handle(context, "go");
+            throw 5;
+        }; // one waits, and then
         CHECK_THROWS_AS(m.handle(context, "go"), int);
         std::string said;
         context.call = [&] {
@@ -313,7 +347,8 @@ TEST_CASE("an event that nobody handles: ignored, counted, kept, refused", "[sta
 
         Machine<Flat, R, RefuseUnhandled> refuses;
         refuses.start(log);
-        CHECK_THAT(refusal([&] { refuses.handle(log, "armed"); }), ContainsSubstring("nobody handles the event \"armed\" in the state \"a\""));
+        CHECK_THAT(refusal([&] { refuses.handle(log, "armed"); }),
+                   ContainsSubstring("nobody handles the event \"armed\" in the state \"a\""));
         CHECK(refuses.is_in("a"));
         CHECK(refuses.handle(log, "e"));
 

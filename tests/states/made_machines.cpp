@@ -32,22 +32,21 @@ template <std::uint32_t Seed> struct Made {
     using Context = Bits;
     static constexpr auto e(std::uint32_t k) { return on(event_names[mixed(Seed, k) % 8]); }
     static constexpr auto t(std::uint32_t k) { return to(state_names[mixed(Seed, 100 + k) % (Seed % 2 ? 9 : 3)]); }
-    static constexpr auto b(std::uint32_t k) { return when(std::string_view("ABCDEF").substr(mixed(Seed, 200 + k) % 6, 1), Bit{mixed(Seed, 200 + k) % 6}); }
+    static constexpr auto b(std::uint32_t k) {
+        return when(std::string_view("ABCDEF").substr(mixed(Seed, 200 + k) % 6, 1), Bit{mixed(Seed, 200 + k) % 6});
+    }
     static constexpr auto history() {
-        if constexpr (Seed % 4 == 1)
-            return deep_history("h", to(mixed(Seed, 300) % 2 ? "v" : "x"));
-        else
-            return shallow_history("h", to(mixed(Seed, 300) % 2 ? "v" : "w"));
+        if constexpr (Seed % 4 == 1) return deep_history("h", to(mixed(Seed, 300) % 2 ? "v" : "x"));
+        else return shallow_history("h", to(mixed(Seed, 300) % 2 ? "v" : "w"));
     }
     static constexpr auto deep() {
-        return states::machine(initial(mixed(Seed, 301) % 2 ? "p" : "u"),
-            state("p", transition(e(1), t(1)), transition(b(3), t(3))),
+        return states::machine(
+            initial(mixed(Seed, 301) % 2 ? "p" : "u"), state("p", transition(e(1), t(1)), transition(b(3), t(3))),
             state("g", transition(e(7), b(7), t(7)), transition(b(8), t(8)), transition(e(9), t(9), internal()),
-                state("u", transition(e(10), t(10)), transition(e(11), b(11))),
-                state("v", transition(t(12), b(12)),
-                    state("x", transition(e(14), t(14))),
-                    state("y", transition(b(15), t(15)))),
-                final_state("w"), history()),
+                  state("u", transition(e(10), t(10)), transition(e(11), b(11))),
+                  state("v", transition(t(12), b(12)), state("x", transition(e(14), t(14))),
+                        state("y", transition(b(15), t(15)))),
+                  final_state("w"), history()),
             state("q", transition(on("c"), to("h")), transition(e(17), t(17))));
     }
     static constexpr auto flat() {
@@ -57,10 +56,8 @@ template <std::uint32_t Seed> struct Made {
             state("g", transition(e(11), t(11)), transition(b(12), t(12)), transition(b(13), t(13))));
     }
     static constexpr auto machine = [] {
-        if constexpr (Seed % 2)
-            return deep();
-        else
-            return flat();
+        if constexpr (Seed % 2) return deep();
+        else return flat();
     }();
 };
 
@@ -75,10 +72,8 @@ template <class D> bool same_unwatched(std::mt19937& random) {
     for (int i = 0; i < 400; ++i) {
         bits.bits = unsigned(random());
         const char* event = inputs[random() % 8];
-        if (random() % 3 == 0)
-            a.update(bits), b.update(bits), c.update(bits), d.update(bits);
-        else
-            a.handle(bits, event), b.handle(bits, event), c.handle(bits, event), d.handle(bits, event);
+        if (random() % 3 == 0) a.update(bits), b.update(bits), c.update(bits), d.update(bits);
+        else a.handle(bits, event), b.handle(bits, event), c.handle(bits, event), d.handle(bits, event);
         if (a.active() != b.active() || a.active() != c.active() || a.active() != d.active()) return false;
     }
     return true;
@@ -118,10 +113,12 @@ template <class D> bool same_in_all(std::mt19937& random) {
 TEST_CASE("fifty machines made at compile time: one trace in every representation", "[states]") {
     std::mt19937 random(7);
     [&]<std::uint32_t... S>(std::integer_sequence<std::uint32_t, S...>) {
-        ([&] {
-            INFO("machine " << S);
-            CHECK(same_in_all<Made<S>>(random));
-            if constexpr (S < 4) CHECK(same_unwatched<Made<S>>(random));
-        }(), ...);
+        (
+            [&] {
+                INFO("machine " << S);
+                CHECK(same_in_all<Made<S>>(random));
+                if constexpr (S < 4) CHECK(same_unwatched<Made<S>>(random));
+            }(),
+            ...);
     }(std::make_integer_sequence<std::uint32_t, 50>{});
 }

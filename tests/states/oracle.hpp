@@ -37,14 +37,17 @@ struct Oracle {
     void enter(std::size_t s) {
         path.push_back(s);
         say("+" + o.states[s].name);
-        if (o.states[s].kind == Kind::final && o.states[s].parent != 0) events.push_back("done.state." + o.states[o.states[s].parent].name);
+        if (o.states[s].kind == Kind::final && o.states[s].parent != 0)
+            events.push_back("done.state." + o.states[o.states[s].parent].name);
     }
     void go(std::size_t target) { // the path is above the target already
         const auto way = line(target);
         for (std::size_t i = path.size(); i < way.size(); ++i) {
             if (is_history(o.states[way[i]].kind)) {
                 const auto kept = remembered.find(way[i]);
-                go(kept == remembered.end() ? find(o.states[way[i]].initial.at(0)) : o.states[way[i]].kind == Kind::deep_history ? kept->second.back() : kept->second.front());
+                go(kept == remembered.end()                      ? find(o.states[way[i]].initial.at(0))
+                   : o.states[way[i]].kind == Kind::deep_history ? kept->second.back()
+                                                                 : kept->second.front());
                 return;
             }
             enter(way[i]);
@@ -58,7 +61,9 @@ struct Oracle {
         go(0);
         settle();
     }
-    bool guard(const Outline::Transition& t) const { return t.guard.empty() || (bits.bits >> (t.guard[0] - 'A') & 1) != 0; }
+    bool guard(const Outline::Transition& t) const {
+        return t.guard.empty() || (bits.bits >> (t.guard[0] - 'A') & 1) != 0;
+    }
     // what: an event's name, "?" for conditions, "!" for transitions without either
     bool step(const std::string& what) {
         for (std::size_t i = path.size(); i-- > 0;)
@@ -92,7 +97,8 @@ struct Oracle {
         if (common == target.size()) --common;
         for (auto s = path.size(); s-- > common;)
             for (std::size_t h = 1; h < o.states.size(); ++h)
-                if (is_history(o.states[h].kind) && o.states[h].parent == path[s]) remembered[h] = {path.begin() + std::ptrdiff_t(s) + 1, path.end()};
+                if (is_history(o.states[h].kind) && o.states[h].parent == path[s])
+                    remembered[h] = {path.begin() + std::ptrdiff_t(s) + 1, path.end()};
         while (path.size() > common) {
             say("-" + o.states[path.back()].name);
             path.pop_back();
@@ -111,10 +117,8 @@ struct Oracle {
         events.clear();
     }
     void handle(const std::string& event) {
-        if (step(event))
-            settle();
-        else
-            say("?");
+        if (step(event)) settle();
+        else say("?");
     }
     void update() {
         if (step("?")) settle();

@@ -33,11 +33,15 @@ Outline random_outline(std::mt19937& random) {
         std::vector<std::size_t> found;
         for (std::size_t d = s + 1; d < o.states.size(); ++d)
             for (std::size_t up = d; up != 0; up = o.states[up].parent)
-                if (o.states[up].parent == s) { found.push_back(d); break; }
+                if (o.states[up].parent == s) {
+                    found.push_back(d);
+                    break;
+                }
         return found;
     };
     for (std::size_t s = 0; s <= wanted; ++s)
-        if (const auto in = inside(s); !in.empty() && pick(3) == 0) o.states[s].initial = {o.states[in[pick(in.size())]].name};
+        if (const auto in = inside(s); !in.empty() && pick(3) == 0)
+            o.states[s].initial = {o.states[in[pick(in.size())]].name};
     // A history at the end of a state.
     if (const std::size_t s = 1 + pick(wanted); !inside(s).empty()) {
         const auto in = inside(s);
@@ -54,7 +58,8 @@ Outline random_outline(std::mt19937& random) {
     for (std::size_t s = 1; s < o.states.size(); ++s) {
         if (o.states[s].kind != Kind::state) continue;
         for (auto n = pick(4); n-- > 0;) {
-            static const char* const events[] = {"a", "b", "c", "a b", "b.*", "*", "c.d", "done.state.s1", "done.state.s2"};
+            static const char* const events[] = {
+                "a", "b", "c", "a b", "b.*", "*", "c.d", "done.state.s1", "done.state.s2"};
             Outline::Transition t;
             t.source = s;
             if (pick(4)) t.events = events[pick(9)];
@@ -68,7 +73,8 @@ Outline random_outline(std::mt19937& random) {
 }
 Bindings<Bits> names() {
     Bindings<Bits> n;
-    for (int i = 0; i < 6; ++i) n.guard(std::string(1, char('A' + i)), [i](const Bits& b) { return (b.bits >> i & 1) != 0; });
+    for (int i = 0; i < 6; ++i)
+        n.guard(std::string(1, char('A' + i)), [i](const Bits& b) { return (b.bits >> i & 1) != 0; });
     return n;
 }
 // The same machine as one part of a parallel state, beside one that does nothing.
@@ -117,14 +123,20 @@ TEST_CASE("ten thousand random machines do what an oracle says", "[states]") {
             }
         }
         const auto trace = without_numbers(text(machine));
-        if (trace != oracle.trace) FAIL("machine " << machine_number << "\n" << write_scxml(outline) << "\noracle: " << oracle.trace << "\nansatz: " << trace);
-        // Beside another part: the same, but for three states entered at the start; and its own root tells when it is done.
+        if (trace != oracle.trace)
+            FAIL("machine " << machine_number << "\n"
+                            << write_scxml(outline) << "\noracle: " << oracle.trace << "\nansatz: " << trace);
+        // Beside another part: the same, but for three states entered at the start; and its own root tells when it is
+        // done.
         auto beside_trace = without_numbers(text(part));
         for (const char* extra : {"+P ", "+R ", " +Q", " ?"})
-            for (auto at = beside_trace.find(extra); at != std::string::npos; at = beside_trace.find(extra)) beside_trace.erase(at, std::string(extra).size());
+            for (auto at = beside_trace.find(extra); at != std::string::npos; at = beside_trace.find(extra))
+                beside_trace.erase(at, std::string(extra).size());
         auto plain = trace;
         for (auto at = plain.find(" ?"); at != std::string::npos; at = plain.find(" ?")) plain.erase(at, 2);
-        if (beside_trace != plain) FAIL("machine " << machine_number << "\n" << write_scxml(outline) << "\nalone:  " << plain << "\nbeside: " << beside_trace);
+        if (beside_trace != plain)
+            FAIL("machine " << machine_number << "\n"
+                            << write_scxml(outline) << "\nalone:  " << plain << "\nbeside: " << beside_trace);
         transitions += std::size_t(std::count(trace.begin(), trace.end(), '*'));
         restored += outline.states.size() && oracle.remembered.size() ? 1 : 0;
     }

@@ -34,7 +34,10 @@ Names names() {
     n.log([](World_& w, std::string_view text) { w.did.push_back("log " + std::string(text)); });
     return n;
 }
-std::string in(const std::string& body, const std::string& attributes = "") { return "<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" version=\"1.0\"" + attributes + ">\n" + body + "\n</scxml>"; }
+std::string in(const std::string& body, const std::string& attributes = "") {
+    return "<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" version=\"1.0\"" + attributes + ">\n" + body +
+           "\n</scxml>";
+}
 std::string refused(const std::string& text) {
     return refusal([&] { parse_scxml(text, "guard.scxml", names()); });
 }
@@ -53,8 +56,8 @@ std::set<std::string> configuration(const auto& machine) {
 
 TEST_CASE("all conformance scripts of the SCION framework run as their scripts say", "[states]") {
     if (!fs::exists(data())) SKIP("no data: the scripts are not in this checkout");
-    // What the subset leaves out, by name: nothing of these. All 59 need no more than states, parallel parts, histories,
-    // raised events and the matching of names.
+    // What the subset leaves out, by name: nothing of these. All 59 need no more than states, parallel parts,
+    // histories, raised events and the matching of names.
     const std::set<std::string> left_out;
     std::size_t ran = 0;
     for (const auto& entry : fs::recursive_directory_iterator(data())) {
@@ -120,98 +123,147 @@ TEST_CASE("every element of the subset is read, bound and done in order", "[stat
 
 TEST_CASE("a bad file is refused with its path, line and name", "[states]") {
     const auto line2 = [](const std::string& body) { return refused(in(body)); };
-    CHECK_THAT(line2("<state id=\"a\"><transition event=\"e\" target=\"nowhere\"/></state>"), ContainsSubstring("guard.scxml:2: the transition of \"a\" names the state \"nowhere\", which is not there"));
-    CHECK_THAT(line2("<state id=\"a\"/>\n<state id=\"a\"/>"), ContainsSubstring("guard.scxml:3: the id \"a\" is taken already, by the state of line 2"));
-    CHECK_THAT(line2("<state id=\"a\"><transition cond=\"maybe\" target=\"a\"/></state>"), ContainsSubstring("guard.scxml:2: the transition of \"a\" has the guard \"maybe\", which is not bound; bound are: no, yes"));
-    CHECK_THAT(line2("<state id=\"a\"><onentry><script>four</script></onentry></state>"), ContainsSubstring("guard.scxml:2: the action \"four\" is not bound; bound are: one, three, two"));
-    CHECK_THAT(line2("<state id=\"a\"><onentry>\n<script>one<!-- and -->two</script></onentry></state>"), ContainsSubstring("guard.scxml:3: <script> holds the name of one action"));
-    CHECK_THAT(line2("<state id=\"a\"><onentry><script>one<b/></script></onentry></state>"), ContainsSubstring("guard.scxml:2: <script> holds the name of one action"));
-    CHECK_THAT(refused("<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n" + in("<state id=\"caf\xe9\"/>")), ContainsSubstring("guard.scxml:1: the encoding is \"ISO-8859-1\"; save the file as UTF-8"));
-    CHECK_NOTHROW(parse_scxml("\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n" + in("<state id=\"a\"><onentry><script><!-- what -->one</script></onentry></state>"), "f", names()));
+    CHECK_THAT(
+        line2("<state id=\"a\"><transition event=\"e\" target=\"nowhere\"/></state>"),
+        ContainsSubstring("guard.scxml:2: the transition of \"a\" names the state \"nowhere\", which is not there"));
+    CHECK_THAT(line2("<state id=\"a\"/>\n<state id=\"a\"/>"),
+               ContainsSubstring("guard.scxml:3: the id \"a\" is taken already, by the state of line 2"));
+    CHECK_THAT(
+        line2("<state id=\"a\"><transition cond=\"maybe\" target=\"a\"/></state>"),
+        ContainsSubstring(
+            "guard.scxml:2: the transition of \"a\" has the guard \"maybe\", which is not bound; bound are: no, yes"));
+    CHECK_THAT(line2("<state id=\"a\"><onentry><script>four</script></onentry></state>"),
+               ContainsSubstring("guard.scxml:2: the action \"four\" is not bound; bound are: one, three, two"));
+    CHECK_THAT(line2("<state id=\"a\"><onentry>\n<script>one<!-- and -->two</script></onentry></state>"),
+               ContainsSubstring("guard.scxml:3: <script> holds the name of one action"));
+    CHECK_THAT(line2("<state id=\"a\"><onentry><script>one<b/></script></onentry></state>"),
+               ContainsSubstring("guard.scxml:2: <script> holds the name of one action"));
+    CHECK_THAT(refused("<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n" + in("<state id=\"caf\xe9\"/>")),
+               ContainsSubstring("guard.scxml:1: the encoding is \"ISO-8859-1\"; save the file as UTF-8"));
+    CHECK_NOTHROW(parse_scxml("\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n" +
+                                  in("<state id=\"a\"><onentry><script><!-- what -->one</script></onentry></state>"),
+                              "f", names()));
     CHECK_NOTHROW(parse_scxml("<?xml version=\"1.0\"?>" + in("<state id=\"a\"/>"), "f", names()));
-    CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state>"), ContainsSubstring("guard.scxml:2: the state \"a\" names the state \"b\""));
-    CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state><state id=\"b\"/>"), ContainsSubstring("begins in \"b\", which is not inside it"));
-    CHECK_THAT(line2("<state id=\"a\">\n<transition event=\"e\" traget=\"a\"/></state>"), ContainsSubstring("guard.scxml:3: <transition> has the attribute \"traget\""));
-    CHECK_THAT(line2("<state id=\"a\"><invoke/></state>"), ContainsSubstring("guard.scxml:2: <invoke> is not in the subset"));
+    CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state>"),
+               ContainsSubstring("guard.scxml:2: the state \"a\" names the state \"b\""));
+    CHECK_THAT(line2("<state id=\"a\" initial=\"b\"><state id=\"c\"/></state><state id=\"b\"/>"),
+               ContainsSubstring("begins in \"b\", which is not inside it"));
+    CHECK_THAT(line2("<state id=\"a\">\n<transition event=\"e\" traget=\"a\"/></state>"),
+               ContainsSubstring("guard.scxml:3: <transition> has the attribute \"traget\""));
+    CHECK_THAT(line2("<state id=\"a\"><invoke/></state>"),
+               ContainsSubstring("guard.scxml:2: <invoke> is not in the subset"));
     CHECK_THAT(line2("<state id=\"a\"><stat id=\"b\"/></state>"), ContainsSubstring("<stat> cannot stand in <state>"));
     CHECK_THAT(line2("<state/>"), ContainsSubstring("guard.scxml:2: <state> has no id"));
     CHECK_THAT(line2("<state id=\"a\">walk</state>"), ContainsSubstring("text stands in <state>: \"walk\""));
     CHECK_THAT(line2("<state id=\"a\"><transition/></state>"), ContainsSubstring("it would happen for ever"));
-    CHECK_THAT(line2("<state id=\"a\"><history id=\"h\"/><state id=\"b\"/></state>"), ContainsSubstring("holds one <transition"));
-    CHECK_THAT(line2("<state id=\"a\"><history id=\"h\" type=\"wide\"><transition target=\"b\"/></history><state id=\"b\"/></state>"), ContainsSubstring("shallow or deep, not \"wide\""));
-    CHECK_THAT(line2("<final id=\"a\"><transition event=\"e\" target=\"a\"/></final>"), ContainsSubstring("<transition> cannot stand in <final>"));
-    CHECK_THAT(line2("<state id=\"a\"><transition event=\"e\" target=\"a b\"/></state><state id=\"b\"/>"), ContainsSubstring("never active together"));
+    CHECK_THAT(line2("<state id=\"a\"><history id=\"h\"/><state id=\"b\"/></state>"),
+               ContainsSubstring("holds one <transition"));
+    CHECK_THAT(line2("<state id=\"a\"><history id=\"h\" type=\"wide\"><transition target=\"b\"/></history><state "
+                     "id=\"b\"/></state>"),
+               ContainsSubstring("shallow or deep, not \"wide\""));
+    CHECK_THAT(line2("<final id=\"a\"><transition event=\"e\" target=\"a\"/></final>"),
+               ContainsSubstring("<transition> cannot stand in <final>"));
+    CHECK_THAT(line2("<state id=\"a\"><transition event=\"e\" target=\"a b\"/></state><state id=\"b\"/>"),
+               ContainsSubstring("never active together"));
     CHECK_THAT(line2("<state id=\"a\" id=\"b\"/>"), ContainsSubstring("guard.scxml:2: "));
     CHECK_THAT(line2("<state id=\"a\"><x:y/></state>"), ContainsSubstring("prefix of \"x:y\" is not declared"));
     CHECK_THAT(line2(""), ContainsSubstring("the machine has no states"));
-    CHECK_THAT(refused("<scxml>\n<state id=\"a\">\n</scxml>"), ContainsSubstring("guard.scxml:3: it is no well-formed XML"));
+    CHECK_THAT(refused("<scxml>\n<state id=\"a\">\n</scxml>"),
+               ContainsSubstring("guard.scxml:3: it is no well-formed XML"));
     CHECK_THAT(refused(""), ContainsSubstring("guard.scxml:1: "));
     CHECK_THAT(refused("<html/>"), ContainsSubstring("the root is <html>; a machine begins with <scxml>"));
     CHECK_THAT(refused(in("<state id=\"a\"/>") + "<scxml/>"), ContainsSubstring("a second root element"));
-    CHECK_THAT(refused("<scxml xmlns=\"http://example.org\"><state id=\"a\"/></scxml>"), ContainsSubstring("that of SCXML is"));
-    CHECK_THAT(refused(std::string("<scxml>\n\0</scxml>", 17)), ContainsSubstring("guard.scxml:2: a byte with the value 0"));
-    CHECK_THAT(refusal([] { read_scxml("/no/such/file.scxml", names()); }), ContainsSubstring("/no/such/file.scxml: the file cannot be opened"));
+    CHECK_THAT(refused("<scxml xmlns=\"http://example.org\"><state id=\"a\"/></scxml>"),
+               ContainsSubstring("that of SCXML is"));
+    CHECK_THAT(refused(std::string("<scxml>\n\0</scxml>", 17)),
+               ContainsSubstring("guard.scxml:2: a byte with the value 0"));
+    CHECK_THAT(refusal([] { read_scxml("/no/such/file.scxml", names()); }),
+               ContainsSubstring("/no/such/file.scxml: the file cannot be opened"));
     CHECK_THAT(refusal([] { read_scxml("/", names()); }), ContainsSubstring("/: "));
     const auto alone = in("<state id=\"a\"/>\n<state id=\"island\"/>");
     CHECK_NOTHROW(parse_scxml(alone, "f", names()));
-    CHECK_THAT(refusal([&] { parse_scxml(alone, "f", names(), ReadOptions{.refuse_unreachable = true}); }), ContainsSubstring("f:3: the state \"island\" is unreachable"));
+    CHECK_THAT(refusal([&] { parse_scxml(alone, "f", names(), ReadOptions{.refuse_unreachable = true}); }),
+               ContainsSubstring("f:3: the state \"island\" is unreachable"));
 }
 
 TEST_CASE("tricks with entities, depth and size end in a sentence, soon", "[states]") {
     std::string laughs = "<!DOCTYPE scxml [<!ENTITY a \"ha\">";
-    for (char c = 'b'; c <= 'z'; ++c) laughs += std::string("<!ENTITY ") + c + " \"&" + char(c - 1) + ";&" + char(c - 1) + ";\">";
+    for (char c = 'b'; c <= 'z'; ++c)
+        laughs += std::string("<!ENTITY ") + c + " \"&" + char(c - 1) + ";&" + char(c - 1) + ";\">";
     CHECK_THAT(refused(laughs + "]>\n<scxml><state id=\"&z;\"/></scxml>"), ContainsSubstring("a document type"));
-    CHECK_THAT(refused("<!DOCTYPE s [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><scxml><state id=\"&x;\"/></scxml>"), ContainsSubstring("a document type"));
-    CHECK(parse_outline("<scxml><state id=\"&x;\"/></scxml>", "f").states[1].name == "&x;"); // nobody declares it: four letters
+    CHECK_THAT(refused("<!DOCTYPE s [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><scxml><state id=\"&x;\"/></scxml>"),
+               ContainsSubstring("a document type"));
+    CHECK(parse_outline("<scxml><state id=\"&x;\"/></scxml>", "f").states[1].name ==
+          "&x;"); // nobody declares it: four letters
 
     std::string deep;
     for (int i = 0; i < 1000000; ++i) deep += "<state id=\"s" + std::to_string(i) + "\">";
     for (int i = 0; i < 1000000; ++i) deep += "</state>";
-    CHECK_THAT(refused(in(deep)), ContainsSubstring(deep.size() > (16u << 20) ? "longer than 16 MB" : "nested more than 256 deep"));
+    CHECK_THAT(refused(in(deep)),
+               ContainsSubstring(deep.size() > (16u << 20) ? "longer than 16 MB" : "nested more than 256 deep"));
     std::string shorter;
     for (int i = 0; i < 500000; ++i) shorter += "<state id=\"s\">";
     for (int i = 0; i < 500000; ++i) shorter += "</state>";
     CHECK_THAT(refused(in(shorter)), ContainsSubstring("nested more than 256 deep"));
     CHECK_THAT(refused(in(std::string(100u << 20, ' '))), ContainsSubstring("guard.scxml: it is longer than 16 MB"));
-    CHECK_THAT(refused(in("<state id=\"" + std::string(1u << 20, 'x') + "\"><transition event=\"e\" target=\"" + std::string(1u << 20, 'y') + "\"/></state>")).substr(0, 500), ContainsSubstring("..."));
+    CHECK_THAT(refused(in("<state id=\"" + std::string(1u << 20, 'x') + "\"><transition event=\"e\" target=\"" +
+                          std::string(1u << 20, 'y') + "\"/></state>"))
+                   .substr(0, 500),
+               ContainsSubstring("..."));
 
     std::string many; // states and events whose product is too much for a table
-    for (int i = 0; i < 20000; ++i) many += "<state id=\"s" + std::to_string(i) + "\"><transition event=\"e" + std::to_string(i) + "\" target=\"s0\"/></state>";
+    for (int i = 0; i < 20000; ++i)
+        many += "<state id=\"s" + std::to_string(i) + "\"><transition event=\"e" + std::to_string(i) +
+                "\" target=\"s0\"/></state>";
     CHECK_THAT(refused(in(many)), ContainsSubstring("20001 states and 20001 events"));
 }
 
 TEST_CASE("a refused file changes nothing, and a good one is taken over between updates", "[states]") {
-    const auto first = parse_scxml(in("<state id=\"a\"><transition event=\"go\" target=\"b\"/></state><state id=\"b\"><onentry><script>one</script></onentry><transition event=\"go\" target=\"a\"/></state>"), "f", names());
+    const auto first = parse_scxml(
+        in("<state id=\"a\"><transition event=\"go\" target=\"b\"/></state><state "
+           "id=\"b\"><onentry><script>one</script></onentry><transition event=\"go\" target=\"a\"/></state>"),
+        "f", names());
     World_ world;
     Machine<InFile<World_>, Interpreted, Everything> machine{first, Everything{}};
     machine.start(world);
     machine.handle(world, "go");
     CHECK(machine.active_name() == "b");
-    CHECK_THROWS(machine.reload(world, parse_scxml(in("<state id=\"b\"><transition event=\"go\" target=\"x\"/></state>"), "f", names())));
+    CHECK_THROWS(machine.reload(
+        world, parse_scxml(in("<state id=\"b\"><transition event=\"go\" target=\"x\"/></state>"), "f", names())));
     CHECK(machine.active_name() == "b");
     CHECK(&machine.chart() == first.get());
 
     world.did.clear();
     machine.get<Everything>().all.clear();
     SECTION("the state is there: nothing is left, nothing is entered") {
-        CHECK(machine.reload(world, parse_scxml(in("<state id=\"c\"/><state id=\"b\"><onentry><script>two</script></onentry><transition event=\"go\" target=\"c\"/></state>"), "f", names())) == Reloaded::same_states);
+        CHECK(machine.reload(
+                  world,
+                  parse_scxml(in("<state id=\"c\"/><state id=\"b\"><onentry><script>two</script></onentry><transition "
+                                 "event=\"go\" target=\"c\"/></state>"),
+                              "f", names())) == Reloaded::same_states);
         CHECK(world.did.empty());
         CHECK(text_since(machine).empty());
         machine.handle(world, "go");
         CHECK(machine.active_name() == "c");
     }
     SECTION("the state is gone: the machine begins anew") {
-        CHECK(machine.reload(world, parse_scxml(in("<state id=\"x\"><onentry><script>two</script></onentry></state>"), "f", names())) == Reloaded::other_states);
+        CHECK(machine.reload(world, parse_scxml(in("<state id=\"x\"><onentry><script>two</script></onentry></state>"),
+                                                "f", names())) == Reloaded::other_states);
         CHECK(machine.active_name() == "x");
         CHECK(world.did == std::vector<std::string>{"two"});
     }
     SECTION("the state has states now: its initial one is entered") {
-        CHECK(machine.reload(world, parse_scxml(in("<state id=\"x\"/><state id=\"b\"><state id=\"b1\"/><state id=\"b2\"/></state>"), "f", names())) == Reloaded::other_states);
+        CHECK(
+            machine.reload(
+                world, parse_scxml(in("<state id=\"x\"/><state id=\"b\"><state id=\"b1\"/><state id=\"b2\"/></state>"),
+                                   "f", names())) == Reloaded::other_states);
         CHECK(machine.active_name() == "b1");
         CHECK(text_since(machine) == "+b1");
     }
     SECTION("into parallel states and back") {
-        CHECK(machine.reload(world, parse_scxml(in("<parallel id=\"p\"><state id=\"q\"><state id=\"q1\"/><state id=\"b\"/></state><state id=\"r\"/></parallel>"), "f", names())) == Reloaded::other_states);
+        CHECK(machine.reload(world, parse_scxml(in("<parallel id=\"p\"><state id=\"q\"><state id=\"q1\"/><state "
+                                                   "id=\"b\"/></state><state id=\"r\"/></parallel>"),
+                                                "f", names())) == Reloaded::other_states);
         CHECK(configuration(machine) == std::set<std::string>{"b", "r"});
         CHECK(machine.reload(world, first) == Reloaded::other_states);
         CHECK(machine.active_name() == "b");
@@ -221,21 +273,47 @@ TEST_CASE("a refused file changes nothing, and a good one is taken over between 
         SharedChart<World_> other = first;
         std::string said;
         n.action("reload", [&](World_& w) { said = refusal([&] { machine.reload(w, other); }); });
-        machine.reload(world, parse_scxml(in("<state id=\"b\"><transition event=\"go\"><script>reload</script></transition></state>"), "f", n));
+        machine.reload(
+            world,
+            parse_scxml(in("<state id=\"b\"><transition event=\"go\"><script>reload</script></transition></state>"),
+                        "f", n));
         machine.handle(world, "go");
         CHECK_THAT(said, ContainsSubstring("from an action"));
     }
 }
 
 TEST_CASE("no text makes the reader fall over", "[states]") {
-    // Grammar-aware noise: pieces of machines glued together, bytes changed, cut and doubled. ANSATZ_FUZZ_SECONDS says how long.
+    // Grammar-aware noise: pieces of machines glued together, bytes changed, cut and doubled. ANSATZ_FUZZ_SECONDS says
+    // how long.
     const char* set = std::getenv("ANSATZ_FUZZ_SECONDS");
     const double seconds = set != nullptr ? std::atof(set) : 2;
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<std::string> pieces = {
-        "<state id=\"a\">", "</state>", "<state id=\"b\"/>", "<parallel id=\"p\">", "</parallel>", "<final id=\"f\"/>", "<transition event=\"e\" target=\"a\"/>", "<transition cond=\"yes\" target=\"b\"/>",
-        "<transition target=\"h\"/>", "<history id=\"h\" type=\"deep\"><transition target=\"a\"/></history>", "<history id=\"k\"><transition target=\"b p\"/></history>", "<onentry><raise event=\"e\"/><script>one</script></onentry>",
-        "<initial><transition target=\"b\"/></initial>", "<transition event=\"e.* done.state.a *\" target=\"a b\" type=\"internal\"><raise event=\"e.x\"/></transition>", "<state id=\"c\" initial=\"b\">", "<!--", "-->", "<![CDATA[", "]]>", "&amp;", "&#0;", "\"", "<", ">", "\xff\xfe"};
+        "<state id=\"a\">",
+        "</state>",
+        "<state id=\"b\"/>",
+        "<parallel id=\"p\">",
+        "</parallel>",
+        "<final id=\"f\"/>",
+        "<transition event=\"e\" target=\"a\"/>",
+        "<transition cond=\"yes\" target=\"b\"/>",
+        "<transition target=\"h\"/>",
+        "<history id=\"h\" type=\"deep\"><transition target=\"a\"/></history>",
+        "<history id=\"k\"><transition target=\"b p\"/></history>",
+        "<onentry><raise event=\"e\"/><script>one</script></onentry>",
+        "<initial><transition target=\"b\"/></initial>",
+        "<transition event=\"e.* done.state.a *\" target=\"a b\" type=\"internal\"><raise event=\"e.x\"/></transition>",
+        "<state id=\"c\" initial=\"b\">",
+        "<!--",
+        "-->",
+        "<![CDATA[",
+        "]]>",
+        "&amp;",
+        "&#0;",
+        "\"",
+        "<",
+        ">",
+        "\xff\xfe"};
     std::mt19937_64 random(5);
     std::size_t tried = 0, accepted = 0;
     while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < seconds) {
@@ -243,7 +321,8 @@ TEST_CASE("no text makes the reader fall over", "[states]") {
         std::vector<std::string> open;
         for (auto n = random() % 14; n-- > 0;) {
             body += pieces[random() % (random() % 8 ? pieces.size() - 10 : pieces.size())];
-            if (body.ends_with("\">") && !body.ends_with("]>")) open.push_back(body.ends_with("\"p\">") ? "</parallel>" : "</state>");
+            if (body.ends_with("\">") && !body.ends_with("]>"))
+                open.push_back(body.ends_with("\"p\">") ? "</parallel>" : "</state>");
             if (!open.empty() && body.ends_with(open.back())) open.pop_back();
         }
         for (; !open.empty() && random() % 8; open.pop_back()) body += open.back();
@@ -251,9 +330,9 @@ TEST_CASE("no text makes the reader fall over", "[states]") {
         for (auto n = random() % 3; n-- > 0 && random() % 2;) {
             const auto at = random() % text.size();
             switch (random() % 3) {
-                case 0: text[at] = char(random()); break;
-                case 1: text.erase(at, 1 + random() % 9); break;
-                default: text.insert(at, text.substr(random() % text.size(), random() % 60));
+            case 0: text[at] = char(random()); break;
+            case 1: text.erase(at, 1 + random() % 9); break;
+            default: text.insert(at, text.substr(random() % text.size(), random() % 60));
             }
             if (text.empty()) break;
         }

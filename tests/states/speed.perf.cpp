@@ -33,15 +33,17 @@ struct Add {
 template <bool Acts, int I, int K> constexpr auto made() {
     if constexpr (Acts && guarded(I, K))
         return transition(on(names[takes(I, K)]), when(Odd{}), then(Add{}), to(names[goes(I, K)]));
-    else if constexpr (Acts)
-        return transition(on(names[takes(I, K)]), then(Add{}), to(names[goes(I, K)]));
-    else
-        return transition(on(names[takes(I, K)]), to(names[goes(I, K)]));
+    else if constexpr (Acts) return transition(on(names[takes(I, K)]), then(Add{}), to(names[goes(I, K)]));
+    else return transition(on(names[takes(I, K)]), to(names[goes(I, K)]));
 }
-template <bool Acts, int I, int... K> constexpr auto made_state(std::integer_sequence<int, K...>) { return state(names[I], made<Acts, I, K>()...); }
+template <bool Acts, int I, int... K> constexpr auto made_state(std::integer_sequence<int, K...>) {
+    return state(names[I], made<Acts, I, K>()...);
+}
 template <bool Acts> struct Ten {
     using Context = Counter;
-    static constexpr auto machine = []<int... I>(std::integer_sequence<int, I...>) { return states::machine(made_state<Acts, I>(std::make_integer_sequence<int, count(I)>{})...); }(std::make_integer_sequence<int, 10>{});
+    static constexpr auto machine = []<int... I>(std::integer_sequence<int, I...>) {
+        return states::machine(made_state<Acts, I>(std::make_integer_sequence<int, count(I)>{})...);
+    }(std::make_integer_sequence<int, 10>{});
 };
 
 // ---------------------------------------------------------------- by hand
@@ -51,25 +53,31 @@ template <bool Acts, int I, int K> [[gnu::always_inline]] inline bool row(Counte
     if constexpr (Acts) ++c.n;
     return true;
 }
-#define ROW(I, K) case takes(I, K): if (!row<Acts, I, K>(c)) return false; GO(I, K); return true;
-#define ROWS4(I) switch (e) { ROW(I, 0) ROW(I, 1) ROW(I, 2) ROW(I, 3) default: return false; }
-#define ROWS5(I) switch (e) { ROW(I, 0) ROW(I, 1) ROW(I, 2) ROW(I, 3) ROW(I, 4) default: return false; }
+#define ROW(I, K)                                                                                                      \
+    case takes(I, K):                                                                                                  \
+        if (!row<Acts, I, K>(c)) return false;                                                                         \
+        GO(I, K);                                                                                                      \
+        return true;
+#define ROWS4(I)                                                                                                       \
+    switch (e) { ROW(I, 0) ROW(I, 1) ROW(I, 2) ROW(I, 3) default : return false; }
+#define ROWS5(I)                                                                                                       \
+    switch (e) { ROW(I, 0) ROW(I, 1) ROW(I, 2) ROW(I, 3) ROW(I, 4) default : return false; }
 #define GO(I, K) now = goes(I, K)
 template <bool Acts> struct BySwitch {
     unsigned now = 0;
     bool handle(Counter& c, unsigned e) {
         switch (now) {
-            case 0: ROWS4(0)
-            case 1: ROWS5(1)
-            case 2: ROWS4(2)
-            case 3: ROWS5(3)
-            case 4: ROWS4(4)
-            case 5: ROWS5(5)
-            case 6: ROWS4(6)
-            case 7: ROWS5(7)
-            case 8: ROWS4(8)
-            case 9: ROWS5(9)
-            default: return false;
+        case 0: ROWS4(0)
+        case 1: ROWS5(1)
+        case 2: ROWS4(2)
+        case 3: ROWS5(3)
+        case 4: ROWS4(4)
+        case 5: ROWS5(5)
+        case 6: ROWS4(6)
+        case 7: ROWS5(7)
+        case 8: ROWS4(8)
+        case 9: ROWS5(9)
+        default: return false;
         }
     }
 };
@@ -101,7 +109,8 @@ template <bool Acts> void measure(const char* what) {
     std::mt19937 random(3);
     std::vector<unsigned> raw(n);
     std::vector<EventId> events(n);
-    for (std::size_t i = 0; i < n; ++i) raw[i] = unsigned(random() % 10), events[i] = Machine<D, Switch>::event(names[raw[i]]);
+    for (std::size_t i = 0; i < n; ++i)
+        raw[i] = unsigned(random() % 10), events[i] = Machine<D, Switch>::event(names[raw[i]]);
     BySwitch<Acts> hand;
     ByClasses<Acts> classes;
     Machine<D, Switch> a;
@@ -118,13 +127,16 @@ template <bool Acts> void measure(const char* what) {
         best[k] = std::min(best[k], std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     };
     for (int repeat = 0; repeat < 60; ++repeat) {
-        timed(0, hand, raw), timed(2, a, events), timed(3, b, events), timed(1, classes, raw), timed(4, c, events), timed(5, d, events);
+        timed(0, hand, raw), timed(2, a, events), timed(3, b, events), timed(1, classes, raw), timed(4, c, events),
+            timed(5, d, events);
     }
     for (int k = 1; k < 6; ++k) CHECK(taken[k] == taken[0]);
     std::ostringstream table;
-    table << std::fixed << std::setprecision(2) << what << ", ns an event: hand switch " << best[0] / n * 1e9 << ", hand virtual " << best[1] / n * 1e9 << ", Switch " << best[2] / n * 1e9 << " (x"
-          << best[2] / best[0] << "), Table " << best[3] / n * 1e9 << " (x" << best[3] / best[0] << "), StatePattern " << best[4] / n * 1e9 << " (x" << best[4] / best[1] << " of virtual), Interpreted "
-          << best[5] / n * 1e9 << " (x" << best[5] / best[0] << ")";
+    table << std::fixed << std::setprecision(2) << what << ", ns an event: hand switch " << best[0] / n * 1e9
+          << ", hand virtual " << best[1] / n * 1e9 << ", Switch " << best[2] / n * 1e9 << " (x" << best[2] / best[0]
+          << "), Table " << best[3] / n * 1e9 << " (x" << best[3] / best[0] << "), StatePattern " << best[4] / n * 1e9
+          << " (x" << best[4] / best[1] << " of virtual), Interpreted " << best[5] / n * 1e9 << " (x"
+          << best[5] / best[0] << ")";
     WARN(table.str());
     CHECK(best[2] <= 1.3 * best[0]);
     CHECK(best[3] <= 1.3 * best[Acts ? 1 : 0]); // see below
@@ -134,8 +146,12 @@ template <bool Acts> void measure(const char* what) {
 
 } // namespace
 
-TEST_CASE("an event costs what it costs by hand: ten states, 45 transitions", "[states]") { measure<false>("transitions alone"); }
+TEST_CASE("an event costs what it costs by hand: ten states, 45 transitions", "[states]") {
+    measure<false>("transitions alone");
+}
 
-// Where every transition acts, a table calls through a pointer for each event, as virtual functions do and a switch does not:
-// 1.37 times the switch was measured, 0.97 times virtual functions. The bound is theirs there.
-TEST_CASE("an event costs what it costs by hand: with guards and actions", "[states]") { measure<true>("with guards and actions"); }
+// Where every transition acts, a table calls through a pointer for each event, as virtual functions do and a switch
+// does not: 1.37 times the switch was measured, 0.97 times virtual functions. The bound is theirs there.
+TEST_CASE("an event costs what it costs by hand: with guards and actions", "[states]") {
+    measure<true>("with guards and actions");
+}

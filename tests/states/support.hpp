@@ -32,10 +32,10 @@ inline std::string text(const auto& machine) {
     for (const auto& h : machine.template get<Everything>().all) {
         if (!out.empty()) out += ' ';
         switch (h.what) {
-            case What::exited: out += "-" + std::string(machine.name(h.state)); break;
-            case What::entered: out += "+" + std::string(machine.name(h.state)); break;
-            case What::took: out += "*" + std::to_string(index(h.transition)); break;
-            case What::unhandled: out += "?" + std::to_string(index(h.event)); break;
+        case What::exited: out += "-" + std::string(machine.name(h.state)); break;
+        case What::entered: out += "+" + std::string(machine.name(h.state)); break;
+        case What::took: out += "*" + std::to_string(index(h.transition)); break;
+        case What::unhandled: out += "?" + std::to_string(index(h.event)); break;
         }
     }
     return out;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What a user brings into a machine, in every representation: classes of states of any type, members as guards and actions.
+// What a user brings into a machine, in every representation: classes of states of any type, members as guards and
+// actions.
 
 #include <ansatz/states/describe.hpp>
 #include <ansatz/states/machine.hpp>
@@ -26,7 +27,8 @@ struct Diary {
 struct Writes {
     using Context = Reader;
     static constexpr auto machine = states::machine(
-        state("write", behaves<Diary>("Diary"), transition(on("stop"), when([](const Reader& l) { return l.armed; }), to("read")),
+        state("write", behaves<Diary>("Diary"),
+              transition(on("stop"), when([](const Reader& l) { return l.armed; }), to("read")),
               transition(when([](const Reader&, const Diary& d) { return d.days.size() == 2; }), to("read"))),
         state("read"));
 };
@@ -38,7 +40,9 @@ struct Oven {
 };
 struct Bakes {
     using Context = Oven;
-    static constexpr auto machine = states::machine(state("wait", transition(when(&Oven::ready), to("bake"))), state("bake", on_entry(&Oven::ring), transition(when(&Oven::warm), then(&Oven::ring), to("wait"))));
+    static constexpr auto machine = states::machine(
+        state("wait", transition(when(&Oven::ready), to("bake"))),
+        state("bake", on_entry(&Oven::ring), transition(when(&Oven::warm), then(&Oven::ring), to("wait"))));
 };
 
 } // namespace

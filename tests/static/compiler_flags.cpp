@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Under the flags that are not refused NaN and infinity are told from numbers (tests/core/compiler_flags.sh has those that are).
+// Under the flags that are not refused NaN and infinity are told from numbers (tests/core/compiler_flags.sh has those
+// that are).
 
 #include <ansatz/core/compiler_flags.hpp>
 

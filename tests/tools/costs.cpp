@@ -20,7 +20,8 @@ using namespace ansatz::workbook;
 namespace {
 
 struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("ansatz-costs-" + std::to_string(::getpid()));
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("ansatz-costs-" + std::to_string(::getpid()));
     ~Folder() { std::filesystem::remove_all(path); }
 };
 
@@ -31,16 +32,23 @@ double spin(int loops) {
     return x;
 }
 
-const Axis integrator{.name = "integrator", .error_norm = "max |x - exact| (m)", .work_unit = "steps", .time_unit = "ns per step"};
+const Axis integrator{
+    .name = "integrator", .error_norm = "max |x - exact| (m)", .work_unit = "steps", .time_unit = "ns per step"};
 
 // A made-up second-order method on a ladder whose coarsest step diverges.
 void add_ladder(Costs& costs) {
     for (int i = 0; i < 6; ++i) {
         const double dt = 0.4 / std::pow(2.0, i);
         const int steps = 4 << i;
-        costs.add(integrator, {.choice = "Second", .problem = "made up", .parameter = {"dt", dt}, .n = 1, .known_order = 2.0,
-                               .error_run = [=] { return Outcome{.error = dt * dt, .work = steps, .diverged = i == 0}; },
-                               .timed_run = [=] { return spin(100 * steps); }, .per = steps});
+        costs.add(integrator,
+                  {.choice = "Second",
+                   .problem = "made up",
+                   .parameter = {"dt", dt},
+                   .n = 1,
+                   .known_order = 2.0,
+                   .error_run = [=] { return Outcome{.error = dt * dt, .work = steps, .diverged = i == 0}; },
+                   .timed_run = [=] { return spin(100 * steps); },
+                   .per = steps});
     }
 }
 
@@ -62,7 +70,7 @@ TEST_CASE("cases become rows in their order, with errors, orders and times per u
     CHECK(rows[0].diverged);
     CHECK_FALSE(rows[0].error);
     CHECK_FALSE(rows[0].order);
-    CHECK(rows[0].time);                                     // it diverges, and still takes its time
+    CHECK(rows[0].time); // it diverges, and still takes its time
     for (std::size_t i = 1; i < rows.size(); ++i) {
         REQUIRE(rows[i].order);
         CHECK(std::abs(*rows[i].order - 2) < 1e-9);
@@ -78,7 +86,8 @@ TEST_CASE("cases become rows in their order, with errors, orders and times per u
 
 TEST_CASE("an error that is not a number is a diverged row, though nobody said so", "[costs]") {
     Costs costs{"made_up", {}};
-    costs.add(integrator, {.choice = "Bad", .error_run = [] { return Outcome{.error = std::numeric_limits<double>::quiet_NaN()}; }});
+    costs.add(integrator, {.choice = "Bad",
+                           .error_run = [] { return Outcome{.error = std::numeric_limits<double>::quiet_NaN()}; }});
     CostsOptions options = quick();
     options.untimed = true;
     const Rows rows = costs.measure(options);
@@ -91,7 +100,9 @@ TEST_CASE("an axis without order gets none, however regular its numbers look", "
     const Axis bytes{.name = "scalar", .work_unit = "bytes per body", .has_order = false};
     Costs costs{"made_up", {}};
     for (int i = 0; i < 5; ++i)
-        costs.add(bytes, {.choice = "float", .parameter = {"n", std::pow(2.0, -i)}, .known_order = std::nullopt,
+        costs.add(bytes, {.choice = "float",
+                          .parameter = {"n", std::pow(2.0, -i)},
+                          .known_order = std::nullopt,
                           .error_run = [=] { return Outcome{.error = std::pow(2.0, -i), .work = 24}; }});
     CostsOptions options = quick();
     options.untimed = true;
@@ -103,12 +114,17 @@ TEST_CASE("a run longer than the limit is run once and has no spread", "[costs]"
     TimingPlan plan;
     plan.once_above_seconds = 1e-7;
     plan.show_progress = false;
-    const auto timings = time_runs({Timed{[&] { ++runs; return spin(200000); }}, Timed{}}, plan);
+    const auto timings = time_runs({Timed{[&] {
+                                        ++runs;
+                                        return spin(200000);
+                                    }},
+                                    Timed{}},
+                                   plan);
     REQUIRE(timings.size() == 2);
     CHECK(runs == 1);
     CHECK(timings[0].nanoseconds);
     CHECK_FALSE(timings[0].spread);
-    CHECK_FALSE(timings[1].nanoseconds);                     // nothing to time
+    CHECK_FALSE(timings[1].nanoseconds); // nothing to time
 }
 
 TEST_CASE("twice the work takes about twice the time", "[costs]") {
@@ -120,7 +136,7 @@ TEST_CASE("twice the work takes about twice the time", "[costs]") {
     REQUIRE(timings[0].nanoseconds);
     REQUIRE(timings[1].nanoseconds);
     const double ratio = *timings[1].nanoseconds / *timings[0].nanoseconds;
-    CHECK(ratio > 1.5);                                      // a busy machine may bend it, not to one
+    CHECK(ratio > 1.5); // a busy machine may bend it, not to one
     CHECK(ratio < 3);
 }
 
@@ -147,7 +163,9 @@ TEST_CASE("the program writes its table, and says in its exit code whether order
     Costs bad{"made_up", {"--untimed", "--check", "--out", folder.path.string()}};
     for (int i = 0; i < 5; ++i) {
         const double dt = std::pow(0.5, i);
-        bad.add(integrator, {.choice = "First", .parameter = {"dt", dt}, .known_order = 2.0, .error_run = [=] { return Outcome{.error = dt}; }});
+        bad.add(integrator, {.choice = "First", .parameter = {"dt", dt}, .known_order = 2.0, .error_run = [=] {
+                                 return Outcome{.error = dt};
+                             }});
     }
     CHECK(bad.run(out) == 1);
 }

@@ -24,14 +24,15 @@ TEST_CASE("numbers are equal but for rounding", "[exercises]") {
     CHECK_FALSE(same_numbers({inf}, {-inf}));
     CHECK_FALSE(same_numbers({1e-300}, {2e-300})); // no absolute tolerance: small numbers are numbers
     CHECK_FALSE(same_numbers({0}, {1e-300}));
-    // Where terms cancel, what is left of the rounding is small against the others, and against zero it is infinitely much.
+    // Where terms cancel, what is left of the rounding is small against the others, and against zero it is infinitely
+    // much.
     CHECK(same_numbers({1, 0}, {1, -1e-16}));
     CHECK(same_numbers({0, -40, 7}, {3e-15, -40, 7}));
     CHECK(same_numbers({nan, 0, 1e3}, {nan, 2e-14, 1e3}));
     CHECK_FALSE(same_numbers({1, 0}, {1, 1e-9}));
-    CHECK_FALSE(same_numbers({1, 1e-6}, {1, 1.001e-6})); // small, but no rounding
+    CHECK_FALSE(same_numbers({1, 1e-6}, {1, 1.001e-6}));      // small, but no rounding
     CHECK_FALSE(same_numbers({1e5, 1e-9}, {1e5, 1.0025e-9})); // the smaller root, from which the digits are gone
-    CHECK_FALSE(same_numbers({inf, 0}, {inf, 1e-16}));   // what is infinite is no measure
+    CHECK_FALSE(same_numbers({inf, 0}, {inf, 1e-16}));        // what is infinite is no measure
 }
 
 TEST_CASE("a mistake is recognised in the tasks where it is made, whatever the others are", "[exercises]") {
@@ -57,7 +58,8 @@ TEST_CASE("probes are read as they were written; what threw or broke off is left
     const Probes probes = read_probes(file);
     std::remove(file.c_str());
     REQUIRE(probes.size() == 2);
-    CHECK(same_numbers(probes.at(1), {1.5, -0.125, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}));
+    CHECK(same_numbers(probes.at(1), {1.5, -0.125, std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::quiet_NaN()}));
     CHECK(probes.at(4) == std::vector<double>{1});
     CHECK(read_probes("/no/such/file").empty());
 }

@@ -35,14 +35,16 @@ struct Folder {
 } // namespace
 
 TEST_CASE("a row has exactly the promised keys, whether they have a value or not", "[costs][json]") {
-    const std::set<std::string> promised{"axis", "choice", "problem", "parameter", "n", "error", "error_norm", "work",
-                                         "work_unit", "time", "time_unit", "spread", "order", "known_order", "diverged"};
+    const std::set<std::string> promised{"axis",      "choice",     "problem", "parameter",   "n",
+                                         "error",     "error_norm", "work",    "work_unit",   "time",
+                                         "time_unit", "spread",     "order",   "known_order", "diverged"};
     Row empty;
     const Json json = to_json(this_machine(), {empty});
     REQUIRE(keys(json) == std::set<std::string>{"machine", "rows"});
     REQUIRE(json["rows"].size() == 1);
     CHECK(keys(json["rows"][0]) == promised);
-    for (const char* key : {"problem", "parameter", "n", "error", "error_norm", "work", "work_unit", "time", "time_unit", "spread", "order", "known_order"})
+    for (const char* key : {"problem", "parameter", "n", "error", "error_norm", "work", "work_unit", "time",
+                            "time_unit", "spread", "order", "known_order"})
         CHECK(json["rows"][0][key].is_null());
     CHECK(json["rows"][0]["diverged"] == false);
 }
@@ -101,6 +103,6 @@ TEST_CASE("the file reads back, appears whole, and replaces an older one", "[cos
     const Json read = Json::parse(in);
     REQUIRE(read["rows"].size() == 2);
     CHECK(read["rows"][0]["axis"] == r.axis);
-    CHECK(read["rows"][0]["error"].get<double>() == 1.0 / 3.0);     // every bit
+    CHECK(read["rows"][0]["error"].get<double>() == 1.0 / 3.0); // every bit
     CHECK(std::distance(std::filesystem::directory_iterator{file.parent_path()}, {}) == 1);
 }

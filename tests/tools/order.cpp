@@ -57,8 +57,8 @@ TEST_CASE("noise within the tolerance is averaged, noise beyond it shows no orde
     auto quiet = ladder(8, 2), loud = ladder(8, 2);
     for (std::size_t i = 0; i < quiet.size(); ++i) {
         const double sign = i % 2 == 0 ? 1 : -1;
-        *quiet[i].error *= 1 + 0.01 * sign;      // slopes off by log2(1.01/0.99) = 0.029, to either side
-        *loud[i].error *= 1 + 0.1 * sign;        // by 0.29
+        *quiet[i].error *= 1 + 0.01 * sign; // slopes off by log2(1.01/0.99) = 0.029, to either side
+        *loud[i].error *= 1 + 0.1 * sign;   // by 0.29
     }
     const auto fit = fit_order(quiet);
     REQUIRE(fit);
@@ -67,7 +67,7 @@ TEST_CASE("noise within the tolerance is averaged, noise beyond it shows no orde
 }
 
 TEST_CASE("a floor of rounding is no order: the fit ends above it", "[costs][order]") {
-    const auto rungs = ladder(14, 4, 1e-13);     // the power law meets the floor near the tenth halving
+    const auto rungs = ladder(14, 4, 1e-13); // the power law meets the floor near the tenth halving
     const auto fit = fit_order(rungs);
     REQUIRE(fit);
     CHECK(std::abs(fit->order - 4) < order_tolerance);
@@ -92,7 +92,7 @@ TEST_CASE("the finest place that agrees counts, not the longest", "[costs][order
 TEST_CASE("no slope leads across a diverged point, a missing error or an error of zero", "[costs][order]") {
     auto rungs = ladder(9, 2);
     rungs[4].error = {};
-    const auto fit = fit_order(rungs);           // four points are left on either side: the finer ones count
+    const auto fit = fit_order(rungs); // four points are left on either side: the finer ones count
     REQUIRE(fit);
     CHECK(fit->first == 5);
     CHECK(std::abs(fit->order - 2) < 1e-12);
@@ -108,7 +108,7 @@ TEST_CASE("orders are written into the rows that show them, in whatever order th
         rows.push_back(row("Second", step, step * step));
         rows.push_back(row("First", step, step));
     }
-    rows.push_back(row("Second", 3.2, {}, true));            // diverged: has no order, and stays
+    rows.push_back(row("Second", 3.2, {}, true)); // diverged: has no order, and stays
     rows.push_back(row("Lonely", 0.1, 1.0));
     fit_orders(rows, "integrator");
     for (const Row& r : rows) {
@@ -123,7 +123,7 @@ TEST_CASE("orders are written into the rows that show them, in whatever order th
 
 TEST_CASE("an order is off when it is more than a tenth from the known one", "[costs][order]") {
     Row r = row("Second", 0.1, 1.0);
-    CHECK_FALSE(order_is_off(r));                // nothing fitted, nothing known
+    CHECK_FALSE(order_is_off(r)); // nothing fitted, nothing known
     r.order = 1.95;
     CHECK_FALSE(order_is_off(r));
     r.known_order = 2.0;

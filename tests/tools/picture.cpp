@@ -63,7 +63,8 @@ TEST_CASE("a second unit on one axis is refused", "[plot]") {
     Plot plot{"1.5", "A claim"};
     plot.line("fall", times, heights);
     CHECK_THROWS_AS(plot.line("swapped", heights, heights), std::invalid_argument);
-    CHECK_THROWS_AS(plot.line("a speed", times, std::vector{1.0 * metre / second, 2.0 * metre / second}), std::invalid_argument);
+    CHECK_THROWS_AS(plot.line("a speed", times, std::vector{1.0 * metre / second, 2.0 * metre / second}),
+                    std::invalid_argument);
     CHECK_THROWS_AS(plot.vertical(1.0 * metre, "here"), std::invalid_argument);
     CHECK_NOTHROW(plot.vertical(1.0 * second, "here"));
 }
@@ -109,7 +110,7 @@ TEST_CASE("a long curve is thinned without losing its peaks", "[plot]") {
 TEST_CASE("units are printed as in books", "[plot]") {
     CHECK(with_superscripts("kg m^2/s^2") == "kg m²/s²");
     CHECK(with_superscripts("m^12") == "m¹²");
-    CHECK(with_superscripts("m^(1/2)") == "m^(1/2)");        // no such letter: left as it is
+    CHECK(with_superscripts("m^(1/2)") == "m^(1/2)"); // no such letter: left as it is
     CHECK(with_superscripts("") == "");
 }
 
@@ -117,9 +118,9 @@ TEST_CASE("a logarithmic axis shows what it can of its data, and labels it", "[p
     const std::vector<double> steps{0.0125, 0.025, 0.05, 0.1}, errors{0.0, 1e-9, 1e-5, 1e-1};
     const std::string script = Plot{"1.6", "t"}.log_x().log_y().linked_points("l", steps, errors).script();
     CHECK(contains(script, "set xrange [0.011"));
-    CHECK(contains(script, "2e-2, 5e-2, 1e-1"));             // one decade: 1, 2, 5
-    CHECK(contains(script, "set format y '10^{%L}'"));       // eight decades: powers
-    CHECK_FALSE(contains(script, "set yrange [0:"));         // zero has no place on it
+    CHECK(contains(script, "2e-2, 5e-2, 1e-1"));       // one decade: 1, 2, 5
+    CHECK(contains(script, "set format y '10^{%L}'")); // eight decades: powers
+    CHECK_FALSE(contains(script, "set yrange [0:"));   // zero has no place on it
 }
 
 TEST_CASE("a diverged run is a cross in the strip, never dropped", "[costs][picture]") {
@@ -130,8 +131,8 @@ TEST_CASE("a diverged run is a cross in the strip, never dropped", "[costs][pict
     diverged.diverged = true;
     rows.push_back(diverged);
     const std::string script = work_precision_script(rows);
-    CHECK(count(script, "'diverged'") == 2);                 // one strip a panel
-    CHECK(count(script, "point pt 2 ") == 2);                // one cross a panel
+    CHECK(count(script, "'diverged'") == 2);  // one strip a panel
+    CHECK(count(script, "point pt 2 ") == 2); // one cross a panel
     CHECK(contains(script, "ns per step"));
     CHECK(contains(script, "force evaluations"));
 }
@@ -163,9 +164,16 @@ TEST_CASE("gnuplot draws what it is given", "[plot]") {
     const auto folder = std::filesystem::temp_directory_path() / ("ansatz pictures " + std::to_string(::getpid()));
     ::setenv("ANSATZ_PICTURES", folder.c_str(), 1);
     const std::vector<double> x{1e-3, 1e-2, 1e-1}, y{1e-6, 1e-4, 1e-2};
-    CHECK(Plot{"1.6", "Newton's claim: 100 % _right_ {^}"}.x("step", "s").y("error", "m").log_x().log_y()
-              .linked_points("it's \"second\" order", x, y).vertical(0.02, "a mark").horizontal(1e-3, "another")
-              .note(1e-2, 1e-4, "here").write());
+    CHECK(Plot{"1.6", "Newton's claim: 100 % _right_ {^}"}
+              .x("step", "s")
+              .y("error", "m")
+              .log_x()
+              .log_y()
+              .linked_points("it's \"second\" order", x, y)
+              .vertical(0.02, "a mark")
+              .horizontal(1e-3, "another")
+              .note(1e-2, 1e-4, "here")
+              .write());
     CHECK(std::filesystem::file_size(folder / "1.6.svg") > 1000);
     // Nothing that the axes can show: said, not drawn.
     CHECK_FALSE(Plot{"1.7", "None"}.log_y().line("below zero", x, std::vector<double>{-1, -1, -1}).write());

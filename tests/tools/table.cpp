@@ -78,7 +78,7 @@ TEST_CASE("a diverged row stays in the table and says so", "[costs][table]") {
     REQUIRE(text.size() > 5);
     CHECK(contains(text[4], "dt = 3.2"));
     CHECK(contains(text[4], "diverged"));
-    CHECK(contains(text[4], "12 800"));          // what is known of it is printed
+    CHECK(contains(text[4], "12 800")); // what is known of it is printed
 }
 
 TEST_CASE("the head names axis, problem, norm and units once", "[costs][table]") {
@@ -121,5 +121,6 @@ TEST_CASE("a column in which nothing stands is not printed", "[costs][table]") {
     r.work_unit = "bytes per body";
     const std::string text = printed({r});
     CHECK(contains(text, "bytes per body"));
-    for (const char* absent : {"error", "time", "spread", "order", "known", "parameter"}) CHECK_FALSE(contains(text, absent));
+    for (const char* absent : {"error", "time", "spread", "order", "known", "parameter"})
+        CHECK_FALSE(contains(text, absent));
 }

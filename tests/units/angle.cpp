@@ -40,8 +40,7 @@ TEMPLATE_TEST_CASE("degrees and radians", "[units]", float, double, Precise) {
     const S pi = acos(S(-1));
     CHECK(abs(S(degrees(S(180)).value() - pi)) <= 4 * epsilon);
     CHECK(abs(S(degrees(S(-90)).value() + pi / 2)) <= 4 * epsilon);
-    for (int d = -720; d <= 720; d += 7)
-        CHECK(abs(S(in_degrees(degrees(S(d))) - S(d))) <= 2 * epsilon * S(720));
+    for (int d = -720; d <= 720; d += 7) CHECK(abs(S(in_degrees(degrees(S(d))) - S(d))) <= 2 * epsilon * S(720));
     CHECK(radians(S(2)).value() == S(2));
 }
 

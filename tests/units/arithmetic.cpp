@@ -15,8 +15,7 @@ using namespace ansatz::test;
 
 namespace {
 
-template <class S, int D>
-constexpr bool result_types() {
+template <class S, int D> constexpr bool result_types() {
     using Length = VectorQuantity<unit::Length, D, S>;
     using Velocity = VectorQuantity<unit::Velocity, D, S>;
     using Jacobian = MatrixQuantity<unit::FrequencySquared, D, S>;
@@ -32,16 +31,20 @@ constexpr bool result_types() {
     const S* s = nullptr;
     static_assert(same<decltype(*x + *x), Length> && same<decltype(*x - *x), Length>);
     static_assert(same<decltype(+*x), Length> && same<decltype(-*x), Length>);
-    static_assert(same<decltype(*v * *t), Length> && same<decltype(*t * *v), Length> && same<decltype(*x / *t), Velocity>);
+    static_assert(same<decltype(*v * *t), Length> && same<decltype(*t * *v), Length> &&
+                  same<decltype(*x / *t), Velocity>);
     static_assert(same<decltype(*x + *v * *t), Length>);
     static_assert(same<decltype(2 * *x), Length> && same<decltype(*x * 2), Length> && same<decltype(*x / 2), Length>);
-    static_assert(same<decltype(2.0 * *x), Length> && same<decltype(*x * 2.0), Length> && same<decltype(*x / 2.0), Length>);
-    static_assert(same<decltype(2.f * *x), Length> && same<decltype(*s * *x), Length> && same<decltype(*x / *s), Length>);
+    static_assert(same<decltype(2.0 * *x), Length> && same<decltype(*x * 2.0), Length> &&
+                  same<decltype(*x / 2.0), Length>);
+    static_assert(same<decltype(2.f * *x), Length> && same<decltype(*s * *x), Length> &&
+                  same<decltype(*x / *s), Length>);
     static_assert(same<decltype(*x / *x->value().data()), Length>);
     static_assert(same<decltype(2 * *t), Time> && same<decltype(*t * 2.0), Time> && same<decltype(*t / 2), Time>);
     static_assert(same<decltype(2 / *t), Quantity<unit::Frequency, S>>);
     static_assert(same<decltype(2.0 / *t), Quantity<unit::Frequency, S>>);
-    static_assert(same<decltype(-*t), Time> && same<decltype(*t + *t), Time> && same<decltype(*t / *t), Quantity<unit::Dimensionless, S>>);
+    static_assert(same<decltype(-*t), Time> && same<decltype(*t + *t), Time> &&
+                  same<decltype(*t / *t), Quantity<unit::Dimensionless, S>>);
     static_assert(same<decltype(*p * *t), VectorQuantity<unit::Time, D, S>>);
     static_assert(same<decltype(*t * *p), VectorQuantity<unit::Time, D, S>>);
     static_assert(same<decltype(*p / *t), VectorQuantity<unit::Frequency, D, S>>);
@@ -51,15 +54,18 @@ constexpr bool result_types() {
     static_assert(same<decltype((*p + *p) * metre), Length> && same<decltype(metre * (-*p)), Length>);
     static_assert(same<decltype((*p - *p) / second), VectorQuantity<unit::Frequency, D, S>>);
     static_assert(same<decltype(*p / second), VectorQuantity<unit::Frequency, D, S>>);
-    static_assert(same<decltype(*v * second), Length> && same<decltype(second * *v), Length> && same<decltype(*x / second), Velocity>);
+    static_assert(same<decltype(*v * second), Length> && same<decltype(second * *v), Length> &&
+                  same<decltype(*x / second), Velocity>);
     static_assert(same<decltype(*j * *x), VectorQuantity<unit::Acceleration, D, S>>);
     static_assert(same<decltype(*j * *p), VectorQuantity<unit::FrequencySquared, D, S>>);
-    static_assert(same<decltype(*j + *j), Jacobian> && same<decltype(-*j), Jacobian> && same<decltype(2.0 * *j), Jacobian>);
+    static_assert(same<decltype(*j + *j), Jacobian> && same<decltype(-*j), Jacobian> &&
+                  same<decltype(2.0 * *j), Jacobian>);
     static_assert(same<decltype(*j * *t * *t), MatrixQuantity<unit::Dimensionless, D, S>>);
     static_assert(same<decltype(*r * *x), Length> && same<decltype(r->transpose() * *x), Length>);
     static_assert(same<decltype(*r * *t), MatrixQuantity<unit::Time, D, S>>);
     static_assert(same<decltype(*p * p->transpose() * *t), MatrixQuantity<unit::Time, D, S>>);
-    static_assert(same<decltype(*j * *j), MatrixQuantity<decltype(unit::FrequencySquared{} * unit::FrequencySquared{}), D, S>>);
+    static_assert(
+        same<decltype(*j * *j), MatrixQuantity<decltype(unit::FrequencySquared{} * unit::FrequencySquared{}), D, S>>);
     static_assert(same<decltype(1.0 - *t / *t), Quantity<unit::Dimensionless, S>>);
     static_assert(same<decltype(*t / *t + 1), Quantity<unit::Dimensionless, S>>);
     static_assert(same<decltype((1 - *t / *t) * *x), Length>);
@@ -230,15 +236,13 @@ template <class S, int D>
     auto next = x + v * dt + 0.5 * (a * dt) * dt;
     return next;
 }
-template <class S, int D>
-[[gnu::noinline]] auto along(Quantity<unit::Velocity, S> speed) {
+template <class S, int D> [[gnu::noinline]] auto along(Quantity<unit::Velocity, S> speed) {
     auto result = (Vector<S, D>::Ones() + Vector<S, D>::Ones()) * speed;
     return result;
 }
 [[gnu::noinline]] int overwrite_the_stack() {
     volatile char junk[2048];
-    for (char i = 0; auto& c : junk)
-        c = ++i;
+    for (char i = 0; auto& c : junk) c = ++i;
     return junk[17];
 }
 } // namespace
@@ -255,7 +259,8 @@ TEMPLATE_TEST_CASE("a result kept in auto does not dangle", "[units]", ANSATZ_TE
     const auto twice = along<S, D>(Quantity<unit::Velocity, S>::from_value(S(3)));
     CHECK(overwrite_the_stack() != 0);
     for (int i = 0; i < D; ++i) {
-        CHECK(next.value()[i] == x.value()[i] + v.value()[i] * dt.value() + S(0.5) * a.value()[i] * dt.value() * dt.value());
+        CHECK(next.value()[i] ==
+              x.value()[i] + v.value()[i] * dt.value() + S(0.5) * a.value()[i] * dt.value() * dt.value());
         CHECK(twice.value()[i] == S(6));
     }
 }

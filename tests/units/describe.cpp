@@ -49,9 +49,11 @@ TEMPLATE_TEST_CASE("a described number reads back as itself", "[units]", float, 
     using S = TestType;
     std::mt19937_64 engine(7);
     for (int n = 0; n < 1000; ++n) {
-        const S value = std::ldexp(S(std::uniform_real_distribution<double>(-1, 1)(engine)), static_cast<int>(engine() % 200) - 100);
+        const S value = std::ldexp(S(std::uniform_real_distribution<double>(-1, 1)(engine)),
+                                   static_cast<int>(engine() % 200) - 100);
         const std::string text = describe(value * metre);
-        CHECK(static_cast<S>(std::is_same_v<S, float> ? std::strtof(text.c_str(), nullptr) : std::strtod(text.c_str(), nullptr)) == value);
+        CHECK(static_cast<S>(std::is_same_v<S, float> ? std::strtof(text.c_str(), nullptr)
+                                                      : std::strtod(text.c_str(), nullptr)) == value);
         CHECK(text.size() <= (std::is_same_v<S, float> ? 15u : 24u) + 2u);
     }
 }

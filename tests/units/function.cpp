@@ -19,8 +19,7 @@ using namespace ansatz::test;
 
 namespace {
 
-template <class S, int D>
-constexpr bool result_types() {
+template <class S, int D> constexpr bool result_types() {
     using Length = VectorQuantity<unit::Length, D, S>;
     using Force = VectorQuantity<unit::Force, D, S>;
     using Plain = Vector<S, D>;
@@ -39,7 +38,8 @@ constexpr bool result_types() {
     static_assert(same<decltype(direction(*x)), Plain> && same<decltype(direction_or(*x, *p)), Plain>);
     static_assert(same<decltype(component(*x, 0)), Quantity<unit::Length, S>>);
     static_assert(same<decltype(x->value()), const Plain&>);
-    static_assert(same<decltype(ansatz::x(*x)), Quantity<unit::Length, S>> && same<decltype(y(*x)), Quantity<unit::Length, S>>);
+    static_assert(same<decltype(ansatz::x(*x)), Quantity<unit::Length, S>> &&
+                  same<decltype(y(*x)), Quantity<unit::Length, S>>);
     static_assert(same<decltype(sqrt(squared_norm(*x))), Quantity<unit::Length, S>>);
     static_assert(same<decltype(abs(norm(*x))), Quantity<unit::Length, S>>);
     static_assert(same<decltype(in(*x, metre)), Plain> && same<decltype(in(norm(*x), metre)), S>);
@@ -64,8 +64,7 @@ template <class Q, class U>
 concept Readable = requires(Q q, U u) { in(q, u); };
 static_assert(Readable<Quantity<unit::Velocity>, unit::Velocity> && !Readable<Quantity<unit::Velocity>, unit::Length>);
 
-template <class S>
-S distance(const S& a, const S& b) {
+template <class S> S distance(const S& a, const S& b) {
     using std::abs;
     return abs(S(a - b));
 }
@@ -81,8 +80,7 @@ TEMPLATE_TEST_CASE("dot, cross and norm obey their identities", "[units]", ANSAT
         const auto b = some.vector<unit::Length, S, D>();
         const auto c = some.vector<unit::Length, S, D>();
         S sum = 0;
-        for (int i = 0; i < D; ++i)
-            sum += a.value()[i] * b.value()[i];
+        for (int i = 0; i < D; ++i) sum += a.value()[i] * b.value()[i];
         CHECK(dot(a, b).value() == sum);
         CHECK(dot(a.value(), b).value() == sum);
         CHECK(dot(a, b.value()).value() == sum);
@@ -113,7 +111,8 @@ TEMPLATE_TEST_CASE("dot, cross and norm obey their identities", "[units]", ANSAT
         }
     }
     if constexpr (D == 3) // right-handed
-        CHECK(cross(scalar_cast<S>(metres(1, 0, 0)), scalar_cast<S>(metres(0, 1, 0))) == scalar_cast<S>(metres(0, 0, 1) * metre));
+        CHECK(cross(scalar_cast<S>(metres(1, 0, 0)), scalar_cast<S>(metres(0, 1, 0))) ==
+              scalar_cast<S>(metres(0, 0, 1) * metre));
 }
 
 TEMPLATE_TEST_CASE("norm is a norm", "[units]", ANSATZ_TEST_SPACES) {
@@ -136,7 +135,8 @@ TEMPLATE_TEST_CASE("norm is a norm", "[units]", ANSATZ_TEST_SPACES) {
         CHECK(norm(a * 1024) == norm(a) * 1024);
         CHECK(norm(a / 1024) == norm(a) / 1024);
         CHECK(norm(a + b).value() <= (norm(a) + norm(b)).value() * (S(1) + 4 * epsilon));
-        CHECK(distance(S(norm(a).value() * norm(a).value()), squared_norm(a).value()) <= 4 * epsilon * squared_norm(a).value());
+        CHECK(distance(S(norm(a).value() * norm(a).value()), squared_norm(a).value()) <=
+              4 * epsilon * squared_norm(a).value());
         CHECK(robust_norm(a) == norm(a));
     }
 }
@@ -155,15 +155,13 @@ TEMPLATE_TEST_CASE("robust_norm and direction reach over the whole range", "[uni
         Vector<S, D> p = some.plain<S, D>();
         p[0] = S(1.5);
         Vector<S, D> q;
-        for (int i = 0; i < D; ++i)
-            q[i] = ldexp(p[i], exponent);
+        for (int i = 0; i < D; ++i) q[i] = ldexp(p[i], exponent);
         const auto v = Length::from_value(q);
         const S length = norm(p);
         CHECK(distance(S(ldexp(robust_norm(v).value(), -exponent)), length) <= 4 * epsilon * length);
         const auto d = direction(v);
         CHECK(distance(norm(d), S(1)) <= 4 * epsilon);
-        for (int i = 0; i < D; ++i)
-            CHECK(distance(S(d[i] * length), p[i]) <= 8 * epsilon * length);
+        for (int i = 0; i < D; ++i) CHECK(distance(S(d[i] * length), p[i]) <= 8 * epsilon * length);
         CHECK(direction_or(v, nowhere) == d);
     }
     if constexpr (std::is_arithmetic_v<S>) {
@@ -187,8 +185,10 @@ TEMPLATE_TEST_CASE("what has no direction is refused, or falls back", "[units][h
     Vector<S, D> up = Vector<S, D>::Zero();
     up[1] = S(1);
     CHECK(direction_or(Velocity(), up) == up);
-    CHECK(refusal([] { return direction(Velocity()); }).find(D == 2 ? "(0, 0) m/s" : "(0, 0, 0) m/s") != std::string::npos);
-    for (const S& bad : {std::numeric_limits<S>::infinity(), S(-std::numeric_limits<S>::infinity()), std::numeric_limits<S>::quiet_NaN()})
+    CHECK(refusal([] { return direction(Velocity()); }).find(D == 2 ? "(0, 0) m/s" : "(0, 0, 0) m/s") !=
+          std::string::npos);
+    for (const S& bad : {std::numeric_limits<S>::infinity(), S(-std::numeric_limits<S>::infinity()),
+                         std::numeric_limits<S>::quiet_NaN()})
         for (int place = 0; place < D; ++place) {
             Vector<S, D> p = Vector<S, D>::Ones();
             p[place] = bad;
@@ -213,12 +213,10 @@ TEMPLATE_TEST_CASE("components", "[units]", ANSATZ_TEST_SPACES) {
     constexpr int D = TestType::dim;
     Numbers some;
     const auto v = some.vector<unit::Force, S, D>();
-    for (int i = 0; i < D; ++i)
-        CHECK(component(v, i).value() == v.value()[i]);
+    for (int i = 0; i < D; ++i) CHECK(component(v, i).value() == v.value()[i]);
     CHECK(x(v) == component(v, 0));
     CHECK(y(v) == component(v, 1));
-    if constexpr (D == 3)
-        CHECK(z(v) == component(v, 2));
+    if constexpr (D == 3) CHECK(z(v) == component(v, 2));
     CHECK(in(v, newton) == v.value());
     CHECK(in(x(v), newton) == v.value()[0]);
 }

@@ -12,23 +12,29 @@ using namespace ansatz::test;
 
 namespace {
 
-template <class A, class B> concept Adds = requires(A a, B b) { a + b; };
-template <class A, class B> concept Subtracts = requires(A a, B b) { a - b; };
-template <class A, class B> concept Multiplies = requires(A a, B b) { a * b; };
-template <class A, class B> concept Divides = requires(A a, B b) { a / b; };
-template <class A, class B> concept AddsInPlace = requires(A a, B b) { a += b; };
-template <class A, class B> concept SubtractsInPlace = requires(A a, B b) { a -= b; };
-template <class A, class B> concept Equals = requires(A a, B b) { a == b; };
-template <class A, class B> concept IsLess = requires(A a, B b) { a < b; };
-template <class A, class B> concept Dots = requires(A a, B b) { dot(a, b); };
-
 template <class A, class B>
-constexpr bool sums = Adds<A, B> || Subtracts<A, B> || Adds<B, A> || Subtracts<B, A>;
+concept Adds = requires(A a, B b) { a + b; };
 template <class A, class B>
-constexpr bool compares = Equals<A, B> || IsLess<A, B> || Equals<B, A> || IsLess<B, A>;
+concept Subtracts = requires(A a, B b) { a - b; };
+template <class A, class B>
+concept Multiplies = requires(A a, B b) { a* b; };
+template <class A, class B>
+concept Divides = requires(A a, B b) { a / b; };
+template <class A, class B>
+concept AddsInPlace = requires(A a, B b) { a += b; };
+template <class A, class B>
+concept SubtractsInPlace = requires(A a, B b) { a -= b; };
+template <class A, class B>
+concept Equals = requires(A a, B b) { a == b; };
+template <class A, class B>
+concept IsLess = requires(A a, B b) { a < b; };
+template <class A, class B>
+concept Dots = requires(A a, B b) { dot(a, b); };
 
-template <class S, int D>
-constexpr bool nothing_wrong_exists() {
+template <class A, class B> constexpr bool sums = Adds<A, B> || Subtracts<A, B> || Adds<B, A> || Subtracts<B, A>;
+template <class A, class B> constexpr bool compares = Equals<A, B> || IsLess<A, B> || Equals<B, A> || IsLess<B, A>;
+
+template <class S, int D> constexpr bool nothing_wrong_exists() {
     using Length = Quantity<unit::Length, S>;
     using Time = Quantity<unit::Time, S>;
     using Position = VectorQuantity<unit::Length, D, S>;
@@ -37,20 +43,25 @@ constexpr bool nothing_wrong_exists() {
     using Plain = Vector<S, D>;
     using Other = VectorQuantity<unit::Length, 5 - D, S>;
     // The checks can say yes.
-    static_assert(sums<Length, Length> && sums<Position, Position> && compares<Length, Length> && Equals<Position, Position>);
-    static_assert(Multiplies<Length, Position> && Multiplies<Plain, Length> && AddsInPlace<Position&, Position> && AddsInPlace<Length&, Length>);
+    static_assert(sums<Length, Length> && sums<Position, Position> && compares<Length, Length> &&
+                  Equals<Position, Position>);
+    static_assert(Multiplies<Length, Position> && Multiplies<Plain, Length> && AddsInPlace<Position&, Position> &&
+                  AddsInPlace<Length&, Length>);
     static_assert(Dots<Position, Velocity> && Divides<Position, Length> && Multiplies<Jacobian, Position>);
     // Different units.
     static_assert(!sums<Length, Time> && !sums<Position, Velocity> && !sums<Length, Quantity<unit::Area, S>>);
-    static_assert(!sums<Jacobian, MatrixQuantity<unit::Stiffness, D, S>> && !sums<Length, Quantity<unit::Dimensionless, S>>);
+    static_assert(!sums<Jacobian, MatrixQuantity<unit::Stiffness, D, S>> &&
+                  !sums<Length, Quantity<unit::Dimensionless, S>>);
     static_assert(!compares<Length, Time> && !Equals<Position, Velocity>);
     static_assert(!AddsInPlace<Position&, Velocity> && !SubtractsInPlace<Position&, Velocity>);
     // Different shapes.
-    static_assert(!sums<Length, Position> && !sums<Position, Other> && !sums<Position, MatrixQuantity<unit::Length, D, S>>);
+    static_assert(!sums<Length, Position> && !sums<Position, Other> &&
+                  !sums<Position, MatrixQuantity<unit::Length, D, S>>);
     static_assert(!AddsInPlace<Position&, Length> && !AddsInPlace<Position&, Other> && !Dots<Position, Other>);
     static_assert(!Multiplies<Jacobian, Other> && !Multiplies<Position, Jacobian>);
     // Bare numbers.
-    static_assert(!sums<Length, double> && !sums<Length, int> && !sums<Length, S> && !sums<Position, double> && !sums<Position, Plain>);
+    static_assert(!sums<Length, double> && !sums<Length, int> && !sums<Length, S> && !sums<Position, double> &&
+                  !sums<Position, Plain>);
     static_assert(!compares<Length, double> && !compares<Length, int> && !compares<Length, float>);
     static_assert(!AddsInPlace<Length&, double> && !AddsInPlace<Position&, double> && !AddsInPlace<Position&, Plain>);
     // Vector times vector, and division by a vector.

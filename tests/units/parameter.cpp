@@ -60,8 +60,10 @@ TEST_CASE("parameters take quantities", "[units]") {
     CHECK(Drag{2 * hertz}.rate == 2.0 / second);
     CHECK(Drag{0.5f / second}.rate == 0.5 / second); // a float widens
     CHECK(Gravity{metres_per_second_squared(1, 2, 3)}.acceleration == metres_per_second_squared(1, 2, 3));
-    CHECK(Gravity{metres_per_second_squared(1, 2)}.acceleration == metres_per_second_squared(1, 2, 0)); // the plane in space
-    CHECK(Gravity{scalar_cast<float>(metres_per_second_squared(1, 2, 3))}.acceleration == metres_per_second_squared(1, 2, 3));
+    CHECK(Gravity{metres_per_second_squared(1, 2)}.acceleration ==
+          metres_per_second_squared(1, 2, 0)); // the plane in space
+    CHECK(Gravity{scalar_cast<float>(metres_per_second_squared(1, 2, 3))}.acceleration ==
+          metres_per_second_squared(1, 2, 3));
     CHECK(Rest{.speed = 1 * metre_per_second}.after == 0.5 * second);
     const Rest rest{0.1 * metre_per_second, 2.0 * second, 1};
     CHECK(rest.share.value() == 1.0);

@@ -16,8 +16,7 @@ using namespace ansatz;
 using namespace ansatz::test;
 
 namespace {
-template <class... Things>
-std::string printed(const Things&... things) {
+template <class... Things> std::string printed(const Things&... things) {
     std::ostringstream out;
     (out << ... << things);
     return out.str();

@@ -51,8 +51,7 @@ TEMPLATE_TEST_CASE("a quantity starts at zero", "[units]", ANSATZ_TEST_SPACES) {
     constexpr int D = TestType::dim;
     // Memory that was not zero before, so that luck does not pass.
     alignas(64) unsigned char memory[4096];
-    for (auto& byte : memory)
-        byte = 0xa5;
+    for (auto& byte : memory) byte = 0xa5;
     auto* v = new (memory) VectorQuantity<unit::Length, D, S>;
     CHECK(v->value() == Vector<S, D>(Vector<S, D>::Zero()));
     auto* m = new (memory + 2048) MatrixQuantity<unit::Stiffness, D, S>;

@@ -15,7 +15,8 @@ namespace si = boost::units::si;
 
 // The lists written down in unit.hpp are the ones that Boost computes.
 static_assert(same<unit::Dimensionless, si::dimensionless> && same<unit::Length, si::length>);
-static_assert(same<unit::Area, si::area> && same<unit::Volume, si::volume> && same<unit::InverseLength, si::wavenumber>);
+static_assert(same<unit::Area, si::area> && same<unit::Volume, si::volume> &&
+              same<unit::InverseLength, si::wavenumber>);
 static_assert(same<unit::Time, si::time> && same<unit::Frequency, si::frequency> && same<unit::Mass, si::mass>);
 static_assert(same<unit::Velocity, si::velocity> && same<unit::Acceleration, si::acceleration>);
 static_assert(same<unit::Force, si::force> && same<unit::Energy, si::energy> && same<unit::Power, si::power>);
@@ -26,10 +27,8 @@ static_assert(same<unit::Viscosity, si::dynamic_viscosity> && same<unit::Diffusi
 static_assert(same<unit::SpecificEnergy, si::absorbed_dose> && same<unit::PlaneAngle, si::plane_angle>);
 
 // What physics says about the rest.
-template <class A, class B>
-using Product = typename boost::units::multiply_typeof_helper<A, B>::type;
-template <class A, class B>
-using Quotient = typename boost::units::divide_typeof_helper<A, B>::type;
+template <class A, class B> using Product = typename boost::units::multiply_typeof_helper<A, B>::type;
+template <class A, class B> using Quotient = typename boost::units::divide_typeof_helper<A, B>::type;
 static_assert(same<Product<unit::Mass, unit::Acceleration>, unit::Force>);
 static_assert(same<Product<unit::Force, unit::Length>, unit::Torque>);
 static_assert(same<Product<unit::Force, unit::Time>, unit::Impulse>);
@@ -48,7 +47,8 @@ static_assert(same<Product<unit::LineDensity, unit::Length>, unit::Mass>);
 static_assert(same<Product<unit::Time, unit::Time>, unit::TimeSquared>);
 static_assert(same<Product<unit::Area, unit::InverseArea>, unit::Dimensionless>);
 static_assert(same<Product<unit::Area, unit::Velocity>, unit::VolumeFlow>);
-static_assert(same<Quotient<Product<Product<unit::GravitationalConstant, unit::Mass>, unit::Mass>, unit::Area>, unit::Force>);
+static_assert(
+    same<Quotient<Product<Product<unit::GravitationalConstant, unit::Mass>, unit::Mass>, unit::Area>, unit::Force>);
 
 // Each constant has the unit that its name says.
 template <class A, auto& Constant>
@@ -60,7 +60,8 @@ static_assert(is_of<decltype(metre * metre), square_metre> && is_of<decltype(squ
 static_assert(is_of<decltype(metre / second), metre_per_second> && is_of<unit::Frequency, hertz>);
 static_assert(is_of<unit::PlaneAngle, radian> && is_of<decltype(metre_per_second / second), metre_per_second_squared>);
 static_assert(same<decltype(newton * second), decltype(kilogram * metre_per_second)>);
-static_assert(is_of<decltype(newton * second), newton_second> && is_of<decltype(newton * second), kilogram_metre_per_second>);
+static_assert(is_of<decltype(newton * second), newton_second> &&
+              is_of<decltype(newton * second), kilogram_metre_per_second>);
 static_assert(is_of<decltype(newton * second / metre), newton_second_per_metre>);
 static_assert(is_of<decltype(newton / metre), newton_per_metre>);
 static_assert(is_of<decltype(kilogram / cubic_metre), kilogram_per_cubic_metre>);
@@ -77,7 +78,8 @@ static_assert(same<decltype(2 * kilogram), Quantity<unit::Mass>>);
 static_assert(same<decltype(kilogram * 2), Quantity<unit::Mass>>);
 static_assert(same<decltype(2u / second), Quantity<unit::Frequency>>);
 static_assert(same<decltype(2L * metre), Quantity<unit::Length>>);
-static_assert(std::is_base_of_v<Quantity<unit::Time>, decltype(2L * second)>); // which the doors that take a time tell from 2.0 * second
+static_assert(std::is_base_of_v<Quantity<unit::Time>,
+                                decltype(2L * second)>); // which the doors that take a time tell from 2.0 * second
 static_assert(same<decltype(0.5f * metre), Quantity<unit::Length, float>>);
 static_assert(same<decltype(Precise(2) * metre), Quantity<unit::Length, Precise>>);
 static_assert(same<decltype(9.81 * metre / second / second), Quantity<unit::Acceleration>>);

@@ -59,8 +59,6 @@ TEMPLATE_TEST_CASE("components make the vector that they come from", "[units]", 
     constexpr int D = TestType::dim;
     Numbers some;
     const auto v = some.vector<unit::Force, S, D>();
-    if constexpr (D == 2)
-        CHECK(vector_of(x(v), y(v)) == v);
-    else
-        CHECK(vector_of(x(v), y(v), z(v)) == v);
+    if constexpr (D == 2) CHECK(vector_of(x(v), y(v)) == v);
+    else CHECK(vector_of(x(v), y(v), z(v)) == v);
 }

@@ -13,7 +13,8 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a known zero leaves the other summand alone to the bit, -0 and NaN included", "[units][zero]", ANSATZ_TEST_SPACES) {
+TEMPLATE_TEST_CASE("a known zero leaves the other summand alone to the bit, -0 and NaN included", "[units][zero]",
+                   ANSATZ_TEST_SPACES) {
     using Scalar = typename TestType::Scalar;
     using V = VectorQuantity<unit::Velocity, TestType::dim, Scalar>;
     const Zero<V> none{};

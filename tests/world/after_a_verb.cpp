@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// A world that was saved, loaded or copied after any verb goes on as the one that was not (hard case V5), where velocities are derived
-// from a history and forces between bodies read them; and who writes what no force reads changes no motion.
+// A world that was saved, loaded or copied after any verb goes on as the one that was not (hard case V5), where
+// velocities are derived from a history and forces between bodies read them; and who writes what no force reads changes
+// no motion.
 
 #include <ansatz/motion.hpp>
 #include <ansatz/springs.hpp>
@@ -26,23 +27,30 @@ struct Warmth {
 };
 
 struct Net {
-    World<Verlet, Gravity, Drag, Springs<>, AppliedForces, Keep<Warmth>> world{Verlet{}, Gravity{}, Drag{0.2 / second}, Springs<>{}, AppliedForces{}, Keep<Warmth>{}};
+    World<Verlet, Gravity, Drag, Springs<>, AppliedForces, Keep<Warmth>> world{
+        Verlet{}, Gravity{}, Drag{0.2 / second}, Springs<>{}, AppliedForces{}, Keep<Warmth>{}};
     std::vector<Handle> balls;
     std::vector<SpringHandle> springs;
 
     Net() {
         for (int i = 0; i < 4; ++i)
-            balls.push_back(world.add(position(metres(i, 0.1 * i * i, 0)), velocity(metres_per_second(0.3 * i, -0.2, 0.1)), mass((1.0 + i) * kilogram)));
+            balls.push_back(world.add(position(metres(i, 0.1 * i * i, 0)),
+                                      velocity(metres_per_second(0.3 * i, -0.2, 0.1)), mass((1.0 + i) * kilogram)));
         for (std::size_t i = 0; i + 1 < 4; ++i) springs.push_back(world.add(spring(balls[i], balls[i + 1])));
         springs.push_back(world.add(spring(balls[0], metres(0, 1, 0))));
         for (int i = 0; i < 12; ++i) world.step(1.0 / 60 * second);
     }
-    static Spring spring(SpringEnd a, SpringEnd b) { return {a, b, 90.0 * newton_per_metre, 7.0 * newton_second_per_metre, 0.8 * metre}; }
+    static Spring spring(SpringEnd a, SpringEnd b) {
+        return {a, b, 90.0 * newton_per_metre, 7.0 * newton_second_per_metre, 0.8 * metre};
+    }
 };
 const std::pair<std::string, std::function<void(Net&)>> verbs[] = {
     {"nothing", [](Net&) {}},
     {"apply_force", [](Net& n) { n.world.apply_force(n.balls[1], newtons(3, 20, -4)); }},
-    {"apply_force twice", [](Net& n) { n.world.apply_force(n.balls[1], newtons(3, 20, -4)), n.world.apply_force(n.balls[2], newtons(1, 0, 0)); }},
+    {"apply_force twice",
+     [](Net& n) {
+         n.world.apply_force(n.balls[1], newtons(3, 20, -4)), n.world.apply_force(n.balls[2], newtons(1, 0, 0));
+     }},
     {"apply_impulse", [](Net& n) { n.world.apply_impulse(n.balls[2], newton_seconds(1, 2, 3)); }},
     {"write", [](Net& n) { n.world.write<Warmth>(n.balls[1], 3.0 * metre); }},
     {"set_mass", [](Net& n) { n.world.set_mass(n.balls[1], 5.0 * kilogram); }},
@@ -64,7 +72,8 @@ TEST_CASE("a world that is saved, loaded or copied after any verb goes on to the
     for (const auto& [name, verb] : verbs)
         for (const auto& [second_name, second_verb] : verbs) {
             if (name == "remove" && second_name != "nothing") continue; // handles that the second would use are gone
-            if (name == "remove a spring" && (second_name == "remove a spring" || second_name == "set a spring")) continue;
+            if (name == "remove a spring" && (second_name == "remove a spring" || second_name == "set a spring"))
+                continue;
             CAPTURE(name, second_name);
             Net net;
             verb(net);

@@ -9,7 +9,8 @@
 #include <new>
 
 #if defined(__GNUC__) && !defined(__clang__)
-// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a mismatch.
+// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a
+// mismatch.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #endif
 
@@ -20,7 +21,8 @@ std::size_t allocations = 0;
 void* counted_or_null(std::size_t size, std::size_t alignment) noexcept {
     if (counting) ++allocations;
     size = size == 0 ? 1 : size;
-    return alignment == 0 ? std::malloc(size) : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    return alignment == 0 ? std::malloc(size)
+                          : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
 }
 void* counted(std::size_t size, std::size_t alignment) {
     void* p = counted_or_null(size, alignment);
@@ -71,7 +73,8 @@ template <class F> std::size_t allocations_of(F&& f) {
 
 template <class W> void fill(W& world) {
     for (int i = 0; i < 8; ++i) {
-        world.add(position(metres(i, 0, 0)), velocity(metres_per_second(0.01, 0, 0)), mass(1.0 * kilogram)); // falls asleep
+        world.add(position(metres(i, 0, 0)), velocity(metres_per_second(0.01, 0, 0)),
+                  mass(1.0 * kilogram)); // falls asleep
         world.add(position(metres(i, 1, 0)), velocity(metres_per_second(9, 0, 0)), mass(1.0 * kilogram));
         world.add(position(metres(i, 2, 0)), resting, mass(1.0 * kilogram));
         world.add(position(metres(i, 3, 0)), velocity(metres_per_second(1, 0, 0)), moving);
@@ -104,18 +107,27 @@ template <class W> std::size_t allocations_of_a_while(W& world, int steps) {
 } // namespace
 
 TEST_CASE("allocations are counted here", "[world][step]") {
-    CHECK(allocations_of([] { ::operator delete(::operator new(8)); }) == 1); // by name: a compiler may leave out `delete new int`
-    CHECK(allocations_of([] { World world{SemiImplicitEuler{}}; world.add(); }) > 0);
+    CHECK(allocations_of([] { ::operator delete(::operator new(8)); }) ==
+          1); // by name: a compiler may leave out `delete new int`
+    CHECK(allocations_of([] {
+              World world{SemiImplicitEuler{}};
+              world.add();
+          }) > 0);
 }
 
-TEMPLATE_TEST_CASE("no step allocates, not even the first, whoever sleeps and wakes", "[world][step]", ANSATZ_INTEGRATORS) {
-    World world{TestType{}, Later{1.1 * second}, Drag{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second}, Interpolation{}};
+TEMPLATE_TEST_CASE("no step allocates, not even the first, whoever sleeps and wakes", "[world][step]",
+                   ANSATZ_INTEGRATORS) {
+    World world{
+        TestType{},     Later{1.1 * second}, Drag{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second},
+        Interpolation{}};
     fill(world);
     CHECK(allocations_of_a_while(world, 90) == 0);
 }
 
 TEMPLATE_TEST_CASE("no step allocates where bodies couple", "[world][step]", Verlet, RungeKutta4) {
-    World world{TestType{}, Nothing{}, Drag{}, QuadraticDrag{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second}, Interpolation{}};
+    World world{TestType{},      Nothing{},       Drag{},
+                QuadraticDrag{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second},
+                Interpolation{}};
     fill(world);
     CHECK(allocations_of_a_while(world, 60) == 0);
 }
@@ -140,8 +152,8 @@ TEST_CASE("additions within what was reserved do not allocate", "[world][step]")
     CHECK(allocations_of([&] { fill(world); }) == 0);
     const auto all = world.handles();
     CHECK(allocations_of([&] {
-        for (const auto h : all) world.remove(h);
-        fill(world);
-        world.step(1.0 / 60 * second);
-    }) == 0);
+              for (const auto h : all) world.remove(h);
+              fill(world);
+              world.step(1.0 / 60 * second);
+          }) == 0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Handles: a long random life of the directory against one that is obviously right, and stale handles at every member of
-// a world.
+// Handles: a long random life of the directory against one that is obviously right, and stale handles at every member
+// of a world.
 
 #include <ansatz/world/bodies.hpp>
 
@@ -23,12 +23,13 @@ namespace {
 void check_ranges(const Bodies& bodies, const std::vector<int>& lane) {
     CHECK(bodies.begin(Motion::awake) == 0);
     CHECK(bodies.end(Motion::fixed) == bodies.size());
-    for (const auto m : {Motion::resting, Motion::moving, Motion::fixed}) CHECK(bodies.begin(m) == bodies.end(Motion(int(m) - 1)));
+    for (const auto m : {Motion::resting, Motion::moving, Motion::fixed})
+        CHECK(bodies.begin(m) == bodies.end(Motion(int(m) - 1)));
     for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
         const auto h = bodies.handle(slot);
         const auto m = bodies.motion(slot);
-        if (bodies.slot(h, "here") != slot || bodies.slot_of_id(h.id) != slot || slot < bodies.begin(m) || slot >= bodies.end(m) ||
-            lane[slot] < 0) {
+        if (bodies.slot(h, "here") != slot || bodies.slot_of_id(h.id) != slot || slot < bodies.begin(m) ||
+            slot >= bodies.end(m) || lane[slot] < 0) {
             FAIL("slot " << slot << " and handle (" << h.id << ", " << h.generation << ") disagree");
         }
     }
@@ -36,10 +37,12 @@ void check_ranges(const Bodies& bodies, const std::vector<int>& lane) {
 
 } // namespace
 
-TEST_CASE("a hundred thousand random additions, removals, sleeps and wakes leave the directory right", "[world][bodies]") {
+TEST_CASE("a hundred thousand random additions, removals, sleeps and wakes leave the directory right",
+          "[world][bodies]") {
     Dice dice(1);
     Bodies bodies;
-    std::vector<int> lane; // stands for the lanes: the number of the body in each slot, moved only by the swaps we are told of
+    std::vector<int>
+        lane; // stands for the lanes: the number of the body in each slot, moved only by the swaps we are told of
     auto swap = [&](std::size_t i, std::size_t j) {
         REQUIRE(i < lane.size());
         REQUIRE(j < lane.size());
@@ -125,17 +128,16 @@ TEST_CASE("a body that is added, removed, moved or put to sleep takes nothing fr
                 world.remove(it->second);
                 gone.push_back(it->second);
                 alive.erase(it);
-            } else if (what == 6)
-                world.wake(it->second);
-            else if (operation % 50 == 7)
-                world.step(1.0 / 60 * second);
+            } else if (what == 6) world.wake(it->second);
+            else if (operation % 50 == 7) world.step(1.0 / 60 * second);
         }
         if (operation % 199 == 0) {
             REQUIRE(world.size() == alive.size());
             for (const auto& [number, h] : alive) {
                 REQUIRE(world.read<Heat>(h) == number * joule);
                 REQUIRE(world.datum(h) == number);
-                if (world.motion(h) != Motion::fixed) REQUIRE(world.mass(h).value() == Catch::Approx(number).epsilon(1e-15));
+                if (world.motion(h) != Motion::fixed)
+                    REQUIRE(world.mass(h).value() == Catch::Approx(number).epsilon(1e-15));
             }
             for (const auto h : gone) REQUIRE_FALSE(world.contains(h));
         }
@@ -173,8 +175,8 @@ template <class W> std::vector<std::pair<std::string, std::string>> everything_w
 
 } // namespace
 
-TEMPLATE_TEST_CASE("every member refuses a stale, a foreign and an empty handle with a sentence, and changes nothing", "[world][bodies][door]",
-                   SemiImplicitEuler, Verlet) {
+TEMPLATE_TEST_CASE("every member refuses a stale, a foreign and an empty handle with a sentence, and changes nothing",
+                   "[world][bodies][door]", SemiImplicitEuler, Verlet) {
     World world{TestType{}, AppliedForces{}, Rest{}, Interpolation{}, Keep<Heat>{}, Datum<int>{}};
     world.add(mass(1.0 * kilogram), datum(1));
     const auto stale = world.add(mass(1.0 * kilogram), datum(2));
@@ -203,14 +205,16 @@ TEMPLATE_TEST_CASE("every member refuses a stale, a foreign and an empty handle 
     CHECK(world.hash() == before.hash());
     CHECK(same_state(world, before));
     CHECK(world.datum(heir) == 3);
-    // The same calls with a living handle are not refused: it is the handle that was wrong. (The first call removes it.)
+    // The same calls with a living handle are not refused: it is the handle that was wrong. (The first call removes
+    // it.)
     for (const Handle h : world.handles()) CHECK(everything_with(world, h).front().second == "nothing");
 }
 
 TEST_CASE("handles are listed by id, and every body has its slot", "[world][bodies]") {
     World world{SemiImplicitEuler{}, Rest{}};
     std::vector<Handle> added;
-    for (int i = 0; i < 20; ++i) added.push_back(i % 3 == 0 ? world.add(fixed) : i % 3 == 1 ? world.add(resting) : world.add());
+    for (int i = 0; i < 20; ++i)
+        added.push_back(i % 3 == 0 ? world.add(fixed) : i % 3 == 1 ? world.add(resting) : world.add());
     world.remove(added[4]);
     added.erase(added.begin() + 4);
     CHECK(world.handles() == added);
@@ -223,7 +227,8 @@ TEST_CASE("handles are listed by id, and every body has its slot", "[world][bodi
     CHECK(seen.size() == world.size());
 }
 
-TEST_CASE("two directories are equal when the same bodies live in the same state, in whatever slots", "[world][bodies]") {
+TEST_CASE("two directories are equal when the same bodies live in the same state, in whatever slots",
+          "[world][bodies]") {
     auto nothing = [](std::size_t, std::size_t) {};
     Bodies a, b;
     a.push_back();

@@ -12,15 +12,16 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a day of sixtieths is right to one unit in the last place, at every step", "[world][clock][I22]", (Space<double, 3>),
-                   (Space<float, 2>)) {
+TEMPLATE_TEST_CASE("a day of sixtieths is right to one unit in the last place, at every step", "[world][clock][I22]",
+                   (Space<double, 3>), (Space<float, 2>)) {
     StepClock<TestType> clock;
     const auto dt = TestType::ClockTime::from_value(1.0 / 60);
     bool right = true, forward = true;
     double before = -1;
     for (std::uint64_t n = 1; n <= 24u * 3600 * 60; ++n) {
         clock.advance(dt);
-        const double now = clock.now().value(), exact = double(static_cast<long double>(n) / 60); // n / 60 s, rounded once
+        const double now = clock.now().value(),
+                     exact = double(static_cast<long double>(n) / 60); // n / 60 s, rounded once
         right = right && std::abs(now - exact) <= std::nextafter(exact, 1e9) - exact;
         forward = forward && now > before;
         before = now;
@@ -72,7 +73,8 @@ TEST_CASE("equal clocks are equal, and each part of them counts", "[world][clock
     CHECK_FALSE(a == b);
 }
 
-TEMPLATE_TEST_CASE("a world's time is its ticks times dt, in float worlds too", "[world][clock][I22]", (Space<double, 2>), (Space<float, 2>)) {
+TEMPLATE_TEST_CASE("a world's time is its ticks times dt, in float worlds too", "[world][clock][I22]",
+                   (Space<double, 2>), (Space<float, 2>)) {
     World world{TestType{}, SemiImplicitEuler{}};
     for (int n = 1; n <= 3600; ++n) {
         world.step(1.0 / 60 * second);

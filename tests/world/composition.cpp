@@ -32,10 +32,8 @@ void every_order(F& f, const std::tuple<Done...>& done, const std::tuple<Left...
     [&]<std::size_t... I>(std::index_sequence<I...>) {
         auto take = [&]<std::size_t At>(std::integral_constant<std::size_t, At>) {
             auto others = std::tuple_cat([&]<std::size_t K>(std::integral_constant<std::size_t, K>) {
-                if constexpr (K == At)
-                    return std::tuple<>();
-                else
-                    return std::tuple(std::get<K>(left));
+                if constexpr (K == At) return std::tuple<>();
+                else return std::tuple(std::get<K>(left));
             }(std::integral_constant<std::size_t, I>{})...);
             every_order(f, std::tuple_cat(done, std::tuple(std::get<At>(left))), others);
         };
@@ -56,28 +54,36 @@ TEST_CASE("all twenty-four orders of four policies are one world after a hundred
     every_order(run, std::tuple<>(), std::tuple(SemiImplicitEuler{}, ToOrigin{}, Gravity{}, Keep<Heat, Position>{}));
     CHECK(orders == 24);
     CHECK(seen.size() == 1);
-    CHECK(seen.count(hash_of(SemiImplicitEuler{}, ToOrigin{}, Gravity{metres_per_second_squared(0, -1, 0)}, Keep<Heat, Position>{})) == 0);
+    CHECK(seen.count(hash_of(SemiImplicitEuler{}, ToOrigin{}, Gravity{metres_per_second_squared(0, -1, 0)},
+                             Keep<Heat, Position>{})) == 0);
 }
 
 namespace {
 template <class... P> using Facts = Composition<P...>;
 using S = Space<>;
-template <class List, class... C> constexpr bool holds = List::size == sizeof...(C) && (detail::contains<C, List> && ...);
+template <class List, class... C>
+constexpr bool holds = List::size == sizeof...(C) && (detail::contains<C, List> && ...);
 } // namespace
 
 // Which columns a world stores follows from its policies, and from nothing else.
 static_assert(holds<Facts<SemiImplicitEuler>::stored, Position, Velocity>);
-static_assert(holds<Facts<SemiImplicitEuler, Gravity, Drag, StopBelow, FrameDrag, Space<float, 2>>::stored, Position, Velocity>);
-static_assert(holds<Facts<SemiImplicitEuler, QuadraticDrag>::stored, Position, Velocity, InverseMass>); // a force needs the mass
+static_assert(
+    holds<Facts<SemiImplicitEuler, Gravity, Drag, StopBelow, FrameDrag, Space<float, 2>>::stored, Position, Velocity>);
+static_assert(
+    holds<Facts<SemiImplicitEuler, QuadraticDrag>::stored, Position, Velocity, InverseMass>); // a force needs the mass
 static_assert(holds<Facts<SemiImplicitEuler, AppliedForces>::stored, Position, Velocity, InverseMass, AppliedForce>);
 static_assert(holds<Facts<SemiImplicitEuler, Rest>::stored, Position, Velocity, RestTime>);
 static_assert(holds<Facts<SemiImplicitEuler, Interpolation>::stored, Position, Velocity, DrawnPosition>);
 static_assert(holds<Facts<Verlet>::stored, Position, PreviousPosition>);
-static_assert(holds<Facts<Verlet, Drag, QuadraticDrag>::stored, Position, PreviousPosition, InverseMass>); // the velocity is derived in a register
-static_assert(holds<Facts<RungeKutta4, Later>::stored, Position, Velocity>); // scratch lives in registers, a clock nowhere
+static_assert(holds<Facts<Verlet, Drag, QuadraticDrag>::stored, Position, PreviousPosition,
+                    InverseMass>); // the velocity is derived in a register
+static_assert(
+    holds<Facts<RungeKutta4, Later>::stored, Position, Velocity>); // scratch lives in registers, a clock nowhere
 static_assert(holds<Facts<SemiImplicitEuler, Nothing>::stored, Position, Velocity, CoupledForce, InverseMass>);
-static_assert(Facts<RungeKutta4, Nothing>::stored::size == 4 + 4);    // its four scratch columns, where it must wait between stages
-static_assert(holds<Facts<RungeKutta4, Nothing>::state, Position, Velocity, InverseMass>); // which are no state, nor are the sums of forces
+static_assert(Facts<RungeKutta4, Nothing>::stored::size ==
+              4 + 4); // its four scratch columns, where it must wait between stages
+static_assert(holds<Facts<RungeKutta4, Nothing>::state, Position, Velocity,
+                    InverseMass>); // which are no state, nor are the sums of forces
 static_assert(holds<Facts<Verlet, Nothing>::stored, Position, PreviousPosition, CoupledForce, InverseMass>);
 static_assert(holds<Facts<Verlet, Nothing, QuadraticDrag>::state, Position, PreviousPosition, InverseMass>);
 
@@ -89,7 +95,8 @@ static_assert(std::same_as<Facts<Gravity, Verlet, Space<float, 2>>::Integrator, 
 static_assert(std::same_as<Facts<Gravity, Verlet, Space<float, 2>>::S, Space<float, 2>>);
 static_assert(std::same_as<Facts<Verlet>::S, Space<double, 3>>);
 static_assert(Facts<Gravity, SemiImplicitEuler, Attraction, AppliedForces>::laws::size == 2);
-static_assert(std::same_as<Facts<SemiImplicitEuler, Drag, StopBelow>::effects<Place::after_integration>, Types<Drag, StopBelow>>);
+static_assert(
+    std::same_as<Facts<SemiImplicitEuler, Drag, StopBelow>::effects<Place::after_integration>, Types<Drag, StopBelow>>);
 static_assert(Facts<SemiImplicitEuler, Drag>::effects<Place::before_forces>::size == 0);
 static_assert(holds<Facts<SemiImplicitEuler, AppliedForces>::transient, AppliedForce>);
 static_assert(Facts<SemiImplicitEuler, Gravity>::transient::size == 0);

@@ -30,8 +30,8 @@ template <class W> int asked_in(W& world, int steps, Quantity<unit::Time> dt) {
 }
 } // namespace
 
-TEMPLATE_TEST_CASE("a step asks the forces between bodies once for each stage, the sums of its end serve the next", "[world][coupled]", SemiImplicitEuler,
-                   VelocityVerlet, RungeKutta4) {
+TEMPLATE_TEST_CASE("a step asks the forces between bodies once for each stage, the sums of its end serve the next",
+                   "[world][coupled]", SemiImplicitEuler, VelocityVerlet, RungeKutta4) {
     World world{TestType{}, Counting{}};
     const auto body = world.add(mass(1.0 * kilogram));
     const int stages = TestType::stages;

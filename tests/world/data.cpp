@@ -11,7 +11,8 @@ using namespace ansatz::test;
 
 TEST_CASE("a world whose numbers are finite is well, an infinite one says who", "[world][data]") {
     World world{SemiImplicitEuler{}, AppliedForces{}, Keep<Heat>{}};
-    const auto first = world.add(mass(1.0 * kilogram)), fast = world.add(mass(1.0 * kilogram)), faster = world.add(mass(1.0 * kilogram));
+    const auto first = world.add(mass(1.0 * kilogram)), fast = world.add(mass(1.0 * kilogram)),
+               faster = world.add(mass(1.0 * kilogram));
     CHECK(world.status().ok());
     world.set_velocity(fast, metres_per_second(1e308, 0, 0));
     world.set_velocity(faster, metres_per_second(0, -1e308, 0));
@@ -66,10 +67,12 @@ TEST_CASE("an equation without a solution is counted, and the step goes on", "[w
     CHECK(world.status().unsolved == 1);
 }
 
-TEMPLATE_TEST_CASE("what was set is what is read, before, between and after steps", "[world][data]", SemiImplicitEuler, Verlet) {
+TEMPLATE_TEST_CASE("what was set is what is read, before, between and after steps", "[world][data]", SemiImplicitEuler,
+                   Verlet) {
     World world{TestType{}, ToOrigin{}, Keep<InverseMass>{}};
     const auto body = world.add(position(metres(1, 2, 3)), velocity(metres_per_second(4, 5, 6)), mass(2.0 * kilogram));
-    CHECK(world.velocity(body) == metres_per_second(4, 5, 6)); // also where the integrator keeps history, before it has any
+    CHECK(world.velocity(body) ==
+          metres_per_second(4, 5, 6)); // also where the integrator keeps history, before it has any
     CHECK(world.acceleration(body) == metres_per_second_squared(-1, -2, -3));
     for (int i = 0; i < 3; ++i) {
         world.step(1.0 / 60 * second);

@@ -12,11 +12,14 @@ using namespace ansatz;
 using namespace ansatz::test;
 
 namespace {
-template <class W> std::vector<Event> events_of(const W& world) { return {world.events().begin(), world.events().end()}; }
+template <class W> std::vector<Event> events_of(const W& world) {
+    return {world.events().begin(), world.events().end()};
+}
 using List = std::vector<Event>;
 } // namespace
 
-TEMPLATE_TEST_CASE("falling asleep and waking are told once, with who did", "[world][events]", SemiImplicitEuler, Verlet, ImplicitEuler) {
+TEMPLATE_TEST_CASE("falling asleep and waking are told once, with who did", "[world][events]", SemiImplicitEuler,
+                   Verlet, ImplicitEuler) {
     World world{TestType{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.5 / 64 * second}};
     const auto other = world.add(velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
     const auto body = world.add(mass(1.0 * kilogram));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// Every number counts (hard case V5): whichever number of a saved world is changed, loading refuses it, or the world that was loaded
-// has another hash; the numbers of policies, which are no part of a hash, are those that the loaded world writes.
+// Every number counts (hard case V5): whichever number of a saved world is changed, loading refuses it, or the world
+// that was loaded has another hash; the numbers of policies, which are no part of a hash, are those that the loaded
+// world writes.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion.hpp>
@@ -85,11 +86,14 @@ template <class W> void every_number_counts(const W& world) {
             if (!taken(loaded, changed) || loaded.hash() != world.hash()) continue;
             const auto place = at.to_string();
             // A parameter is not a state: it is not forgotten either.
-            if (place.starts_with("/policies/") && written(loaded).at(at).template get<Scalar>() == other.template get<Scalar>()) continue;
+            if (place.starts_with("/policies/") &&
+                written(loaded).at(at).template get<Scalar>() == other.template get<Scalar>())
+                continue;
             std::string kind;
             for (const char c : place)
                 if (c < '0' || c > '9') kind += c;
-            if (silent.insert(kind).second) UNSCOPED_INFO(place << ": " << file.at(at) << " became " << other << " in silence");
+            if (silent.insert(kind).second)
+                UNSCOPED_INFO(place << ": " << file.at(at) << " became " << other << " in silence");
         }
     CHECK(silent.empty());
 }
@@ -97,15 +101,19 @@ template <class W> void every_number_counts(const W& world) {
 } // namespace
 
 TEST_CASE("every number of a saved world counts: springs that break, by a history", "[world][save][hash][V5]") {
-    World world{Space<float, 2>{}, Verlet{}, Gravity{}, Drag{0.1 / second}, Springs<Breaking>{}, AppliedForces{}, Interpolation{}, Rest{},
-                Datum<int>{}};
+    World world{Space<float, 2>{}, Verlet{},        Gravity{}, Drag{0.1 / second}, Springs<Breaking>{},
+                AppliedForces{},   Interpolation{}, Rest{},    Datum<int>{}};
     std::vector<Handle> balls;
-    for (int i = 0; i < 4; ++i) balls.push_back(world.add(position(metres(i, 0)), velocity(metres_per_second(0, 0.1 * i)), mass(1.0 * kilogram), datum(i)));
+    for (int i = 0; i < 4; ++i)
+        balls.push_back(
+            world.add(position(metres(i, 0)), velocity(metres_per_second(0, 0.1 * i)), mass(1.0 * kilogram), datum(i)));
     world.add(position(metres(5, 5)), fixed);
     world.add(position(metres(7, 5)), velocity(metres_per_second(1, 0)), moving);
     world.add(position(metres(9, 5)), mass(1.0 * kilogram), resting);
     for (int i = 0; i + 1 < 4; ++i)
-        world.add(Spring{balls[std::size_t(i)], balls[std::size_t(i) + 1], 200.0 * newton_per_metre, 0.5 * newton_second_per_metre, 1.0 * metre}, breaks_at(500.0 * newton));
+        world.add(Spring{balls[std::size_t(i)], balls[std::size_t(i) + 1], 200.0 * newton_per_metre,
+                         0.5 * newton_second_per_metre, 1.0 * metre},
+                  breaks_at(500.0 * newton));
     world.add(Spring{balls[0], metres(0, 1), 100.0 * newton_per_metre});
     for (int i = 0; i < 20; ++i) world.step(1.0 / 60 * second);
     world.remove(balls[3]); // an id and an element to be given again
@@ -116,14 +124,17 @@ TEST_CASE("every number of a saved world counts: springs that break, by a histor
 }
 
 TEST_CASE("every number of a saved world counts: a pile with friction, some of it asleep", "[world][save][hash][V5]") {
-    World world{SemiImplicitEuler{}, Gravity{}, Rest{}, UniformGrid{}, Layers{}, Narrowphase<Sphere, Plane, Box>{}, SoftSubsteps<Friction>{}};
+    World world{SemiImplicitEuler{},     Gravity{}, Rest{}, UniformGrid{}, Layers{}, Narrowphase<Sphere, Plane, Box>{},
+                SoftSubsteps<Friction>{}};
     world.add(Plane::ground(), friction(0.6), fixed);
     std::vector<Handle> balls;
     for (int i = 0; i < 4; ++i)
-        balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(0.1 * i, 0.5 + 0.99 * i, 0)), mass((1.0 + i) * kilogram), friction(0.5), restitution(0.2)));
+        balls.push_back(world.add(Sphere{0.5 * metre}, position(metres(0.1 * i, 0.5 + 0.99 * i, 0)),
+                                  mass((1.0 + i) * kilogram), friction(0.5), restitution(0.2)));
     world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(10, 0.5, 0)), mass(1.0 * kilogram), friction(0.5));
     world.add(Sphere{2.0 * metre}, sensor, position(metres(10, 0, 0)), fixed);
-    world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(20, 0.5, 0)), velocity(metres_per_second(3, 0, 0)), mass(1.0 * kilogram), friction(0.5));
+    world.add(Box{metres(0.5, 0.5, 0.5)}, position(metres(20, 0.5, 0)), velocity(metres_per_second(3, 0, 0)),
+              mass(1.0 * kilogram), friction(0.5));
     const auto gone = world.add(Sphere{0.5 * metre}, position(metres(30, 0.5, 0)), mass(1.0 * kilogram));
     for (int i = 0; i < 50; ++i) world.step(1.0 / 60 * second);
     world.remove(gone);
@@ -134,9 +145,15 @@ TEST_CASE("every number of a saved world counts: a pile with friction, some of i
 }
 
 TEST_CASE("every number of a saved world counts: contacts that act in the next step", "[world][save][hash][V5]") {
-    World world{Space<float, 2>{}, Verlet{}, Gravity{}, SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Penalty{2000.0 * newton_per_metre, 20.0 * newton_second_per_metre}};
+    World world{Space<float, 2>{},
+                Verlet{},
+                Gravity{},
+                SortAndSweep{},
+                Narrowphase<Sphere, Plane>{},
+                Penalty{2000.0 * newton_per_metre, 20.0 * newton_second_per_metre}};
     world.add(Plane::ground(), fixed);
-    for (int i = 0; i < 3; ++i) world.add(Sphere{0.5 * metre}, position(metres(0.1 * i, 0.4 + 0.9 * i)), mass(1.0 * kilogram));
+    for (int i = 0; i < 3; ++i)
+        world.add(Sphere{0.5 * metre}, position(metres(0.1 * i, 0.4 + 0.9 * i)), mass(1.0 * kilogram));
     for (int i = 0; i < 10; ++i) world.step(1.0 / 120 * second);
     REQUIRE_FALSE(world.contacts().empty());
     every_number_counts(world);

@@ -34,7 +34,8 @@ TEST_CASE("a frame of a quarter of a second is exactly fifteen steps of a sixtie
     CHECK(clock.dropped() == 0.0 * second);
 }
 
-TEST_CASE("a spike of a whole number of steps is that number, however the division rounds", "[world][fixed_step][I24]") {
+TEST_CASE("a spike of a whole number of steps is that number, however the division rounds",
+          "[world][fixed_step][I24]") {
     Counter counter;
     bool all = true;
     for (const int rate : {10, 24, 25, 30, 50, 60, 75, 90, 100, 120, 144, 240})
@@ -48,7 +49,8 @@ TEST_CASE("a spike of a whole number of steps is that number, however the divisi
     CHECK(clock.advance(counter, 0.3 * second) == 3);
 }
 
-TEST_CASE("a frame of ten seconds is clamped, what was dropped is told, and the next frame owes nothing", "[world][fixed_step][I24]") {
+TEST_CASE("a frame of ten seconds is clamped, what was dropped is told, and the next frame owes nothing",
+          "[world][fixed_step][I24]") {
     Counter counter;
     FixedStep clock(1.0 / 60 * second);
     CHECK(clock.advance(counter, 10.0 * second) == 15);
@@ -72,7 +74,8 @@ TEST_CASE("even frames of a step's length are a step each, for a day", "[world][
     CHECK(clock.dropped() == 0.0 * second);
 }
 
-TEST_CASE("steps, what is left of one, and what was dropped add up to the time of the frames", "[world][fixed_step][I24]") {
+TEST_CASE("steps, what is left of one, and what was dropped add up to the time of the frames",
+          "[world][fixed_step][I24]") {
     Dice dice(7);
     for (const double dt : {1.0 / 60, 1.0 / 144, 0.01, 0.1}) {
         Counter counter;
@@ -92,7 +95,8 @@ TEST_CASE("steps, what is left of one, and what was dropped add up to the time o
         CHECK(between);
         CHECK(returned == counter.steps);
         // One rounding of a number below 2^9 steps a frame, and the 1e-12 of a step that make a spike whole.
-        CHECK(std::abs((double(counter.steps) + clock.alpha()) * dt + clock.dropped().value() - sum) < 10'000 * (3 * 256 * 0x1p-52 + 1e-12) * dt);
+        CHECK(std::abs((double(counter.steps) + clock.alpha()) * dt + clock.dropped().value() - sum) <
+              10'000 * (3 * 256 * 0x1p-52 + 1e-12) * dt);
     }
 }
 
@@ -112,9 +116,12 @@ TEST_CASE("a step, a clamp or a frame that cannot be is refused, and nothing mov
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     auto text = [](auto&& f) { return sentence<std::invalid_argument>(f); };
     for (const double dt : {nan, inf, -inf, -1.0, 0.0})
-        CHECK(text([&] { FixedStep clock(dt * second); }).find("FixedStep: dt is " + describe(dt * second) + "; ") == 0);
+        CHECK(text([&] { FixedStep clock(dt * second); }).find("FixedStep: dt is " + describe(dt * second) + "; ") ==
+              0);
     for (const double longest : {nan, inf, -1.0, 0.0, 0.01})
-        CHECK(text([&] { FixedStep clock(0.02 * second, longest * second); }).find("FixedStep: longest is " + describe(longest * second)) == 0);
+        CHECK(text([&] {
+                  FixedStep clock(0.02 * second, longest * second);
+              }).find("FixedStep: longest is " + describe(longest * second)) == 0);
     World world{SemiImplicitEuler{}, Gravity{}};
     const auto body = world.add();
     FixedStep clock(1.0 / 64 * second);
@@ -152,7 +159,8 @@ TEST_CASE("a world driven by frames is the world stepped by hand", "[world][fixe
     CHECK(driven.tick() == steps);
 }
 
-TEST_CASE("a push before each step is the same on every screen, and every step's events can be read", "[world][fixed_step]") {
+TEST_CASE("a push before each step is the same on every screen, and every step's events can be read",
+          "[world][fixed_step]") {
     auto height_after_two_seconds = [](int pictures) {
         World world{SemiImplicitEuler{}, Gravity{}, AppliedForces{}};
         const auto rocket = world.add(mass(1.0 * kilogram));
@@ -211,7 +219,9 @@ TEST_CASE("a clock whose frames would never end is refused", "[world][fixed_step
     FixedStep clock(1.0 / 60 * second, 1e300 * second);
     Counts world;
     CHECK(clock.advance(world, 1.0 / 120 * second) == 0);
-    CHECK(test::refusal([&] { clock.advance(world, 1e300 * second); }).find("FixedStep::advance: frame_time is 1e+300 s; ") == 0);
+    CHECK(test::refusal([&] {
+              clock.advance(world, 1e300 * second);
+          }).find("FixedStep::advance: frame_time is 1e+300 s; ") == 0);
     CHECK(clock.alpha() == 0.5);
     CHECK(world.steps == 0);
 }

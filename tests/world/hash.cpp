@@ -28,7 +28,8 @@ template <class Scalar> using Bits = std::conditional_t<sizeof(Scalar) == 4, std
 template <class C, class W> void flip(W& world, std::size_t slot, int component, int bit) {
     using Scalar = typename W::Scalar;
     auto& place = const_cast<Scalar&>(world.template lane<C>(component)[slot]);
-    place = std::bit_cast<Scalar>(static_cast<Bits<Scalar>>(std::bit_cast<Bits<Scalar>>(place) ^ (Bits<Scalar>(1) << bit)));
+    place =
+        std::bit_cast<Scalar>(static_cast<Bits<Scalar>>(std::bit_cast<Bits<Scalar>>(place) ^ (Bits<Scalar>(1) << bit)));
 }
 
 /// Turns over every bit of a state column, one after the other, and counts those whose change the hash does not show.
@@ -53,7 +54,8 @@ template <class C, class W> int bits_not_seen(W world) {
 
 } // namespace
 
-TEST_CASE("numbers are hashed by value: both zeros are one, all NaNs are one, a float is the double it is", "[world][hash]") {
+TEST_CASE("numbers are hashed by value: both zeros are one, all NaNs are one, a float is the double it is",
+          "[world][hash]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(hash_of({0.0}) == hash_of({-0.0}));
     CHECK(hash_of({nan}) == hash_of({-nan}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Every parameter of every policy is held to the world's scalar at the door: a world of floats takes none that would be infinite in
-// it, or that its policy would not accept as a float, and says which one it was.
+// Every parameter of every policy is held to the world's scalar at the door: a world of floats takes none that would be
+// infinite in it, or that its policy would not accept as a float, and says which one it was.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion.hpp>
@@ -35,8 +35,7 @@ template <class P> int change(P& policy, int n, double to, std::string& what) {
                 auto v = value.value();
                 v[0] = to;
                 value = detail::stripped<Value>::from_value(v);
-            } else
-                value = detail::stripped<Value>::from_value(to);
+            } else value = detail::stripped<Value>::from_value(to);
         }
     });
     return count;
@@ -81,16 +80,26 @@ TEST_CASE("no parameter of any policy or shape is one that a float cannot hold",
 }
 
 TEST_CASE("a world of floats refuses what it cannot hold when it is made, set and added to", "[world][door][V5]") {
-    auto made = [](auto grid, auto impulse) { World world{Flat{}, SemiImplicitEuler{}, grid, Narrowphase<Sphere>{}, impulse, Springs<Breaking>{}}; return world; };
-    CHECK_THAT(test::refusal([&] { made(UniformGrid{1e39 * metre}, Impulse{}); }), ContainsSubstring("UniformGrid: cell is 1e+39 m; "));
-    CHECK_THAT(test::refusal([&] { made(UniformGrid{}, Impulse<>{1e39 * metre_per_second}); }), ContainsSubstring("Impulse: threshold is 1e+39 m/s; "));
+    auto made = [](auto grid, auto impulse) {
+        World world{Flat{}, SemiImplicitEuler{}, grid, Narrowphase<Sphere>{}, impulse, Springs<Breaking>{}};
+        return world;
+    };
+    CHECK_THAT(test::refusal([&] { made(UniformGrid{1e39 * metre}, Impulse{}); }),
+               ContainsSubstring("UniformGrid: cell is 1e+39 m; "));
+    CHECK_THAT(test::refusal([&] { made(UniformGrid{}, Impulse<>{1e39 * metre_per_second}); }),
+               ContainsSubstring("Impulse: threshold is 1e+39 m/s; "));
     auto world = made(UniformGrid{}, Impulse{});
     const auto ball = world.add(Sphere{0.5 * metre}, mass(1.0 * kilogram));
     const auto before = world.hash();
-    CHECK_THAT(test::refusal([&] { world.set(Impulse<>{1e39 * metre_per_second}); }), ContainsSubstring("Impulse: threshold is 1e+39 m/s; "));
-    CHECK_THAT(test::refusal([&] { world.set(UniformGrid{1e39 * metre}); }), ContainsSubstring("UniformGrid: cell is 1e+39 m; "));
-    CHECK_THAT(test::refusal([&] { world.add(Sphere{1e39 * metre}, mass(1.0 * kilogram)); }), ContainsSubstring("Sphere: radius is 1e+39 m; "));
-    auto refused = [&](const Spring& spring, const auto&... more) { return test::refusal([&] { world.add(spring, more...); }); };
+    CHECK_THAT(test::refusal([&] { world.set(Impulse<>{1e39 * metre_per_second}); }),
+               ContainsSubstring("Impulse: threshold is 1e+39 m/s; "));
+    CHECK_THAT(test::refusal([&] { world.set(UniformGrid{1e39 * metre}); }),
+               ContainsSubstring("UniformGrid: cell is 1e+39 m; "));
+    CHECK_THAT(test::refusal([&] { world.add(Sphere{1e39 * metre}, mass(1.0 * kilogram)); }),
+               ContainsSubstring("Sphere: radius is 1e+39 m; "));
+    auto refused = [&](const Spring& spring, const auto&... more) {
+        return test::refusal([&] { world.add(spring, more...); });
+    };
     const Spring right{ball, metres(1, 0), 1.0 * newton_per_metre, 1.0 * newton_second_per_metre, 1.0 * metre};
     auto wrong = right;
     wrong.stiffness = 1e39 * newton_per_metre;
@@ -99,7 +108,8 @@ TEST_CASE("a world of floats refuses what it cannot hold when it is made, set an
     CHECK_THAT(refused(wrong), ContainsSubstring("damping is 1e+39 "));
     wrong = right, wrong.rest_length = 1e39 * metre;
     CHECK_THAT(refused(wrong), ContainsSubstring("rest length is 1e+39 m; "));
-    CHECK_THAT(refused(Spring{ball, metres(1e39, 0), 1.0 * newton_per_metre}), ContainsSubstring("anchor is (1e+39, 0"));
+    CHECK_THAT(refused(Spring{ball, metres(1e39, 0), 1.0 * newton_per_metre}),
+               ContainsSubstring("anchor is (1e+39, 0"));
     CHECK_THAT(refused(right, breaks_at(1e39 * newton)), ContainsSubstring("1e+39 N; "));
     CHECK(world.hash() == before);
     world.step(1.0 / 60 * second);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Doors of a world whose integrator keeps history: whatever is changed through them, the velocity is what it was, and the
-// order of the method stays. Each case is held against VelocityVerlet, which stores the velocity.
+// Doors of a world whose integrator keeps history: whatever is changed through them, the velocity is what it was, and
+// the order of the method stays. Each case is held against VelocityVerlet, which stores the velocity.
 
 #include <ansatz/world/present.hpp>
 
@@ -86,7 +86,8 @@ struct AlongX {
     using reads = Columns<Charge>;
     template <class S> struct In {
         explicit In(const AlongX&) {}
-        typename S::Acceleration acceleration(const typename S::template ScalarOf<unit::Acceleration>& q, const auto&) const {
+        typename S::Acceleration acceleration(const typename S::template ScalarOf<unit::Acceleration>& q,
+                                              const auto&) const {
             auto a = S::template zero_vector<unit::Acceleration>().value();
             a[0] = q.value();
             return S::Acceleration::from_value(a);
@@ -105,11 +106,13 @@ TEST_CASE("a column that a force reads can be written without a push", "[world][
     CHECK(norm(world.velocity(body) - metres_per_second(10, 0, 0)) < 1e-13 * metre_per_second);
 }
 
-TEST_CASE("where bodies act on each other, removing, adding, moving one is no push for the others", "[world][history][coupled]") {
+TEST_CASE("where bodies act on each other, removing, adding, moving one is no push for the others",
+          "[world][history][coupled]") {
     const auto change = GENERATE(0, 1, 2, 3);
     World world{Verlet{}, of_one()};
     const auto sun = world.add(mass(30.0 * kilogram));
-    const auto planet = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(0, 5.5, 0)), mass(1e-6 * kilogram));
+    const auto planet =
+        world.add(position(metres(1, 0, 0)), velocity(metres_per_second(0, 5.5, 0)), mass(1e-6 * kilogram));
     for (int i = 0; i < 50; ++i) world.step(0.002 * second);
     const auto before = world.velocity(planet);
     if (change == 0) world.remove(sun);
@@ -120,10 +123,12 @@ TEST_CASE("where bodies act on each other, removing, adding, moving one is no pu
     CHECK(norm(world.velocity(planet) - before) < 1e-12 * metre_per_second);
     if (change == 3) return;
     world.step(0.002 * second);
-    CHECK(norm(world.velocity(planet) - before) < 1e-4 * metre_per_second); // what is left pulls with 0.003 m/s^2 at most
+    CHECK(norm(world.velocity(planet) - before) <
+          1e-4 * metre_per_second); // what is left pulls with 0.003 m/s^2 at most
 }
 
-TEMPLATE_TEST_CASE("the acceleration is that of the present, whatever was changed", "[world][coupled]", ANSATZ_STAGED_INTEGRATORS) {
+TEMPLATE_TEST_CASE("the acceleration is that of the present, whatever was changed", "[world][coupled]",
+                   ANSATZ_STAGED_INTEGRATORS) {
     World world{TestType{}, of_one()};
     const auto a = world.add(mass(1.0 * kilogram)), b = world.add(position(metres(2, 0, 0)), mass(1.0 * kilogram));
     auto pull = [&] { return x(world.acceleration(a)).value(); };
@@ -141,10 +146,12 @@ TEMPLATE_TEST_CASE("the acceleration is that of the present, whatever was change
     CHECK(pull() == 0);
 }
 
-TEMPLATE_TEST_CASE("a copy, and a world that was asked, step as the original does", "[world][coupled]", ANSATZ_STAGED_INTEGRATORS) {
+TEMPLATE_TEST_CASE("a copy, and a world that was asked, step as the original does", "[world][coupled]",
+                   ANSATZ_STAGED_INTEGRATORS) {
     World world{TestType{}, of_one(), Rest{}};
     for (int i = 0; i < 4; ++i)
-        world.add(position(metres(i, i * i, 0.5 * i)), velocity(metres_per_second(0, 0, 0.1 * i)), mass((1.0 + i) * kilogram));
+        world.add(position(metres(i, i * i, 0.5 * i)), velocity(metres_per_second(0, 0, 0.1 * i)),
+                  mass((1.0 + i) * kilogram));
     auto copy = world;
     for (int i = 0; i < 30; ++i) {
         const auto h = i % 3 == 0 ? 0.01 * second : 0.02 * second; // with and without the sums of the step before
@@ -171,7 +178,8 @@ TEST_CASE("a door in every step leaves the second order", "[world][history]") {
     };
     auto check = [](const char* what, auto make, auto each) {
         const auto body = make(Verlet{}).body_at(0);
-        const double verlet = order_of(make(Verlet{}), body, each), stored = order_of(make(VelocityVerlet{}), body, each);
+        const double verlet = order_of(make(Verlet{}), body, each),
+                     stored = order_of(make(VelocityVerlet{}), body, each);
         INFO(what << ": order " << verlet << " with Verlet, " << stored << " with VelocityVerlet");
         CHECK(verlet > 1.8);
         CHECK(stored > 1.8);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// No effect, no difference: a world with a policy whose coefficient is zero is bit-identical to the world without it (rows
-// N), by every integrator.
+// No effect, no difference: a world with a policy whose coefficient is zero is bit-identical to the world without it
+// (rows N), by every integrator.
 
 #include <ansatz/world/integration.hpp>
 
@@ -13,8 +13,9 @@ using namespace ansatz::test;
 TEMPLATE_TEST_CASE("a policy with coefficient zero is as good as none, to the bit", "[world][N1]", ANSATZ_INTEGRATORS) {
     using I = TestType;
     World plain{I{}, spring, Gravity{}};
-    CHECK(same_motion(plain, World{I{}, spring, Gravity{}, Drag{0.0 / second}, FrameDrag{1.0}, StopBelow{0.0 * metre_per_second},
-                                   QuadraticDrag{0.0 * kilogram_per_metre}, AppliedForces{}, Interpolation{}, Keep<Heat>{}}));
+    CHECK(same_motion(plain, World{I{}, spring, Gravity{}, Drag{0.0 / second}, FrameDrag{1.0},
+                                   StopBelow{0.0 * metre_per_second}, QuadraticDrag{0.0 * kilogram_per_metre},
+                                   AppliedForces{}, Interpolation{}, Keep<Heat>{}}));
 }
 
 TEST_CASE("one effect at a time, in float and in the plane, is as good as none, to the bit", "[world][N1]") {

@@ -10,14 +10,17 @@ using namespace ansatz;
 using namespace ansatz::test;
 
 namespace {
-template <class W> double drawn(const W& world, Handle body, double alpha) { return double(interpolated_position(world, body, alpha).value()[0]); }
+template <class W> double drawn(const W& world, Handle body, double alpha) {
+    return double(interpolated_position(world, body, alpha).value()[0]);
+}
 } // namespace
 
-TEMPLATE_TEST_CASE("a body is drawn on the way from its state before the last step to the present one", "[world][interpolation]", SemiImplicitEuler,
-                   Verlet, ImplicitEuler) {
+TEMPLATE_TEST_CASE("a body is drawn on the way from its state before the last step to the present one",
+                   "[world][interpolation]", SemiImplicitEuler, Verlet, ImplicitEuler) {
     World world{TestType{}, Interpolation{}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(32, 0, 0)));
-    for (const double alpha : {0.0, 0.5, 1.0}) CHECK(drawn(world, body, alpha) == 1); // before the first step: where it is
+    for (const double alpha : {0.0, 0.5, 1.0})
+        CHECK(drawn(world, body, alpha) == 1); // before the first step: where it is
     for (int i = 0; i < 3; ++i) {
         world.step(1.0 / 64 * second);
         CHECK(drawn(world, body, 0) == 1 + 0.5 * i);
@@ -40,9 +43,11 @@ TEMPLATE_TEST_CASE("a teleport is not smeared", "[world][interpolation]", SemiIm
     CHECK(drawn(world, body, 0.5) == 1000.5);
 }
 
-TEMPLATE_TEST_CASE("a platform is drawn in between as well, a fixed body is where it is", "[world][interpolation]", SemiImplicitEuler, Verlet) {
+TEMPLATE_TEST_CASE("a platform is drawn in between as well, a fixed body is where it is", "[world][interpolation]",
+                   SemiImplicitEuler, Verlet) {
     World world{TestType{}, Gravity{}, Interpolation{}};
-    const auto lift = world.add(velocity(metres_per_second(64, 0, 0)), moving), ground = world.add(position(metres(5, 0, 0)), fixed);
+    const auto lift = world.add(velocity(metres_per_second(64, 0, 0)), moving),
+               ground = world.add(position(metres(5, 0, 0)), fixed);
     for (int i = 0; i < 2; ++i) world.step(1.0 / 64 * second);
     CHECK(drawn(world, lift, 0) == 1);
     CHECK(drawn(world, lift, 0.5) == 1.5);
@@ -51,9 +56,11 @@ TEMPLATE_TEST_CASE("a platform is drawn in between as well, a fixed body is wher
     CHECK(drawn(world, ground, 0) == 9);
 }
 
-TEMPLATE_TEST_CASE("a resting body is drawn where it lies, also when it has just woken", "[world][interpolation]", SemiImplicitEuler, Verlet) {
+TEMPLATE_TEST_CASE("a resting body is drawn where it lies, also when it has just woken", "[world][interpolation]",
+                   SemiImplicitEuler, Verlet) {
     World world{TestType{}, AppliedForces{}, Rest{4.0 * metre_per_second, 0.0 * second}, Interpolation{}};
-    const auto body = world.add(velocity(metres_per_second(2, 0, 0)), mass(1.0 * kilogram)); // slow enough to sleep at once, a step further
+    const auto body = world.add(velocity(metres_per_second(2, 0, 0)),
+                                mass(1.0 * kilogram)); // slow enough to sleep at once, a step further
     world.step(1.0 / 64 * second);
     REQUIRE(world.motion(body) == Motion::resting);
     const double place = world.position(body).value()[0];
@@ -74,7 +81,8 @@ TEMPLATE_TEST_CASE("a resting body is drawn where it lies, also when it has just
 }
 
 TEST_CASE("a body that wakes within a step is drawn from where it lay", "[world][interpolation]") {
-    World world{SemiImplicitEuler{}, Nothing{}, Later{4.5 / 64 * second}, Rest{4.0 * metre_per_second, 0.0 * second}, Interpolation{}};
+    World world{SemiImplicitEuler{}, Nothing{}, Later{4.5 / 64 * second}, Rest{4.0 * metre_per_second, 0.0 * second},
+                Interpolation{}};
     const auto body = world.add(velocity(metres_per_second(2, 0, 0)), mass(1.0 * kilogram));
     for (int i = 0; i < 5; ++i) world.step(1.0 / 64 * second);
     REQUIRE(world.motion(body) == Motion::resting);

@@ -31,7 +31,8 @@ TEST_CASE("a datum of bool is one for each body, and goes with its body", "[worl
 
 TEST_CASE("a datum of text is copied with the world, removed with the body, and not hashed", "[world][keep]") {
     World world{SemiImplicitEuler{}, Rest{}, Datum<std::string>{}};
-    const auto ball = world.add(datum("a ball whose name is longer than any small buffer")), wall = world.add(fixed, datum(std::string("wall")));
+    const auto ball = world.add(datum("a ball whose name is longer than any small buffer")),
+               wall = world.add(fixed, datum(std::string("wall")));
     auto copy = world;
     copy.datum(ball) = "another";
     CHECK(copy.hash() == world.hash());

@@ -23,8 +23,9 @@ struct Fall {
     template <class R> void operator()(R& row, std::size_t index) const {
         row.template get<Position>() += row.template get<Velocity>() * S::Time::from_value(0.5f);
         row.template get<Heat>() += S::Energy::from_value(float(index));
-        row.template get<Velocity>() = S::zero_vector<unit::Velocity>(); // not among what is written: must not reach its lane
-        row.template get<Home>() = row.template get<Position>();         // a local of the row
+        row.template get<Velocity>() =
+            S::zero_vector<unit::Velocity>();                    // not among what is written: must not reach its lane
+        row.template get<Home>() = row.template get<Position>(); // a local of the row
     }
 };
 } // namespace
@@ -45,7 +46,8 @@ TEST_CASE("sweep loads what is listed, calls, and stores only what is written, o
     CHECK(x[3] == 3.0f);
 }
 
-TEMPLATE_TEST_CASE("lanes keep their bodies while they grow, shrink, swap and are copied", "[world][lanes]", float, double) {
+TEMPLATE_TEST_CASE("lanes keep their bodies while they grow, shrink, swap and are copied", "[world][lanes]", float,
+                   double) {
     using Sp = Space<TestType, 3>;
     Lanes<Sp, List> lanes;
     CHECK(lanes.width == 7);
@@ -98,7 +100,8 @@ TEST_CASE("lanes begin on cache lines and do not overlap", "[world][lanes]") {
     Lanes<Space<float, 3>, List> lanes;
     for (const std::size_t n : {1u, 100u, 1000u, 1024u, 5000u}) {
         lanes.reserve(n);
-        for (std::size_t k = 0; k < lanes.width; ++k) CHECK(reinterpret_cast<std::uintptr_t>(lanes.lane_at(k)) % 64 == 0);
+        for (std::size_t k = 0; k < lanes.width; ++k)
+            CHECK(reinterpret_cast<std::uintptr_t>(lanes.lane_at(k)) % 64 == 0);
         CHECK(lanes.lane_at(1) - lanes.lane_at(0) >= std::ptrdiff_t(n));
         CHECK(lanes.lane<Velocity>(1) == lanes.lane_at(5));
         const auto pointers = lanes.pointers(Columns<Velocity, Position>{});
@@ -108,7 +111,9 @@ TEST_CASE("lanes begin on cache lines and do not overlap", "[world][lanes]") {
 }
 
 // ---------------------------------------------------------------- row.hpp, columns.hpp
-static_assert(detail::lane_count(List{}, 2) == 5 && detail::lane_count(List{}, 3) == 7 && detail::lane_count(Columns<>{}, 3) == 0);
-static_assert(detail::offset_in<Position>(List{}, 3) == 0 && detail::offset_in<Heat>(List{}, 3) == 3 && detail::offset_in<Velocity>(List{}, 2) == 3);
+static_assert(detail::lane_count(List{}, 2) == 5 && detail::lane_count(List{}, 3) == 7 &&
+              detail::lane_count(Columns<>{}, 3) == 0);
+static_assert(detail::offset_in<Position>(List{}, 3) == 0 && detail::offset_in<Heat>(List{}, 3) == 3 &&
+              detail::offset_in<Velocity>(List{}, 2) == 3);
 static_assert(std::same_as<decltype(std::declval<Row<S, List>&>().get<Heat>()), Quantity<unit::Energy, float>&>);
 static_assert(std::same_as<decltype(std::declval<const Row<S, List>&>().get<Position>()), const S::Position&>);

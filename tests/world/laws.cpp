@@ -53,10 +53,8 @@ template <> inline constexpr unsigned evaluations<RungeKutta4> = 4;
 template <class W> void populate(W& world, int awake) {
     auto some = [](double x) { return position(metres(x, 0, 0)); };
     auto add = [&](const auto&... property) {
-        if constexpr (W::composition::has_mass)
-            world.add(property..., mass(1.0 * kilogram));
-        else
-            world.add(property...);
+        if constexpr (W::composition::has_mass) world.add(property..., mass(1.0 * kilogram));
+        else world.add(property...);
     };
     for (int i = 0; i < awake; ++i) add(some(i));
     world.add(fixed);
@@ -66,8 +64,9 @@ template <class W> void populate(W& world, int awake) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a law is asked once a stage for each awake body, and never for one that rests, is fixed or moves by itself", "[world][laws][N3]",
-                   ANSATZ_STAGED_INTEGRATORS) {
+TEMPLATE_TEST_CASE(
+    "a law is asked once a stage for each awake body, and never for one that rests, is fixed or moves by itself",
+    "[world][laws][N3]", ANSATZ_STAGED_INTEGRATORS) {
     std::uint64_t asked = 0;
     World world{TestType{}, Counted<>{&asked}, Rest{}};
     populate(world, 5);
@@ -99,8 +98,8 @@ TEST_CASE("Verlet asks once more only where a law reads the velocity", "[world][
     CHECK(of_velocity == 10 * 3 * 2);
 }
 
-TEMPLATE_TEST_CASE("where bodies couple, law and coupling are asked once a stage as well", "[world][laws][N3]", SemiImplicitEuler, Verlet,
-                   RungeKutta4) {
+TEMPLATE_TEST_CASE("where bodies couple, law and coupling are asked once a stage as well", "[world][laws][N3]",
+                   SemiImplicitEuler, Verlet, RungeKutta4) {
     std::uint64_t asked = 0, coupled = 0;
     World world{TestType{}, Counted<>{&asked}, CountedCoupling{&coupled}, Drag{}, Keep<Heat>{}};
     populate(world, 5);
@@ -123,8 +122,8 @@ TEST_CASE("a world without a law asks none, and a fixed body is asked about noth
 
 TEST_CASE("the laws of a world are summed as accelerations, and forces are divided by the mass once", "[world][laws]") {
     using S = Space<>;
-    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -10, 0)}, ToOrigin{2.0 / (second * second)}, AppliedForces{},
-                QuadraticDrag{0.5 * kilogram_per_metre}};
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -10, 0)}, ToOrigin{2.0 / (second * second)},
+                AppliedForces{}, QuadraticDrag{0.5 * kilogram_per_metre}};
     const auto body = world.add(position(metres(1, 2, 3)), velocity(metres_per_second(0, 0, 2)), mass(4.0 * kilogram));
     world.apply_force(body, newtons(8, 0, 0));
     // -2 x + g + F/m - k |v| v / m, each of them a binary fraction
@@ -136,16 +135,19 @@ TEST_CASE("the laws of a world are summed as accelerations, and forces are divid
     CHECK(S::Acceleration(none.acceleration(Row<S, Columns<>>{}, now)) == metres_per_second_squared(0, 0, 0));
 }
 
-TEST_CASE("the Jacobian of the laws is the derivative of their sum, of forces and accelerations alike", "[world][laws]") {
+TEST_CASE("the Jacobian of the laws is the derivative of their sum, of forces and accelerations alike",
+          "[world][laws]") {
     using S = Space<>;
-    const Laws<S, ToOrigin, QuadraticDrag, Gravity> laws{ToOrigin{3.0 / (second * second)}, QuadraticDrag{0.5 * kilogram_per_metre}, Gravity{}};
+    const Laws<S, ToOrigin, QuadraticDrag, Gravity> laws{ToOrigin{3.0 / (second * second)},
+                                                         QuadraticDrag{0.5 * kilogram_per_metre}, Gravity{}};
     const Context<S> now(0.0 * second, TimeStep<S>(0.1 * second, 0.1 * second));
     Row<S, Columns<Position, Velocity, InverseMass>> row;
     row.get<Position>() = metres(1, -2, 3);
     row.get<Velocity>() = metres_per_second(2, 1, -2);
     row.get<InverseMass>() = 0.25 / kilogram;
     const auto exact = laws.jacobian(row, now);
-    const double h = 1e-5; // the error of a central difference is of order h^2 times third derivatives near 1, plus 1e-16 / h
+    const double h =
+        1e-5; // the error of a central difference is of order h^2 times third derivatives near 1, plus 1e-16 / h
     for (int column = 0; column < 3; ++column) {
         auto difference = [&]<class C>(Columns<C>) {
             auto shifted = [&](double by) {
@@ -163,7 +165,8 @@ TEST_CASE("the Jacobian of the laws is the derivative of their sum, of forces an
 }
 
 TEST_CASE("each stage asks the laws at its own time", "[world][laws]") {
-    // a = 1 from t = 1/2 on: in the step from 0 to 1 RungeKutta4 sees it with weights 2/6, 2/6, 1/6 of its last three stages.
+    // a = 1 from t = 1/2 on: in the step from 0 to 1 RungeKutta4 sees it with weights 2/6, 2/6, 1/6 of its last three
+    // stages.
     World world{RungeKutta4{}, Later{0.5 * second}};
     const auto body = world.add();
     world.step(1.0 * second);

@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// An eventful life of a world, the same each time: bodies that fall asleep and wake, forces that wait for the next step,
-/// teleports, impulses, removals, additions, steps of changing length. Tests of copies, of files and of hashes live it in
-/// parts and compare.
+/// An eventful life of a world, the same each time: bodies that fall asleep and wake, forces that wait for the next
+/// step, teleports, impulses, removals, additions, steps of changing length. Tests of copies, of files and of hashes
+/// live it in parts and compare.
 
 #include "tests/world/worlds.hpp"
 
@@ -16,8 +16,14 @@ namespace ansatz::test {
 template <class S, class I> using Eventful = World<S, I, Later, Drag, AppliedForces, Rest, Interpolation, Keep<Heat>>;
 
 template <class S, class I> Eventful<S, I> eventful() {
-    return Eventful<S, I>{S{}, I{}, Later{0.65 * second}, Drag{0.5 / second}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second},
-                          Interpolation{}, Keep<Heat>{}};
+    return Eventful<S, I>{S{},
+                          I{},
+                          Later{0.65 * second},
+                          Drag{0.5 / second},
+                          AppliedForces{},
+                          Rest{0.05 * metre_per_second, 0.1 * second},
+                          Interpolation{},
+                          Keep<Heat>{}};
 }
 
 /// Takes step number `i` of the life, with what happens before it. A pending force is part of the state between steps.
@@ -51,9 +57,12 @@ template <class W> void live(W& world, int from, int to) {
 
 /// Are two worlds the same to the last bit, in all that a program can read? (Signs of zeros too, unlike hashes.)
 template <class W> bool same_to_the_bit(const W& a, const W& b) {
-    if (a.handles() != b.handles() || a.tick() != b.tick() || !same_bits(a.time(), b.time()) || a.hash() != b.hash()) return false;
+    if (a.handles() != b.handles() || a.tick() != b.tick() || !same_bits(a.time(), b.time()) || a.hash() != b.hash())
+        return false;
     for (const Handle h : a.handles()) {
-        if (a.motion(h) != b.motion(h) || !same_bits(a.velocity(h), b.velocity(h)) || !same_bits(a.acceleration(h), b.acceleration(h))) return false;
+        if (a.motion(h) != b.motion(h) || !same_bits(a.velocity(h), b.velocity(h)) ||
+            !same_bits(a.acceleration(h), b.acceleration(h)))
+            return false;
         bool same = true;
         [&]<class... C>(Columns<C...>) {
             ((same = same && same_bits(a.template read<C>(h), b.template read<C>(h))), ...);

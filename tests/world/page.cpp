@@ -23,7 +23,9 @@ struct Wind { // a = c (w - v)
         typename S::template ScalarOf<unit::Frequency> grip;
         typename S::Velocity wind;
         explicit In(const Wind& w) : grip(S::convert(w.grip)), wind(S::convert(w.wind)) {}
-        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const { return grip * (wind - v); }
+        typename S::Acceleration acceleration(const typename S::Velocity& v, const auto&) const {
+            return grip * (wind - v);
+        }
     };
 };
 //! [wind]

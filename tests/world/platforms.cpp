@@ -7,11 +7,12 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a platform goes where its velocity takes it, and nothing pulls, slows or stops it", "[world]", SemiImplicitEuler, Verlet,
-                   ImplicitEuler) {
+TEMPLATE_TEST_CASE("a platform goes where its velocity takes it, and nothing pulls, slows or stops it", "[world]",
+                   SemiImplicitEuler, Verlet, ImplicitEuler) {
     World world{TestType{}, Gravity{}, Drag{0.5 / second}, AppliedForces{}, Rest{}};
     const auto lift = world.add(position(metres(0, 1, 0)), velocity(metres_per_second(0, 0.5, 0)), moving);
-    const auto still = world.add(position(metres(3, 1, 0)), moving); // slower than the threshold of Rest, and a platform all the same
+    const auto still =
+        world.add(position(metres(3, 1, 0)), moving); // slower than the threshold of Rest, and a platform all the same
     const auto body = world.add(mass(1.0 * kilogram));
     for (int i = 0; i < 128; ++i) {
         world.apply_force(lift, newtons(1, 1, 1));
@@ -25,7 +26,7 @@ TEMPLATE_TEST_CASE("a platform goes where its velocity takes it, and nothing pul
     CHECK(world.motion(still) == Motion::moving);
     CHECK(world.motion(lift) == Motion::moving);
     CHECK(world.inverse_mass(lift).value() == 0);
-    CHECK(world.position(body).value()[1] < -10); // the others fall
+    CHECK(world.position(body).value()[1] < -10);         // the others fall
     world.set_velocity(lift, metres_per_second(1, 0, 0)); // and it turns when it is told to
     for (int i = 0; i < 64; ++i) world.step(1.0 / 64 * second);
     CHECK(world.position(lift) == metres(1, 2, 0));

@@ -15,8 +15,7 @@ template <class A, class B> bool same_motion(A a, B b, int steps = 100) {
     auto add = [](auto& world, const auto& x, const auto& v, double m) {
         if constexpr (std::remove_reference_t<decltype(world)>::composition::has_mass)
             world.add(x, v, mass(m * kilogram));
-        else
-            world.add(x, v);
+        else world.add(x, v);
     };
     for (int i = 0; i < 17; ++i) { // enough for the vectorised loop and its remainder
         double c[6];
@@ -39,7 +38,8 @@ template <class A, class B> bool same_motion(A a, B b, int steps = 100) {
         a.step(dt);
         b.step(dt);
         for (const auto h : all)
-            if (!(a.position(h) == b.position(h)) || !(a.velocity(h) == b.velocity(h)) || !(a.acceleration(h) == b.acceleration(h))) {
+            if (!(a.position(h) == b.position(h)) || !(a.velocity(h) == b.velocity(h)) ||
+                !(a.acceleration(h) == b.acceleration(h))) {
                 UNSCOPED_INFO("body " << h.id << " differs after step " << i);
                 return false;
             }

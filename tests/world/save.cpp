@@ -59,7 +59,8 @@ TEST_CASE("a world saved at step 30, loaded and run to 60 is the world run to 60
 TEST_CASE("a world whose bodies couple, by an integrator of history, is saved whole", "[world][save][I19]") {
     World world{Verlet{}, Attraction{1.0 * (cubic_metre / (kilogram * second * second)), 0.1 * metre}, QuadraticDrag{}};
     auto empty = world;
-    for (int i = 0; i < 4; ++i) world.add(position(metres(i, i * i, 1)), velocity(metres_per_second(0, 1, -i)), mass((1.0 + i) * kilogram));
+    for (int i = 0; i < 4; ++i)
+        world.add(position(metres(i, i * i, 1)), velocity(metres_per_second(0, 1, -i)), mass((1.0 + i) * kilogram));
     auto run = [](auto& w, int steps) {
         for (int i = 0; i < steps; ++i) w.step(1.0 / 60 * second);
     };
@@ -78,7 +79,8 @@ TEST_CASE("a world whose bodies couple, by an integrator of history, is saved wh
 TEST_CASE("every number of a state survives the file: signs of zero, denormals, the largest", "[world][save]") {
     World world{SemiImplicitEuler{}, Keep<Home>{}};
     using Limits = std::numeric_limits<double>;
-    const auto body = world.add(position(metres(-0.0, Limits::denorm_min(), 0.1)), velocity(metres_per_second(Limits::max(), -1e-300, 1.0 / 3)),
+    const auto body = world.add(position(metres(-0.0, Limits::denorm_min(), 0.1)),
+                                velocity(metres_per_second(Limits::max(), -1e-300, 1.0 / 3)),
                                 with<Home>(metres(1e22, 123456789012345678.0, Limits::epsilon())));
     World loaded{SemiImplicitEuler{}, Keep<Home>{}};
     load_text(loaded, text_of(world));
@@ -103,7 +105,8 @@ TEST_CASE("handles of the saved world name its bodies in the loaded one, and sta
     world.remove(a);
     const auto heir = world.add(position(metres(2, 0, 0))); // of a
     const auto e = world.add(), f = world.add(), g = world.add();
-    for (const auto h : {f, g, e}) world.remove(h); // the order in which ids become free is that in which they are used again
+    for (const auto h : {f, g, e})
+        world.remove(h); // the order in which ids become free is that in which they are used again
     World loaded{SemiImplicitEuler{}, Rest{}};
     load_text(loaded, text_of(world));
     CHECK_FALSE(loaded.contains(a));
@@ -147,7 +150,8 @@ TEST_CASE("a datum is not saved: a new world has new ones, one that had them kee
 
 TEST_CASE("a world goes through a file on disk, and a path that cannot be opened is named", "[world][save]") {
     const auto folder = std::filesystem::temp_directory_path();
-    const auto path = (folder / ("ansatz_test_save_" + std::to_string(reinterpret_cast<std::uintptr_t>(&folder)) + ".json")).string();
+    const auto path =
+        (folder / ("ansatz_test_save_" + std::to_string(reinterpret_cast<std::uintptr_t>(&folder)) + ".json")).string();
     World world{SemiImplicitEuler{}, Gravity{}};
     const auto body = world.add(position(metres(1, 2, 3)));
     save(world, path);
@@ -155,9 +159,11 @@ TEST_CASE("a world goes through a file on disk, and a path that cannot be opened
     load(loaded, path);
     CHECK(loaded.position(body) == metres(1, 2, 3));
     std::remove(path.c_str());
-    CHECK(sentence<std::invalid_argument>([&] { load(loaded, path); }) == "load: " + path + " cannot be opened for reading");
+    CHECK(sentence<std::invalid_argument>([&] { load(loaded, path); }) ==
+          "load: " + path + " cannot be opened for reading");
     const std::string nowhere = path + "/in/no/folder";
-    CHECK(sentence<std::invalid_argument>([&] { save(world, nowhere); }) == "save: " + nowhere + " cannot be opened for writing");
+    CHECK(sentence<std::invalid_argument>([&] { save(world, nowhere); }) ==
+          "save: " + nowhere + " cannot be opened for writing");
     CHECK(loaded.position(body) == metres(1, 2, 3));
 }
 

@@ -85,7 +85,8 @@ TEST_CASE("a file of something else, of another version, scalar, dimension or co
     refused([](Json& f) { f["format"] = "tileset"; }, "format is \"tileset\"; expected \"ansatz world\"", "");
     refused([](Json& f) { f["version"] = 2; }, "version is 2; expected 1", "the version that this library reads");
     refused([](Json& f) { f["version"] = "1"; }, "version is \"1\"; expected 1", "");
-    refused([](Json& f) { f["scalar"] = "double"; }, "scalar is \"double\"; expected \"float\"", "the scalar of this world");
+    refused([](Json& f) { f["scalar"] = "double"; }, "scalar is \"double\"; expected \"float\"",
+            "the scalar of this world");
     refused([](Json& f) { f["dimension"] = 3; }, "dimension is 3; expected 2", "the dimension of this world");
     refused([](Json& f) { f["columns"].erase(0); }, "columns is [", "expected [\"position\",");
     refused([](Json& f) { f["columns"].push_back("heat"); }, "columns is [", "the columns of this world");
@@ -94,45 +95,62 @@ TEST_CASE("a file of something else, of another version, scalar, dimension or co
 }
 
 TEST_CASE("a file that lacks something is refused with what is missing", "[world][save]") {
-    for (const char* key : {"format", "version", "scalar", "dimension", "columns", "policies", "clock", "unsolved", "generations", "free", "bodies"})
+    for (const char* key : {"format", "version", "scalar", "dimension", "columns", "policies", "clock", "unsolved",
+                            "generations", "free", "bodies"})
         refused([&](Json& f) { f.erase(key); }, "expected \"" + std::string(key) + "\", but there is none", "");
-    for (const char* key : {"id", "motion", "waiting", "position", "previous position", "inverse mass", "applied force", "rest time"})
-        refused([&](Json& f) { f["bodies"][1].erase(key); }, "bodies[1]: expected \"" + std::string(key) + "\", but there is none", "");
+    for (const char* key :
+         {"id", "motion", "waiting", "position", "previous position", "inverse mass", "applied force", "rest time"})
+        refused([&](Json& f) { f["bodies"][1].erase(key); },
+                "bodies[1]: expected \"" + std::string(key) + "\", but there is none", "");
     for (const char* key : {"start", "dt", "steps", "tick"})
-        refused([&](Json& f) { f["clock"].erase(key); }, "clock: expected \"" + std::string(key) + "\", but there is none", "");
+        refused([&](Json& f) { f["clock"].erase(key); },
+                "clock: expected \"" + std::string(key) + "\", but there is none", "");
     refused([](Json& f) { f["policies"].erase("Drag"); }, "policies: expected \"Drag\", but there is none", "");
-    refused([](Json& f) { f["policies"]["Drag"].erase("rate"); }, "policies.Drag: expected \"rate\", but there is none", "");
+    refused([](Json& f) { f["policies"]["Drag"].erase("rate"); }, "policies.Drag: expected \"rate\", but there is none",
+            "");
 }
 
 TEST_CASE("numbers in a file are held to what the world would take at its door", "[world][save]") {
-    refused([](Json& f) { f["bodies"][0]["position"][1] = "nan"; }, "bodies[0].position[1] is \"nan\"; expected a finite number", "");
-    refused([](Json& f) { f["bodies"][0]["position"][1] = nullptr; }, "bodies[0].position[1] is null; expected a finite number", "");
-    refused([](Json& f) { f["bodies"][0]["position"][1] = 1e300; }, "bodies[0].position[1] is 1e+300; expected a finite number",
-            "that the world's scalar can hold");
-    refused([](Json& f) { f["bodies"][0]["position"].push_back(1.0); }, "bodies[0].position is [", "expected a list of 2 numbers");
-    refused([](Json& f) { f["bodies"][0]["rest time"] = "long"; }, "bodies[0].rest time is \"long\"; expected a finite number", "");
-    refused([](Json& f) { f["bodies"][0]["inverse mass"] = 0.0; }, "bodies[0].inverse mass is 0.0; expected a number greater than 0", "");
-    refused([](Json& f) { f["bodies"][0]["inverse mass"] = -0.5; }, "bodies[0].inverse mass is -0.5; expected a number greater than 0", "");
-    refused([](Json& f) { f["bodies"][3]["inverse mass"] = 1.0; }, "bodies[3].inverse mass is 1.0; expected 0", "fixed or moving");
+    refused([](Json& f) { f["bodies"][0]["position"][1] = "nan"; },
+            "bodies[0].position[1] is \"nan\"; expected a finite number", "");
+    refused([](Json& f) { f["bodies"][0]["position"][1] = nullptr; },
+            "bodies[0].position[1] is null; expected a finite number", "");
+    refused([](Json& f) { f["bodies"][0]["position"][1] = 1e300; },
+            "bodies[0].position[1] is 1e+300; expected a finite number", "that the world's scalar can hold");
+    refused([](Json& f) { f["bodies"][0]["position"].push_back(1.0); }, "bodies[0].position is [",
+            "expected a list of 2 numbers");
+    refused([](Json& f) { f["bodies"][0]["rest time"] = "long"; },
+            "bodies[0].rest time is \"long\"; expected a finite number", "");
+    refused([](Json& f) { f["bodies"][0]["inverse mass"] = 0.0; },
+            "bodies[0].inverse mass is 0.0; expected a number greater than 0", "");
+    refused([](Json& f) { f["bodies"][0]["inverse mass"] = -0.5; },
+            "bodies[0].inverse mass is -0.5; expected a number greater than 0", "");
+    refused([](Json& f) { f["bodies"][3]["inverse mass"] = 1.0; }, "bodies[3].inverse mass is 1.0; expected 0",
+            "fixed or moving");
     refused([](Json& f) { f["bodies"][0]["waiting"] = 1; }, "bodies[0].waiting is 1; expected true or false", "");
     refused([](Json& f) { f["unsolved"] = -1; }, "unsolved is -1; expected a whole number", "");
     refused([](Json& f) { f["clock"]["tick"] = 2.5; }, "clock.tick is 2.5; expected a whole number", "");
     refused([](Json& f) { f["clock"]["dt"] = -1.0; }, "clock.dt is -1.0; expected a time step", "not negative");
     refused([](Json& f) { f["clock"]["steps"] = 99; }, "clock.steps is 99; expected a whole number from 0 to 3", "");
-    refused([](Json& f) { f["policies"]["Drag"]["rate"] = -1.0; }, "policies: Drag: rate is -1 1/s; it must be finite and not negative", "");
-    refused([](Json& f) { f["policies"]["Gravity"]["acceleration"] = 9.81; }, "policies.Gravity.acceleration is 9.81; ", "a list of numbers");
+    refused([](Json& f) { f["policies"]["Drag"]["rate"] = -1.0; },
+            "policies: Drag: rate is -1 1/s; it must be finite and not negative", "");
+    refused([](Json& f) { f["policies"]["Gravity"]["acceleration"] = 9.81; }, "policies.Gravity.acceleration is 9.81; ",
+            "a list of numbers");
 }
 
 TEST_CASE("a clock whose steps have no length is refused, because history is divided by it", "[world][save]") {
     refused([](Json& f) { f["clock"]["dt"] = 0.0; }, "clock.dt is 0.0; expected", "greater than 0");
-    refused([](Json& f) { f["clock"]["dt"] = 1e-60; }, "clock.dt is 1e-60; expected", "that the world's scalar can hold");
+    refused([](Json& f) { f["clock"]["dt"] = 1e-60; }, "clock.dt is 1e-60; expected",
+            "that the world's scalar can hold");
 }
 
 TEST_CASE("a directory of bodies that contradicts itself is refused", "[world][save]") {
-    refused([](Json& f) { f["bodies"][1]["id"] = f["bodies"][0]["id"]; }, "bodies[1].id is ", "expected an id that no other body has");
+    refused([](Json& f) { f["bodies"][1]["id"] = f["bodies"][0]["id"]; }, "bodies[1].id is ",
+            "expected an id that no other body has");
     refused([](Json& f) { f["bodies"][1]["id"] = 77; }, "bodies[1].id is 77; expected a whole number from 0 to 4", "");
     refused([](Json& f) { f["bodies"][1]["id"] = "ball"; }, "bodies[1].id is \"ball\"; expected a whole number", "");
-    refused([](Json& f) { f["bodies"][1]["motion"] = "flying"; }, "bodies[1].motion is \"flying\"; expected \"awake\", \"resting\"", "");
+    refused([](Json& f) { f["bodies"][1]["motion"] = "flying"; },
+            "bodies[1].motion is \"flying\"; expected \"awake\", \"resting\"", "");
     refused([](Json& f) { std::swap(f["bodies"][0], f["bodies"][3]); }, "bodies[1].motion is ",
             "expected bodies in the order awake, resting, moving, fixed");
     refused([](Json& f) { f["free"] = Json::array(); }, "free is []; expected a list of 1 free ids", "");
@@ -148,8 +166,8 @@ TEST_CASE("a file of a world with other policies is refused, not half understood
 
 TEST_CASE("a file that is no JSON is refused with line and column", "[world][save]") {
     const auto good = text_of(make());
-    for (const std::string& text : {std::string(), std::string("once upon a time"), good.substr(0, good.size() / 2), good + "}", "\xff" + good,
-                                    std::string("{\"format\": NaN}")}) {
+    for (const std::string& text : {std::string(), std::string("once upon a time"), good.substr(0, good.size() / 2),
+                                    good + "}", "\xff" + good, std::string("{\"format\": NaN}")}) {
         W world = make();
         const auto before = world.hash();
         const auto refusal = load_of(world, text);
@@ -209,8 +227,11 @@ TEST_CASE("a file that nests a hundred thousand lists is refused, not followed d
 }
 
 TEST_CASE("a body that stands still has no velocity in a file either", "[world][save]") {
-    refused([](Json& file) { file["bodies"].back()["previous position"] = {1, 1}; }, "bodies[3].previous position",
-            "the body's position, because it stands still");
+    refused(
+        [](Json& file) {
+            file["bodies"].back()["previous position"] = {1, 1};
+        },
+        "bodies[3].previous position", "the body's position, because it stands still");
     World stored{SemiImplicitEuler{}, Gravity{}};
     stored.add(fixed);
     std::ostringstream out;
@@ -218,7 +239,8 @@ TEST_CASE("a body that stands still has no velocity in a file either", "[world][
     auto file = Json::parse(out.str());
     file["bodies"][0]["velocity"] = {5, 6, 7};
     std::istringstream in(file.dump());
-    CHECK_THAT(sentence<std::invalid_argument>([&] { load(stored, in); }), Catch::Matchers::ContainsSubstring("zeros, because the body stands still"));
+    CHECK_THAT(sentence<std::invalid_argument>([&] { load(stored, in); }),
+               Catch::Matchers::ContainsSubstring("zeros, because the body stands still"));
 }
 
 TEST_CASE("a clock and a mass beyond all numbers are refused", "[world][save]") {
@@ -229,8 +251,10 @@ TEST_CASE("a clock and a mass beyond all numbers are refused", "[world][save]") 
     auto text = Json::parse(out.str());
     text["clock"]["dt"] = 1e307, text["clock"]["tick"] = text["clock"]["steps"] = 1000;
     std::istringstream in(text.dump());
-    CHECK_THAT(sentence<std::invalid_argument>([&] { load(wide, in); }), Catch::Matchers::ContainsSubstring("a number of steps after which the time is finite"));
-    refused([](Json& file) { file["bodies"][0]["inverse mass"] = 1e-45; }, "bodies[0].inverse mass", "the inverse of a finite mass");
+    CHECK_THAT(sentence<std::invalid_argument>([&] { load(wide, in); }),
+               Catch::Matchers::ContainsSubstring("a number of steps after which the time is finite"));
+    refused([](Json& file) { file["bodies"][0]["inverse mass"] = 1e-45; }, "bodies[0].inverse mass",
+            "the inverse of a finite mass");
 }
 
 TEST_CASE("what is no file, and a disk that is full, are sentences", "[world][save]") {
@@ -239,7 +263,8 @@ TEST_CASE("what is no file, and a disk that is full, are sentences", "[world][sa
     CHECK_THAT(sentence<std::invalid_argument>([&] { load(world, "/"); }), Catch::Matchers::ContainsSubstring("/"));
     CHECK(world.hash() == hash);
     if (!std::ifstream("/dev/full")) SKIP("no /dev/full on this system");
-    CHECK_THAT(sentence<std::invalid_argument>([&] { save(world, "/dev/full"); }), Catch::Matchers::ContainsSubstring("/dev/full could not be written to the end"));
+    CHECK_THAT(sentence<std::invalid_argument>([&] { save(world, "/dev/full"); }),
+               Catch::Matchers::ContainsSubstring("/dev/full could not be written to the end"));
 }
 
 TEST_CASE("the order of the policies means nothing to a file; data begin anew", "[world][save]") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Steps that are too short (hard case I21): whatever the step, a world takes it and keeps what it knows, or refuses it and is as it
-// was; and the sentence of a refusal names a step that is taken.
+// Steps that are too short (hard case I21): whatever the step, a world takes it and keeps what it knows, or refuses it
+// and is as it was; and the sentence of a refusal names a step that is taken.
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
@@ -37,12 +37,13 @@ double named_by(const std::string& sentence) {
     const auto at = sentence.rfind("at least ");
     return at == std::string::npos ? 0 : std::stod(sentence.substr(at + 9));
 }
-const double steps[] = {1.0 / 60, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-18, 1e-25, 1e-30, 1e-33, 1e-37, 1e-40, 1e-44,
-                        1e-100, 1e-200, 1e-290, 1e-300, 1e-307, 1e-310, 1e-320, 5e-324};
+const double steps[] = {1.0 / 60, 1e-3,  1e-4,  1e-6,   1e-8,   1e-10,  1e-12,  1e-14,  1e-18,  1e-25,  1e-30, 1e-33,
+                        1e-37,    1e-40, 1e-44, 1e-100, 1e-200, 1e-290, 1e-300, 1e-307, 1e-310, 1e-320, 5e-324};
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a history keeps the velocity, or the step is refused with one that keeps it", "[world][step][I21]", double, float) {
+TEMPLATE_TEST_CASE("a history keeps the velocity, or the step is refused with one that keeps it", "[world][step][I21]",
+                   double, float) {
     const bool wide = sizeof(TestType) == 8;
     const double epsilon = double(std::numeric_limits<TestType>::epsilon());
     for (const bool platform : {false, true})
@@ -51,7 +52,9 @@ TEMPLATE_TEST_CASE("a history keeps the velocity, or the step is refused with on
                 for (const double v : {2e-3, 1.0, 300.0})
                     for (const double dt : steps) {
                         World world{Space<TestType, 2>{}, Verlet{}};
-                        auto add = [&](auto... more) { return world.add(position(metres(x, -x)), velocity(metres_per_second(v, v / 2)), more...); };
+                        auto add = [&](auto... more) {
+                            return world.add(position(metres(x, -x)), velocity(metres_per_second(v, v / 2)), more...);
+                        };
                         const auto body = platform ? add(moving) : add();
                         if (second_step) world.step(1.0 / 60 * second);
                         const double before = along_x(world, body); // a longer step has its own rounding
@@ -59,7 +62,8 @@ TEMPLATE_TEST_CASE("a history keeps the velocity, or the step is refused with on
                         CAPTURE(platform, second_step, x, v, dt, sentence.value_or("taken"));
                         if (!sentence) {
                             REQUIRE(world.status().ok());
-                            // What is lost in each of three steps; steps longer than those that are looked at have their own rounding.
+                            // What is lost in each of three steps; steps longer than those that are looked at have
+                            // their own rounding.
                             const double rounding = 100 * dt * dt < epsilon ? 0 : epsilon * x / dt;
                             REQUIRE(std::abs(along_x(world, body) - before) <= 3e-3 * v + 3 * rounding + 1e-5 * v);
                         } else if (const double enough = named_by(*sentence); enough > 0) {
@@ -79,7 +83,9 @@ template <class W> void takes_no_harm(const W& empty) {
         auto world = empty;
         world.add(Plane::ground(), fixed);
         Handle last{};
-        auto ball = [&](const auto& x) { return world.add(Sphere{0.5 * metre}, x, velocity(metres_per_second(1, 0)), mass(1.0 * kilogram)); };
+        auto ball = [&](const auto& x) {
+            return world.add(Sphere{0.5 * metre}, x, velocity(metres_per_second(1, 0)), mass(1.0 * kilogram));
+        };
         for (int i = 0; i < 3; ++i) last = ball(position(metres(0.01 * i, 0.5 + 0.98 * i)));
         const auto flying = ball(position(metres(100, 100)));
         const auto sentence = refused(world, dt);
@@ -98,9 +104,12 @@ template <class W> void takes_no_harm(const W& empty) {
 } // namespace
 
 TEST_CASE("no step is so short that a pile becomes infinite or loses its velocity", "[world][step][I21]") {
-    takes_no_harm(World{Space<double, 2>{}, SemiImplicitEuler{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps<Friction>{}});
-    takes_no_harm(World{Space<float, 2>{}, Verlet{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}});
-    takes_no_harm(World{Space<float, 2>{}, ImplicitEuler{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}});
+    takes_no_harm(World{Space<double, 2>{}, SemiImplicitEuler{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{},
+                        SoftSubsteps<Friction>{}});
+    takes_no_harm(
+        World{Space<float, 2>{}, Verlet{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}});
+    takes_no_harm(World{Space<float, 2>{}, ImplicitEuler{}, Gravity{}, AllPairs{}, Narrowphase<Sphere, Plane>{},
+                        Impulse{}, Projection{}});
 }
 
 TEST_CASE("an integrator that keeps the velocity takes a step in which nothing moves", "[world][step][I21]") {

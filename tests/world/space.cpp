@@ -24,19 +24,23 @@ using Fifty = Space<Precise, 2>;
 static_assert(std::same_as<Space<>, Space<double, 3>>);
 static_assert(std::same_as<space_of<Gravity, SemiImplicitEuler>, Space<double, 3>>); // the one silent default
 static_assert(std::same_as<space_of<Gravity, Space<float, 2>, SemiImplicitEuler>, Space<float, 2>>);
-static_assert(std::same_as<Space<float, 2>::ClockScalar, double> && std::same_as<Space<double, 2>::ClockScalar, double>);
+static_assert(std::same_as<Space<float, 2>::ClockScalar, double> &&
+              std::same_as<Space<double, 2>::ClockScalar, double>);
 static_assert(std::same_as<Fifty::ClockScalar, Precise>);
 static_assert(std::same_as<Space<float, 2>::Position, VectorQuantity<unit::Length, 2, float>>);
 static_assert(std::same_as<Space<float, 2>::Mass, Quantity<unit::Mass, float>>);
 
-TEST_CASE("parameters are converted to a space's scalar and dimension, and refused where a component would be lost", "[world][space]") {
+TEST_CASE("parameters are converted to a space's scalar and dimension, and refused where a component would be lost",
+          "[world][space]") {
     const auto three = metres(1, 2, 0);
     CHECK(Space<float, 2>::convert("where", three).value() == Eigen::Vector2f(1, 2));
     CHECK(Space<float, 3>::convert("where", metres(1, 2, 3)).value() == Eigen::Vector3f(1, 2, 3));
     CHECK(Space<float, 2>::convert(0.1 * second).value() == 0.1f);
     CHECK(Space<double, 2>::zero_vector<unit::Velocity>().value() == Eigen::Vector2d::Zero());
-    const auto text = sentence<std::invalid_argument>([] { Space<double, 2>::convert("Wind::velocity", metres_per_second(0, 0, 4)); });
-    CHECK(text == "World: Wind::velocity is (0, 0, 4) m/s; this world has two dimensions, so its third component must be 0");
+    const auto text = sentence<std::invalid_argument>(
+        [] { Space<double, 2>::convert("Wind::velocity", metres_per_second(0, 0, 4)); });
+    CHECK(text ==
+          "World: Wind::velocity is (0, 0, 4) m/s; this world has two dimensions, so its third component must be 0");
 }
 
 TEST_CASE("fifty digits step as the closed form of the scheme says", "[world][space]") {
@@ -71,7 +75,9 @@ TEST_CASE("fifty digits solve, damp, rest and are refused like two dozen bits", 
     const auto before = world.hash();
     const auto nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(sentence<std::invalid_argument>([&] { world.step(nan * second); }).find("World::step: dt is nan s; ") == 0);
-    CHECK(sentence<std::invalid_argument>([&] { world.set_position(body, metres(nan, 0)); }).find("World::set_position: position is (nan") == 0);
+    CHECK(sentence<std::invalid_argument>([&] {
+              world.set_position(body, metres(nan, 0));
+          }).find("World::set_position: position is (nan") == 0);
     CHECK(world.hash() == before);
 }
 
@@ -89,5 +95,7 @@ TEST_CASE("fifty digits survive a file, to the last", "[world][space][save]") {
     CHECK(loaded.time() == world.time());
     World narrow{Space<double, 2>{}, SemiImplicitEuler{}};
     std::istringstream again(file.str());
-    CHECK(sentence<std::invalid_argument>([&] { load(narrow, again, "game"); }).find("game: scalar is \"class\"; expected \"double\"") == 0);
+    CHECK(sentence<std::invalid_argument>([&] {
+              load(narrow, again, "game");
+          }).find("game: scalar is \"class\"; expected \"double\"") == 0);
 }

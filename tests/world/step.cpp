@@ -9,11 +9,13 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a force between bodies that is nothing changes nothing, to the bit: both ways to run a step are one", "[world][step][N1]",
-                   ExplicitEuler, VelocityVerlet, Verlet, RungeKutta4) {
+TEMPLATE_TEST_CASE(
+    "a force between bodies that is nothing changes nothing, to the bit: both ways to run a step are one",
+    "[world][step][N1]", ExplicitEuler, VelocityVerlet, Verlet, RungeKutta4) {
     using I = TestType;
-    CHECK(same_motion(World{I{}, spring, QuadraticDrag{}, Drag{0.3 / second}, StopBelow{}, Interpolation{}},
-                      World{I{}, spring, QuadraticDrag{}, Drag{0.3 / second}, StopBelow{}, Interpolation{}, Nothing{}}));
+    CHECK(
+        same_motion(World{I{}, spring, QuadraticDrag{}, Drag{0.3 / second}, StopBelow{}, Interpolation{}},
+                    World{I{}, spring, QuadraticDrag{}, Drag{0.3 / second}, StopBelow{}, Interpolation{}, Nothing{}}));
 }
 
 TEST_CASE("bodies that attract each other with a constant of zero move as if they did not", "[world][step][N1]") {
@@ -41,8 +43,8 @@ template <Place At> struct Note {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("effects act at the place that they name, in whatever order they are listed", "[world][step]", SemiImplicitEuler, Verlet,
-                   ImplicitEuler) {
+TEMPLATE_TEST_CASE("effects act at the place that they name, in whatever order they are listed", "[world][step]",
+                   SemiImplicitEuler, Verlet, ImplicitEuler) {
     using I = TestType;
     auto digits = [](auto world) {
         const auto body = world.add(velocity(metres_per_second(1, 0, 0)));
@@ -50,12 +52,15 @@ TEMPLATE_TEST_CASE("effects act at the place that they name, in whatever order t
         return world.template read<Heat>(body).value();
     };
     // 1: before the forces, not moved; 4: after the integration, moved; 6: at the end, moved.
-    CHECK(digits(World{I{}, Note<Place::before_forces>{}, Note<Place::after_integration>{}, Note<Place::end_of_step>{}}) == 146);
-    CHECK(digits(World{Note<Place::end_of_step>{}, Note<Place::after_integration>{}, I{}, Note<Place::before_forces>{}}) == 146);
+    CHECK(digits(World{I{}, Note<Place::before_forces>{}, Note<Place::after_integration>{},
+                       Note<Place::end_of_step>{}}) == 146);
+    CHECK(digits(World{Note<Place::end_of_step>{}, Note<Place::after_integration>{}, I{},
+                       Note<Place::before_forces>{}}) == 146);
 }
 
 TEST_CASE("the stages of a step that couples are between the same effects", "[world][step]") {
-    World world{RungeKutta4{}, Nothing{}, Note<Place::end_of_step>{}, Note<Place::before_forces>{}, Note<Place::after_integration>{}};
+    World world{RungeKutta4{}, Nothing{}, Note<Place::end_of_step>{}, Note<Place::before_forces>{},
+                Note<Place::after_integration>{}};
     const auto body = world.add(velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
     const auto ground = world.add(fixed);
     world.step(1.0 / 60 * second);

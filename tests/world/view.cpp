@@ -26,7 +26,8 @@ struct Recorder {
     std::vector<Seen>* seen;
     void observe(const auto& view) {
         view.for_each([&](std::size_t slot) {
-            seen->push_back({view.tick(), double(view.time().value()), double(view.template get<Position>(slot).value()[0]),
+            seen->push_back({view.tick(), double(view.time().value()),
+                             double(view.template get<Position>(slot).value()[0]),
                              double(view.template get<Heat>(slot).value()), view.id(slot)});
         });
     }
@@ -78,7 +79,8 @@ TEST_CASE("an observer sees every body by id after each step, with the time that
 TEST_CASE("a view between steps shows the declared columns, the ranges and the handles", "[world][view]") {
     std::vector<Recorder::Seen> seen;
     World world{Space<float, 2>{}, SemiImplicitEuler{}, Rest{}, Keep<Heat>{}, Recorder{&seen}};
-    const auto a = world.add(fixed, position(metres(1, 2))), b = world.add(position(metres(3, 4))), c = world.add(resting);
+    const auto a = world.add(fixed, position(metres(1, 2))), b = world.add(position(metres(3, 4))),
+               c = world.add(resting);
     world.step(1.0 / 64 * second);
     const auto view = world.view<Recorder>();
     CHECK(view.size() == 3);
@@ -96,9 +98,11 @@ TEST_CASE("a view between steps shows the declared columns, the ranges and the h
     CHECK(view.time() == world.time());
 }
 
-TEMPLATE_TEST_CASE("a pair of forces moves both as their masses say, and a fixed body not at all", "[world][view]", SemiImplicitEuler, RungeKutta4) {
+TEMPLATE_TEST_CASE("a pair of forces moves both as their masses say, and a fixed body not at all", "[world][view]",
+                   SemiImplicitEuler, RungeKutta4) {
     World world{TestType{}, Rope{}};
-    const auto light = world.add(mass(1.0 * kilogram)), heavy = world.add(mass(3.0 * kilogram)), ground = world.add(fixed);
+    const auto light = world.add(mass(1.0 * kilogram)), heavy = world.add(mass(3.0 * kilogram)),
+               ground = world.add(fixed);
     world.set(Rope{light, heavy});
     for (int i = 0; i < 64; ++i) world.step(1.0 / 64 * second);
     CHECK(world.velocity(light).value()[0] == Catch::Approx(6).epsilon(1e-14));
@@ -117,7 +121,8 @@ TEMPLATE_TEST_CASE("a pair of forces moves both as their masses say, and a fixed
 
 TEST_CASE("a context of a later stage is later by its fraction of the step", "[world][context]") {
     using S = Space<float, 2>;
-    const Context<S> now(Quantity<unit::Time>(10.0 * second), TimeStep<S>(S::Time::from_value(0.5f), S::Time::from_value(0.25f)));
+    const Context<S> now(Quantity<unit::Time>(10.0 * second),
+                         TimeStep<S>(S::Time::from_value(0.5f), S::Time::from_value(0.25f)));
     CHECK(now.time() == 10.0 * second);
     CHECK(now.later(0).time() == 10.0 * second);
     CHECK(now.later(0.5).time() == 10.25 * second);

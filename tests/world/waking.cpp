@@ -7,15 +7,13 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a body that wakes starts from velocity zero, as exactly as one that was never asleep", "[world][I11]", VelocityVerlet, Verlet,
-                   RungeKutta4) {
+TEMPLATE_TEST_CASE("a body that wakes starts from velocity zero, as exactly as one that was never asleep",
+                   "[world][I11]", VelocityVerlet, Verlet, RungeKutta4) {
     // Schemes that are exact under a constant acceleration: x = x0 + g t^2 / 2, from the first step after waking on.
     World world{TestType{}, Gravity{metres_per_second_squared(0, 0, 0)}, AppliedForces{}, Rest{}};
     const auto body = world.add(position(metres(0, 10, 0)), mass(2.0 * kilogram), resting);
     for (int i = 0; i < 5; ++i) world.step(1.0 / 64 * second);
-    SECTION("by a policy") {
-        world.set(Gravity{metres_per_second_squared(0, -1, 0)});
-    }
+    SECTION("by a policy") { world.set(Gravity{metres_per_second_squared(0, -1, 0)}); }
     SECTION("by hand, under a gravity that acted all the time") {
         World sleeper{TestType{}, Gravity{metres_per_second_squared(0, -1, 0)}, AppliedForces{}, Rest{}};
         REQUIRE(sleeper.add(position(metres(0, 10, 0)), mass(2.0 * kilogram), resting) == body);
@@ -34,8 +32,8 @@ TEMPLATE_TEST_CASE("a body that wakes starts from velocity zero, as exactly as o
     }
 }
 
-TEMPLATE_TEST_CASE("a body that a later force or a neighbour wakes within a step starts from velocity zero as well", "[world][I11]", VelocityVerlet,
-                   Verlet) {
+TEMPLATE_TEST_CASE("a body that a later force or a neighbour wakes within a step starts from velocity zero as well",
+                   "[world][I11]", VelocityVerlet, Verlet) {
     World world{TestType{}, Later{0.5 * second}, Rest{}};
     const auto body = world.add(resting);
     for (int i = 0; i < 96; ++i) world.step(1.0 / 64 * second);
@@ -53,7 +51,8 @@ TEMPLATE_TEST_CASE("a body that a later force or a neighbour wakes within a step
 }
 
 TEST_CASE("set and get hold the parameters, and a change of a force or an effect wakes who rests", "[world]") {
-    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Drag{0.25 / second}, Rest{}, Keep<Heat>{}};
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Drag{0.25 / second}, Rest{},
+                Keep<Heat>{}};
     const auto body = world.add(resting);
     auto sleeps_on = [&](auto policy) {
         world.set(policy);
@@ -78,7 +77,8 @@ TEST_CASE("every change of a body wakes it, and a look does not", "[world]") {
     World world{SemiImplicitEuler{}, AppliedForces{}, Rest{}, Keep<Heat>{}};
     const auto body = world.add(mass(2.0 * kilogram), resting), other = world.add(mass(2.0 * kilogram), resting);
     auto look = [&] {
-        (void)world.position(body), (void)world.velocity(body), (void)world.acceleration(body), (void)world.read<Heat>(body), (void)world.row(body);
+        (void)world.position(body), (void)world.velocity(body), (void)world.acceleration(body),
+            (void)world.read<Heat>(body), (void)world.row(body);
         (void)world.hash(), (void)world.status(), (void)world.events(), (void)world.mass(body);
     };
     look();

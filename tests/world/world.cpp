@@ -10,8 +10,8 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a world copied at step 30 and run to 60 is the world run to 60, to the bit", "[world][I19]", VelocityVerlet, Verlet,
-                   ImplicitEuler) {
+TEMPLATE_TEST_CASE("a world copied at step 30 and run to 60 is the world run to 60, to the bit", "[world][I19]",
+                   VelocityVerlet, Verlet, ImplicitEuler) {
     auto world = eventful<Space<>, TestType>();
     live(world, 0, 30);
     REQUIRE(world.count(Motion::resting) > 0); // the copy is taken while somebody sleeps and a force waits
@@ -50,7 +50,8 @@ TEMPLATE_TEST_CASE("the same life twice gives the same bits, at every single ste
 }
 
 TEMPLATE_TEST_CASE("a world whose bodies couple is copied whole as well", "[world][I19]", Verlet, RungeKutta4) {
-    World world{TestType{}, Attraction{1.0 * (cubic_metre / (kilogram * second * second))}, AppliedForces{}, Drag{0.1 / second}};
+    World world{TestType{}, Attraction{1.0 * (cubic_metre / (kilogram * second * second))}, AppliedForces{},
+                Drag{0.1 / second}};
     for (int i = 0; i < 4; ++i)
         world.add(position(metres(i, i * i, 1)), velocity(metres_per_second(0, 1, -i)), mass((1.0 + i) * kilogram));
     auto run = [](auto& w, int steps) {

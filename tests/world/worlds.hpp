@@ -80,10 +80,8 @@ struct Later {
 
 /// A vector of as many components as the world has, from up to three.
 template <class World_, class Unit> auto vec(const Unit& unit, double x, double y, double z = 0) {
-    if constexpr (World_::S::dimension == 2)
-        return vector_of(unit, x, y);
-    else
-        return vector_of(unit, x, y, z);
+    if constexpr (World_::S::dimension == 2) return vector_of(unit, x, y);
+    else return vector_of(unit, x, y, z);
 }
 
 /// Two quantities, equal to the last bit; +0 and -0 differ.
@@ -92,8 +90,7 @@ template <class Q> bool same_bits(const Q& a, const Q& b) {
     const auto y = b.value();
     if constexpr (detail::is_matrix<std::remove_const_t<decltype(x)>>)
         return std::memcmp(x.data(), y.data(), sizeof(*x.data()) * std::size_t(x.size())) == 0;
-    else
-        return std::memcmp(&x, &y, sizeof x) == 0;
+    else return std::memcmp(&x, &y, sizeof x) == 0;
 }
 
 /// Two worlds, in every column of every body equal by value (so +0 is -0), and in their clocks.

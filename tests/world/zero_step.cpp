@@ -7,7 +7,8 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEMPLATE_TEST_CASE("a step of zero is exactly nothing, for every integrator", "[world][step][I21]", ANSATZ_INTEGRATORS) {
+TEMPLATE_TEST_CASE("a step of zero is exactly nothing, for every integrator", "[world][step][I21]",
+                   ANSATZ_INTEGRATORS) {
     World world{TestType{}, Gravity{}, Drag{}, AppliedForces{}, Rest{}, Interpolation{}};
     const auto body = world.add(position(metres(1, 2, 3)), velocity(metres_per_second(4, 5, 6)), mass(2.0 * kilogram));
     for (int round = 0; round < 2; ++round) { // before the first step, and after one
@@ -18,7 +19,8 @@ TEMPLATE_TEST_CASE("a step of zero is exactly nothing, for every integrator", "[
         CHECK(world.hash() == before.hash());
         CHECK(same_bits(world.position(body), before.position(body)));
         CHECK(same_bits(world.velocity(body), before.velocity(body)));
-        CHECK(same_bits(world.template read<AppliedForce>(body), before.template read<AppliedForce>(body))); // a force waits for a real step
+        CHECK(same_bits(world.template read<AppliedForce>(body),
+                        before.template read<AppliedForce>(body))); // a force waits for a real step
         CHECK(same_bits(world.template read<DrawnPosition>(body), before.template read<DrawnPosition>(body)));
         CHECK(world.tick() == before.tick());
         CHECK(world.time() == before.time());
@@ -27,8 +29,9 @@ TEMPLATE_TEST_CASE("a step of zero is exactly nothing, for every integrator", "[
     }
 }
 
-TEMPLATE_TEST_CASE("steps of a picosecond and of ten seconds are taken", "[world][step][I21]", (World<Space<double, 3>, ImplicitEuler>),
-                   (World<Space<double, 3>, Verlet>), (World<Space<float, 2>, Verlet>), (World<Space<float, 2>, RungeKutta4>)) {
+TEMPLATE_TEST_CASE("steps of a picosecond and of ten seconds are taken", "[world][step][I21]",
+                   (World<Space<double, 3>, ImplicitEuler>), (World<Space<double, 3>, Verlet>),
+                   (World<Space<float, 2>, Verlet>), (World<Space<float, 2>, RungeKutta4>)) {
     TestType world{typename TestType::S{}, typename TestType::Integrator{}};
     const auto body = world.add(velocity(vec<TestType>(metre_per_second, 1, 0)));
     const bool narrow = sizeof(typename TestType::Scalar) == 4;

@@ -16,7 +16,7 @@
 
 namespace ansatz::workbook {
 
-using Json = nlohmann::ordered_json;      // keys stay in the order in which a reader expects them
+using Json = nlohmann::ordered_json; // keys stay in the order in which a reader expects them
 
 /// The whole table. The keys of a row are a contract with everything that reads these files.
 inline Json to_json(const Machine& machine, const Rows& rows) {
@@ -79,4 +79,4 @@ inline void write_json(const std::filesystem::path& file, const Machine& machine
     if (Json::parse(in) != json) throw std::runtime_error(file.string() + " does not read back as it was written");
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

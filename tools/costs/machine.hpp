@@ -82,4 +82,4 @@ inline Machine this_machine() {
     return machine;
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

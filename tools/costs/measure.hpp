@@ -31,8 +31,8 @@ struct Timing {
 
 struct TimingPlan {
     int repeats = 15;
-    double sample_seconds = 0.010;           ///< runs are repeated within one sample until it lasts this long
-    double once_above_seconds = 2.0;         ///< a run that takes longer is not repeated: its noise averages out
+    double sample_seconds = 0.010;   ///< runs are repeated within one sample until it lasts this long
+    double once_above_seconds = 2.0; ///< a run that takes longer is not repeated: its noise averages out
     bool show_progress = true;
 };
 
@@ -64,7 +64,7 @@ public:
             samples[std::stoul(run.run_name.function_name)].push_back(run.GetAdjustedCPUTime());
         }
     }
-    std::vector<std::vector<double>> samples;        // nanoseconds of one run, for every row and repeat
+    std::vector<std::vector<double>> samples; // nanoseconds of one run, for every row and repeat
 };
 
 /// One line on the terminal that overwrites itself; nothing where nobody watches.
@@ -72,7 +72,7 @@ inline void progress(const std::string& text) {
     if (isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K%s", text.c_str());
 }
 
-}  // namespace detail
+} // namespace detail
 
 /// The smallest of some samples, and (median - smallest) / smallest.
 inline Timing summarise(std::vector<double> samples) {
@@ -96,28 +96,36 @@ inline std::vector<Timing> time_runs(const std::vector<Timed>& runs, const Timin
         if (!runs[i]) continue;
         // The first run warms up caches and kept memory; then runs are bundled until a bundle lasts long
         // enough to tell how many of them make a sample.
-        detail::progress(plan.show_progress ? "warming up " + std::to_string(i + 1) + "/" + std::to_string(runs.size()) : "");
+        detail::progress(plan.show_progress ? "warming up " + std::to_string(i + 1) + "/" + std::to_string(runs.size())
+                                            : "");
         double seconds = detail::seconds_of(runs[i], 1);
         if (seconds > plan.once_above_seconds) {
             timings[i].nanoseconds = 1e9 * seconds;
             continue;
         }
-        for (std::int64_t bundle = 1; seconds * static_cast<double>(bundle) < plan.sample_seconds / 8 && bundle < (1 << 20);) {
+        for (std::int64_t bundle = 1;
+             seconds * static_cast<double>(bundle) < plan.sample_seconds / 8 && bundle < (1 << 20);) {
             bundle *= 4;
             seconds = detail::seconds_of(runs[i], bundle);
         }
-        const auto iterations = static_cast<std::int64_t>(std::clamp(std::ceil(plan.sample_seconds / seconds), 1.0, 1e7));
+        const auto iterations =
+            static_cast<std::int64_t>(std::clamp(std::ceil(plan.sample_seconds / seconds), 1.0, 1e7));
         estimate += plan.repeats * seconds * static_cast<double>(iterations);
         repeated.push_back(i);
-        benchmark::RegisterBenchmark(std::to_string(i).c_str(), [&, i](benchmark::State& state) {
-            ++done;
-            if (plan.show_progress) {
-                char text[96];
-                std::snprintf(text, sizeof text, "timing %d/%d (about %.0f s in all)", done, all, std::ceil(estimate));
-                detail::progress(text);
-            }
-            for (auto _ : state) runs[i]();
-        })->Iterations(iterations)->Repetitions(plan.repeats)->Unit(benchmark::kNanosecond);
+        benchmark::RegisterBenchmark(std::to_string(i).c_str(),
+                                     [&, i](benchmark::State& state) {
+                                         ++done;
+                                         if (plan.show_progress) {
+                                             char text[96];
+                                             std::snprintf(text, sizeof text, "timing %d/%d (about %.0f s in all)",
+                                                           done, all, std::ceil(estimate));
+                                             detail::progress(text);
+                                         }
+                                         for (auto _ : state) runs[i]();
+                                     })
+            ->Iterations(iterations)
+            ->Repetitions(plan.repeats)
+            ->Unit(benchmark::kNanosecond);
     }
     if (!repeated.empty()) {
         all = plan.repeats * static_cast<int>(repeated.size());
@@ -134,4 +142,4 @@ inline std::vector<Timing> time_runs(const std::vector<Timed>& runs, const Timin
     return timings;
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

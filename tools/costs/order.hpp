@@ -40,7 +40,7 @@ struct Rung {
 /// not fall" (a floor of rounding, a scheme that converges to something else): zero is no order.
 inline std::optional<OrderFit> fit_order(const std::vector<Rung>& ladder) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    std::vector<double> slopes;                          // slopes[i] lies between the rungs i and i + 1
+    std::vector<double> slopes; // slopes[i] lies between the rungs i and i + 1
     for (std::size_t i = 0; i + 1 < ladder.size(); ++i) {
         const Rung &coarse = ladder[i], &fine = ladder[i + 1];
         const bool usable = coarse.error && fine.error && *coarse.error > 0 && *fine.error > 0 &&
@@ -67,10 +67,14 @@ inline std::optional<OrderFit> fit_order(const std::vector<Rung>& ladder) {
         double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
         for (std::size_t i = begin; i <= end; ++i) {
             const double x = std::log(ladder[i].step), y = std::log(*ladder[i].error);
-            n += 1; sx += x; sy += y; sxx += x * x; sxy += x * y;
+            n += 1;
+            sx += x;
+            sy += y;
+            sxx += x * x;
+            sxy += x * y;
         }
         const double order = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-        if (order < 0.25) continue;                      // flat: look further up, before the floor
+        if (order < 0.25) continue; // flat: look further up, before the floor
         return OrderFit{order, begin, end};
     }
     return std::nullopt;
@@ -93,7 +97,8 @@ inline void fit_orders(Rows& rows, const std::string& axis) {
         std::stable_sort(curve.begin(), curve.end(),
                          [&](auto a, auto b) { return *rows[a].parameter.value > *rows[b].parameter.value; });
         std::vector<Rung> ladder;
-        for (std::size_t i : curve) ladder.push_back({*rows[i].parameter.value, rows[i].diverged ? Number{} : rows[i].error});
+        for (std::size_t i : curve)
+            ladder.push_back({*rows[i].parameter.value, rows[i].diverged ? Number{} : rows[i].error});
         if (const auto fit = fit_order(ladder))
             for (std::size_t i = fit->first; i <= fit->last; ++i) rows[curve[i]].order = fit->order;
     }
@@ -104,4 +109,4 @@ inline bool order_is_off(const Row& row) {
     return row.order && row.known_order && std::abs(*row.order - *row.known_order) > order_tolerance;
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

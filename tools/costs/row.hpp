@@ -48,11 +48,11 @@ struct Parameter {
 
 /// One policy axis: everything its rows have in common.
 struct Axis {
-    std::string name{};                  ///< "integrator", "scalar", "broadphase"
-    std::string error_norm{};            ///< what the error is, with its unit: "max |x - exact| (m)"
-    std::string work_unit{};             ///< what is counted: "force evaluations"; no clock in it
-    std::string time_unit{"ns"};         ///< what `Case::per` makes of the time: "ns per simulated second per body"
-    bool has_order = true;               ///< does the error fall as a power of the parameter?
+    std::string name{};          ///< "integrator", "scalar", "broadphase"
+    std::string error_norm{};    ///< what the error is, with its unit: "max |x - exact| (m)"
+    std::string work_unit{};     ///< what is counted: "force evaluations"; no clock in it
+    std::string time_unit{"ns"}; ///< what `Case::per` makes of the time: "ns per simulated second per body"
+    bool has_order = true;       ///< does the error fall as a power of the parameter?
 };
 
 /// What the untimed run found: how far off, at what count of work, and whether it still stands.
@@ -71,7 +71,11 @@ public:
         requires(std::is_invocable_v<Run&> && !std::is_same_v<std::decay_t<Run>, Timed>)
     Timed(Run run) {
         if constexpr (std::is_void_v<std::invoke_result_t<Run&>>) call_ = std::move(run);
-        else call_ = [run = std::move(run)]() mutable { const auto result = run(); keep(&result); };
+        else
+            call_ = [run = std::move(run)]() mutable {
+                const auto result = run();
+                keep(&result);
+            };
     }
     void operator()() const { call_(); }
     explicit operator bool() const { return static_cast<bool>(call_); }
@@ -84,14 +88,14 @@ private:
 
 /// One measurement, as a chapter states it.
 struct Case {
-    std::string choice{};                ///< the policy's type name
-    std::string problem{};               ///< the scene, with its numbers
+    std::string choice{};  ///< the policy's type name
+    std::string problem{}; ///< the scene, with its numbers
     Parameter parameter{};
-    Number n{};                          ///< how many bodies, nodes, ... where that has a meaning
+    Number n{}; ///< how many bodies, nodes, ... where that has a meaning
     Number known_order{};
     std::function<Outcome()> error_run{};
     Timed timed_run{};
-    Number per = 1.0;                    ///< the time of one run is divided by this: simulated time x bodies
+    Number per = 1.0; ///< the time of one run is divided by this: simulated time x bodies
 };
 
 /// One line of the table. `order` is there on the rows whose errors follow the fitted order.
@@ -105,7 +109,7 @@ struct Row {
     std::string work_unit{};
     Number time{};
     std::string time_unit{};
-    Number spread{};                     ///< (median - minimum) / minimum of the repeats
+    Number spread{}; ///< (median - minimum) / minimum of the repeats
     Number order{}, known_order{};
     bool diverged = false;
 };
@@ -126,7 +130,7 @@ inline std::string Parameter::text() const {
 }
 
 /// The different values of one text member, in the order in which they first appear.
-inline std::vector<std::string> different(const Rows& rows, std::string Row::* member) {
+inline std::vector<std::string> different(const Rows& rows, std::string Row::*member) {
     std::vector<std::string> values;
     for (const Row& row : rows) {
         bool known = false;
@@ -137,11 +141,11 @@ inline std::vector<std::string> different(const Rows& rows, std::string Row::* m
 }
 
 /// The rows that have `value` in one text member.
-inline Rows where(const Rows& rows, std::string Row::* member, const std::string& value) {
+inline Rows where(const Rows& rows, std::string Row::*member, const std::string& value) {
     Rows chosen;
     for (const Row& row : rows)
         if (row.*member == value) chosen.push_back(row);
     return chosen;
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

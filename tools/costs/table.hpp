@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "../gnuplot.hpp"      // visible_width
+#include "../gnuplot.hpp" // visible_width
 #include "order.hpp"
 #include "row.hpp"
 
@@ -40,7 +40,7 @@ inline std::string grouped(double count) {
 /// A time with three significant digits, never in powers of ten below a million: 0.0123, 12.3, 12 300.
 inline std::string time_text(double exact) {
     if (exact == 0 || !std::isfinite(exact)) return "0";
-    const double time = std::stod(significant(exact, 3));      // rounded first: 999.96 has four places before the point
+    const double time = std::stod(significant(exact, 3)); // rounded first: 999.96 has four places before the point
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(time))));
     if (magnitude < -3 || magnitude > 8) return significant(time, 3);
     if (magnitude >= 3) {
@@ -56,7 +56,7 @@ namespace detail {
 
 struct Column {
     std::string head;
-    bool left;                                       // text stands left, numbers right
+    bool left; // text stands left, numbers right
     std::function<std::string(const Row&)> cell;
 };
 
@@ -73,13 +73,15 @@ inline std::vector<Column> columns(const Row& like) {
         {"error", false, [=](const Row& r) { return r.diverged ? std::string{"diverged"} : scientific(r.error); }},
         {like.work_unit, false, [](const Row& r) { return r.work ? grouped(*r.work) : std::string{}; }},
         {"time", false, [](const Row& r) { return r.time ? time_text(*r.time) : std::string{}; }},
-        {"spread", false, [](const Row& r) {
+        {"spread", false,
+         [](const Row& r) {
              if (!r.spread) return std::string{};
              char text[40];
              std::snprintf(text, sizeof text, "%.1f %%%s", 100 * *r.spread, *r.spread > spread_limit ? " !" : "  ");
              return std::string{text};
          }},
-        {"order", false, [](const Row& r) {
+        {"order", false,
+         [](const Row& r) {
              if (!r.order) return std::string{};
              char text[40];
              std::snprintf(text, sizeof text, "%.2f%s", *r.order, order_is_off(r) ? " !" : "  ");
@@ -95,7 +97,7 @@ inline void print_group(std::ostream& out, const Rows& rows) {
     for (const Column& column : columns(rows.front())) {
         std::size_t widest = 0;
         for (const Row& row : rows) widest = std::max(widest, visible_width(column.cell(row)));
-        if (widest == 0) continue;                   // a column that nothing stands in is not printed
+        if (widest == 0) continue; // a column that nothing stands in is not printed
         shown.push_back(column);
         widths.push_back(std::max(widest, visible_width(column.head)));
     }
@@ -123,7 +125,7 @@ inline void print_group(std::ostream& out, const Rows& rows) {
     }
 }
 
-}  // namespace detail
+} // namespace detail
 
 /// Prints every row, grouped by axis and problem, with what the marks mean where one stands.
 inline void print_table(std::ostream& out, const Rows& rows) {
@@ -145,8 +147,10 @@ inline void print_table(std::ostream& out, const Rows& rows) {
             }
         }
     }
-    if (noisy) out << "! beside a spread: the median repeat is more than 5 % above the minimum kept; close other programs and repeat.\n";
+    if (noisy)
+        out << "! beside a spread: the median repeat is more than 5 % above the minimum kept; close other programs and "
+               "repeat.\n";
     if (off) out << "! beside an order: more than 0.1 off the known one.\n";
 }
 
-}  // namespace ansatz::workbook
+} // namespace ansatz::workbook

@@ -7,9 +7,9 @@
 //   <program> probe <subject> <tasks> <file>  what it computes, a line for each task
 //   <program> mistake <its probes> <the solution's> <a wrong answer's>...   the wrong answers that compute the same
 //
-// What counts stands in a file of its own, for an answer may print what it likes and end the program with any code. It may
-// write that file too, from a global object or at exit: so "passed" and "end" count only with the word after them which
-// the judge has given on the standard input. It is read before any global object of an answer is made.
+// What counts stands in a file of its own, for an answer may print what it likes and end the program with any code. It
+// may write that file too, from a global object or at exit: so "passed" and "end" count only with the word after them
+// which the judge has given on the standard input. It is read before any global object of an answer is made.
 #include "tools/exercises/main.hpp"
 
 #include "tools/exercises/registry.hpp"
@@ -177,10 +177,8 @@ RegisteredTest::RegisteredTest(const char* subject, const char* sentence, const 
     const std::string all(tags);
     for (std::size_t i = 0, close; i < all.size() && (close = all.find(']', i)) != std::string::npos; i = close + 1) {
         const std::string tag = all.substr(i + 1, close - i - 1);
-        if (tag.rfind("task-", 0) == 0)
-            test.task = tag.substr(5);
-        else
-            test.name = tag;
+        if (tag.rfind("task-", 0) == 0) test.task = tag.substr(5);
+        else test.name = tag;
     }
     subject_named(subject).tests.push_back(test);
 }
@@ -204,7 +202,8 @@ int main(int argc, char* argv[]) {
         const Subject& subject = subject_named(arguments[1]);
         if (n == 3 && arguments[0] == "list") return list(subject, arguments[2]);
         if (n == 4 && arguments[0] == "run") return run(subject, arguments[2], arguments[3]);
-        if (n == 4 && arguments[0] == "probe") return write_probes(subject, std::atoi(arguments[2].c_str()), arguments[3]);
+        if (n == 4 && arguments[0] == "probe")
+            return write_probes(subject, std::atoi(arguments[2].c_str()), arguments[3]);
     }
     std::cerr << "usage: list <subject> <file> | run <subject> <test> <file> | probe <subject> <tasks> <file> |\n"
                  "       mistake <probes> <solution's> <wrong answer's>...\n";

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// How an answer is recognised as a known mistake: the numbers that it computes are compared with those of each wrong one.
+/// How an answer is recognised as a known mistake: the numbers that it computes are compared with those of each wrong
+/// one.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,8 @@ inline Probes read_probes(const std::string& file) {
 }
 
 /// Equal but for rounding, which differs with the way in which a formula is written down. Where terms cancel, what is
-/// left is the rounding of what came before: so that is no number but zero which is as small as that beside the largest.
+/// left is the rounding of what came before: so that is no number but zero which is as small as that beside the
+/// largest.
 inline bool same_numbers(const std::vector<double>& a, const std::vector<double>& b) {
     if (a.size() != b.size()) return false;
     double largest = 0;
@@ -57,8 +59,8 @@ inline bool same_numbers(const std::vector<double>& a, const std::vector<double>
     return true;
 }
 
-/// Whether `mine` has the mistake of `wrong`: equal numbers in every task where `wrong` differs from the solution. Other
-/// tasks may be right, wrong or not done yet.
+/// Whether `mine` has the mistake of `wrong`: equal numbers in every task where `wrong` differs from the solution.
+/// Other tasks may be right, wrong or not done yet.
 inline bool same_mistake(const Probes& mine, const Probes& solution, const Probes& wrong) {
     bool somewhere = false;
     for (const auto& [task, right] : solution) {

@@ -23,7 +23,9 @@ class Play {
 public:
     /// \param scene   what happens, e.g. "a mass on a spring, omega = 10/s, 60 steps a second, 3 s"
     /// \param columns what each number of a row is, with its unit
-    Play(const std::string& scene, std::vector<std::string> columns) : columns_(std::move(columns)) { std::cout << scene << "\n\n"; }
+    Play(const std::string& scene, std::vector<std::string> columns) : columns_(std::move(columns)) {
+        std::cout << scene << "\n\n";
+    }
 
     /// Says what the time is for, where there are neither bodies nor steps: "ns a call".
     void timed(std::string what) { timed_ = std::move(what); }
@@ -44,12 +46,15 @@ public:
         std::cout << "  " << std::setw(18) << timed_ << '\n';
         for (const Row& row : rows_) {
             std::cout << std::left << std::setw(first) << row.who << std::right;
-            for (std::size_t i = 0; i < columns_.size(); ++i) std::cout << "  " << std::setw(width_of(columns_[i])) << shown(row.numbers[i]);
-            std::cout << "  " << std::setw(18) << std::fixed << std::setprecision(2) << row.nanoseconds << std::defaultfloat << '\n';
+            for (std::size_t i = 0; i < columns_.size(); ++i)
+                std::cout << "  " << std::setw(width_of(columns_[i])) << shown(row.numbers[i]);
+            std::cout << "  " << std::setw(18) << std::fixed << std::setprecision(2) << row.nanoseconds
+                      << std::defaultfloat << '\n';
         }
         if (rows_.size() > 1)
             std::cout << (rows_[0].numbers == rows_[1].numbers ? "\nYour numbers are the library's, to the last bit.\n"
-                                                               : "\nYour numbers are not the library's to the last bit; the table says by how much they differ.\n");
+                                                               : "\nYour numbers are not the library's to the last "
+                                                                 "bit; the table says by how much they differ.\n");
         std::clog << "the scene is over\n"; // how the workbook knows that nothing has ended the program before
         return 0;
     }

@@ -13,8 +13,8 @@ namespace ansatz::workbook {
 struct RegisteredTest {
     RegisteredTest(const char* subject, const char* sentence, const char* tags, void (*test)());
 };
-/// What one subject computes for inputs that tell the wrong answers apart: the function `probe` of test.cpp. Equal numbers
-/// name the mistake that a student made.
+/// What one subject computes for inputs that tell the wrong answers apart: the function `probe` of test.cpp. Equal
+/// numbers name the mistake that a student made.
 struct RegisteredProbe {
     RegisteredProbe(const char* subject, std::vector<double> (*probe)(int task));
 };
@@ -24,11 +24,11 @@ struct RegisteredProbe {
 
 } // namespace ansatz::workbook
 
-/// A test of an exercise: TEST_CASE("the position moves with the old velocity", "[task-1][old-velocity]") { ... }. Whose it
-/// is says `tested_subject`, which is the nearest one of this name.
-#define ANSATZ_TEST_NAMED(name, ...)                                                            \
-    static void name();                                                                         \
-    static const ansatz::workbook::RegisteredTest registered_##name(tested_subject, __VA_ARGS__, &name); \
+/// A test of an exercise: TEST_CASE("the position moves with the old velocity", "[task-1][old-velocity]") { ... }.
+/// Whose it is says `tested_subject`, which is the nearest one of this name.
+#define ANSATZ_TEST_NAMED(name, ...)                                                                                   \
+    static void name();                                                                                                \
+    static const ansatz::workbook::RegisteredTest registered_##name(tested_subject, __VA_ARGS__, &name);               \
     static void name()
 #define ANSATZ_TEST_AT(line, ...) ANSATZ_TEST_NAMED(test_of_line_##line, __VA_ARGS__)
 #define ANSATZ_TEST(line, ...) ANSATZ_TEST_AT(line, __VA_ARGS__)

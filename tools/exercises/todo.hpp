@@ -22,6 +22,4 @@ struct Anything {
 } // namespace ansatz::workbook
 
 /// Stands where the code of task n belongs; write your lines in its place.
-[[noreturn]] inline ansatz::workbook::Anything todo(int task) {
-    throw ansatz::workbook::NotDoneYet(task);
-}
+[[noreturn]] inline ansatz::workbook::Anything todo(int task) { throw ansatz::workbook::NotDoneYet(task); }

@@ -26,13 +26,16 @@ Body after_one_step() {
 } // namespace
 
 TEST_CASE("the position moves with the velocity of the beginning", "[task-1][old-velocity]") {
-    expect_near("the position after one step of 0.1 s, from (1, 2, 0) m at (3, 4, 0) m/s", after_one_step().x, metres(1.3, 2.4, 0),
-                1e-12 * metre, "x' = x + v dt with the velocity before it changes, and nothing else: explicit means that only what is known goes in.");
+    expect_near("the position after one step of 0.1 s, from (1, 2, 0) m at (3, 4, 0) m/s", after_one_step().x,
+                metres(1.3, 2.4, 0), 1e-12 * metre,
+                "x' = x + v dt with the velocity before it changes, and nothing else: explicit means that only what is "
+                "known goes in.");
 }
 
 TEST_CASE("the acceleration adds to the velocity", "[task-1][velocity-adds-up]") {
-    expect_near("the velocity after one step of 0.1 s, from (3, 4, 0) m/s under (0.5, -10, 0) m/s^2", after_one_step().v,
-                metres_per_second(3.05, 3, 0), 1e-12 * metre_per_second, "v' = v + a dt: what it had, and what the step brings.");
+    expect_near("the velocity after one step of 0.1 s, from (3, 4, 0) m/s under (0.5, -10, 0) m/s^2",
+                after_one_step().v, metres_per_second(3.05, 3, 0), 1e-12 * metre_per_second,
+                "v' = v + a dt: what it had, and what the step brings.");
 }
 
 TEST_CASE("a body that falls in a world is where the scheme says, not where it really would be", "[task-1][fall]") {
@@ -40,8 +43,10 @@ TEST_CASE("a body that falls in a world is where the scheme says, not where it r
     const auto ball = world.add(position(metres(0, 100, 0)), velocity(metres_per_second(1, 2, 0)));
     for (int i = 0; i < 16; ++i) world.step(0.125 * second);
     // The sum of v_0 + a i dt over i = 0 .. n-1, times dt: y_0 + v_0 t + a t (t - dt) / 2.
-    expect_near("the height after 2 s of free fall in 16 steps", y(world.position(ball)), (100 + 2 * 2 - 0.5 * 8 * 2 * (2 - 0.125)) * metre,
-                1e-9 * metre, "Explicit Euler is too high by g dt t / 2 = 1 m here: it never knows the velocity that the step will end with.");
+    expect_near("the height after 2 s of free fall in 16 steps", y(world.position(ball)),
+                (100 + 2 * 2 - 0.5 * 8 * 2 * (2 - 0.125)) * metre, 1e-9 * metre,
+                "Explicit Euler is too high by g dt t / 2 = 1 m here: it never knows the velocity that the step will "
+                "end with.");
 }
 
 TEST_CASE("the energy of a spring grows by a factor in every step", "[task-2][energy-factor]") {
@@ -56,7 +61,8 @@ TEST_CASE("the energy of a spring grows by a factor in every step", "[task-2][en
         const double right = (speed * speed + omega * omega * place * place) / before;
         std::ostringstream what;
         what << "the energy after a step over that before, omega = 10/s at " << rate << " steps/s";
-        expect_near(what.str(), yours, right, 1e-12, "Square x + v dt and v - omega^2 x dt and add them as the energy does: the mixed terms fall out.");
+        expect_near(what.str(), yours, right, 1e-12,
+                    "Square x + v dt and v - omega^2 x dt and add them as the energy does: the mixed terms fall out.");
     }
 }
 

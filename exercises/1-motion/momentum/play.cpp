@@ -54,7 +54,8 @@ int main() {
     workbook::Plot plot("play-motion.momentum", "A collision: yours and the library's");
     plot.x("time").y("place of the cart");
     show("yours", exercise::collide, table, plot);
-    show("library", [](const Body& a, const Body& b, double e) { return mechanics::collide(a, b, e); }, table, plot);
+    show(
+        "library", [](const Body& a, const Body& b, double e) { return mechanics::collide(a, b, e); }, table, plot);
     plot.write();
     return table.print();
 }

@@ -26,9 +26,13 @@ inline ansatz::Boxes<ansatz::Space<>> in_lanes(const std::vector<Box>& boxes) {
 inline bool touch(const Box& a, const Box& b) { return in_lanes({a, b}).touch(0, 1); }
 /// It has no word for one axis; two boxes that differ on one alone tell the same.
 inline bool overlap(Length low_a, Length high_a, Length low_b, Length high_b) {
-    auto along = [](Length low, Length high) { return Box{ansatz::metres(low.value(), 0, 0), ansatz::metres(high.value(), 0, 0)}; };
+    auto along = [](Length low, Length high) {
+        return Box{ansatz::metres(low.value(), 0, 0), ansatz::metres(high.value(), 0, 0)};
+    };
     return touch(along(low_a, high_a), along(low_b, high_b));
 }
-inline std::vector<Pair> touching_pairs(const std::vector<Box>& boxes) { return find_pairs(ansatz::BoundingBoxes{}, in_lanes(boxes)); }
+inline std::vector<Pair> touching_pairs(const std::vector<Box>& boxes) {
+    return find_pairs(ansatz::BoundingBoxes{}, in_lanes(boxes));
+}
 
 } // namespace exercise

@@ -34,7 +34,8 @@ inline bool overlap(Length low_a, Length high_a, Length low_b, Length high_b) {
 inline bool touch(const Box& a, const Box& b) {
     // task 2: return todo(2);
     bool all = true;
-    for (int k = 0; k < 3; ++k) all = all && component(a.lower, k) <= component(b.upper, k) && component(b.lower, k) <= component(a.upper, k);
+    for (int k = 0; k < 3; ++k)
+        all = all && component(a.lower, k) <= component(b.upper, k) && component(b.lower, k) <= component(a.upper, k);
     return all;
     // end of task 2
 }
@@ -43,7 +44,8 @@ inline bool touch(const Box& a, const Box& b) {
 inline std::vector<Pair> touching_pairs(const std::vector<Box>& boxes) {
     // task 3: return todo(3);
     auto meet = [](const Box& a, const Box& b) {
-        return (a.lower.value().array() <= b.upper.value().array()).all() && (b.lower.value().array() <= a.upper.value().array()).all();
+        return (a.lower.value().array() <= b.upper.value().array()).all() &&
+               (b.lower.value().array() <= a.upper.value().array()).all();
     };
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < boxes.size(); ++i)

@@ -14,11 +14,15 @@ struct Cells {
     std::int64_t first, last;
 };
 
-inline std::int64_t cell_of(Length x, Length width) { return ansatz::detail::GridLevel<ansatz::Space<>>::floor_of(x / width); }
-/// The grid of the library writes a body down once, in its first cell, and looks for it in those around; an octree writes it
-/// down in all.
+inline std::int64_t cell_of(Length x, Length width) {
+    return ansatz::detail::GridLevel<ansatz::Space<>>::floor_of(x / width);
+}
+/// The grid of the library writes a body down once, in its first cell, and looks for it in those around; an octree
+/// writes it down in all.
 inline Cells cells_of(Length low, Length high, Length width) { return {cell_of(low, width), cell_of(high, width)}; }
 /// What the octree and the binary split do: the lower corner of what two boxes have in common.
-inline std::int64_t told_in(Length low_a, Length, Length low_b, Length, Length width) { return cell_of(low_a < low_b ? low_b : low_a, width); }
+inline std::int64_t told_in(Length low_a, Length, Length low_b, Length, Length width) {
+    return cell_of(low_a < low_b ? low_b : low_a, width);
+}
 
 } // namespace exercise

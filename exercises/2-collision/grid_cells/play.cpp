@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// The scene of section 2.1.1.2 with your cells in it: balls in a line, each written down in every cell that it reaches into.
+// The scene of section 2.1.1.2 with your cells in it: balls in a line, each written down in every cell that it reaches
+// into.
 
-#include "broadphase_scenes.hpp"
 #include "play.hpp"
+#include "broadphase_scenes.hpp"
 #include "subject.hpp"
 
 #include <map>
@@ -22,12 +23,14 @@ std::pair<double, double> by_cells(const std::vector<double>& places) {
         for (std::size_t i = 0; i < bodies.size(); ++i)
             for (std::size_t j = i + 1; j < bodies.size(); ++j, ++tests)
                 if (abs(bodies[i] - bodies[j]) <= 2.0 * half)
-                    pairs += exercise::told_in(bodies[i] - half, bodies[i] + half, bodies[j] - half, bodies[j] + half, width) == cell;
+                    pairs += exercise::told_in(bodies[i] - half, bodies[i] + half, bodies[j] - half, bodies[j] + half,
+                                               width) == cell;
     return {pairs, tests};
 }
 
 int main() {
-    workbook::Play table("1000 bodies of 0.5 m on 500 m, cells of 1 m; all pairs would be 499500 tests", {"pairs told", "tests"});
+    workbook::Play table("1000 bodies of 0.5 m on 500 m, cells of 1 m; all pairs would be 499500 tests",
+                         {"pairs told", "tests"});
     table.timed("ns a body");
     std::vector<double> places;
     scenes::Dice dice(3);
@@ -41,6 +44,7 @@ int main() {
     static volatile double sink = 0;
     const auto [pairs, tests] = by_cells(places);
     table.row("yours", {pairs, tests}, 1000, [&] { sink = sink + by_cells(places).first; });
-    table.row("library", {theirs, work.tests}, 1000, [&] { sink = sink + double(find_pairs(UniformGrid{1.0 * metre}, boxes).size()); });
+    table.row("library", {theirs, work.tests}, 1000,
+              [&] { sink = sink + double(find_pairs(UniformGrid{1.0 * metre}, boxes).size()); });
     return table.print();
 }

@@ -120,7 +120,9 @@ std::pair<Vector3, Vector3> changes(const Push& p) {
     exercise::apply(a, b, p.normal, p.impulse * newton_second);
     return {a.velocity.value() - p.a().velocity.value(), b.velocity.value() - p.b().velocity.value()};
 }
-Velocity3 as_velocity(const Vector3& v) { return Velocity3::from_value(v + Vector3::Zero()); } // no -0 where it is printed
+Velocity3 as_velocity(const Vector3& v) {
+    return Velocity3::from_value(v + Vector3::Zero());
+} // no -0 where it is printed
 
 } // namespace
 

@@ -24,8 +24,12 @@ inline unsigned parts_of(const Box& box, const Point& centre) {
     return ansatz::detail::Recursion<S, ansatz::BoundingBoxes>::sides_of(boxes, 0, at);
 }
 /// A point is a box of no size, which is in one part.
-inline Part part_of(const Point& point, const Point& centre) { return Part(std::countr_zero(parts_of({point, point}, centre))); }
+inline Part part_of(const Point& point, const Point& centre) {
+    return Part(std::countr_zero(parts_of({point, point}, centre)));
+}
 /// In the library the depth counts down to 0.
-inline bool divide(int count, int threshold, int depth, int deepest) { return count > threshold && deepest - depth > 0; }
+inline bool divide(int count, int threshold, int depth, int deepest) {
+    return count > threshold && deepest - depth > 0;
+}
 
 } // namespace exercise

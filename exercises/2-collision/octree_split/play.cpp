@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The scene of section 2.1.1.3 with your division in it: balls in heaps.
 
-#include "broadphase_scenes.hpp"
 #include "play.hpp"
+#include "broadphase_scenes.hpp"
 #include "subject.hpp"
 
 using namespace ansatz;
@@ -28,7 +28,8 @@ struct Tree {
 };
 
 int main() {
-    workbook::Play table("1000 balls in heaps, a threshold of 24; all pairs would be 499.5 tests a body", {"tests a body", "cells a body is in"});
+    workbook::Play table("1000 balls in heaps, a threshold of 24; all pairs would be 499.5 tests a body",
+                         {"tests a body", "cells a body is in"});
     table.timed("ns a body");
     const auto balls = scenes::heaps(1000);
     const auto lanes = balls.boxes();
@@ -45,6 +46,7 @@ int main() {
     static volatile double sink = 0;
     const Tree tree = yours();
     table.row("yours", {tree.tests / 1000, tree.members / 1000}, 1000, [&] { sink = sink + yours().tests; });
-    table.row("library", {work.tests / 1000, work.members / 1000}, 1000, [&] { sink = sink + double(find_pairs(Octree{}, lanes).size()); });
+    table.row("library", {work.tests / 1000, work.members / 1000}, 1000,
+              [&] { sink = sink + double(find_pairs(Octree{}, lanes).size()); });
     return table.print();
 }

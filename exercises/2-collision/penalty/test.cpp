@@ -81,7 +81,9 @@ std::string said(const Pair& p) {
          << p.normal.transpose() << "): ";
     return text.str();
 }
-Acceleration3 as_acceleration(const Vector3& a) { return Acceleration3::from_value(a + Vector3::Zero()); } // no -0 where it is printed
+Acceleration3 as_acceleration(const Vector3& a) {
+    return Acceleration3::from_value(a + Vector3::Zero());
+} // no -0 where it is printed
 
 /// A spring between two bodies; k in N/m, 1/m in 1/kg.
 struct Coupled {

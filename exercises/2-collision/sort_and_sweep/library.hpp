@@ -19,7 +19,8 @@ using Sweep = ansatz::SortAndSweep::In<ansatz::Space<>>;
 
 inline ansatz::Boxes<ansatz::Space<>> on_a_line(const Lengths& lower, const Lengths& upper) {
     ansatz::Boxes<ansatz::Space<>> boxes;
-    for (std::size_t i = 0; i < lower.size(); ++i) boxes.push_back(ansatz::metres(lower[i].value(), 0, 0), ansatz::metres(upper[i].value(), 0, 0));
+    for (std::size_t i = 0; i < lower.size(); ++i)
+        boxes.push_back(ansatz::metres(lower[i].value(), 0, 0), ansatz::metres(upper[i].value(), 0, 0));
     boxes.set_active(boxes.size());
     return boxes;
 }
@@ -36,7 +37,8 @@ inline std::vector<std::size_t> sorted(const Lengths& lower) {
     return lower.empty() ? std::vector<std::size_t>() : std::vector<std::size_t>(order, order + lower.size());
 }
 /// The library sorts and sweeps in one go, and counts nothing: what is looked at here are the pairs it tells.
-inline std::vector<Pair> sweep(const std::vector<std::size_t>&, const Lengths& lower, const Lengths& upper, const std::function<void()>& look) {
+inline std::vector<Pair> sweep(const std::vector<std::size_t>&, const Lengths& lower, const Lengths& upper,
+                               const std::function<void()>& look) {
     std::vector<Pair> pairs;
     Sweep(ansatz::SortAndSweep{}).find(on_a_line(lower, upper), [&](std::size_t i, std::size_t j) {
         look();

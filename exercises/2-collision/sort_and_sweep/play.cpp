@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 // The scene of section 2.1.1.4 with your sweep in it: a tower of balls.
 
-#include "broadphase_scenes.hpp"
 #include "play.hpp"
+#include "broadphase_scenes.hpp"
 #include "subject.hpp"
 
 using namespace ansatz;
 
 int main() {
-    workbook::Play table("A tower of 1000 balls, 3 m wide and 250 m high, of 499500 pairs", {"axis", "pairs on the axis", "that touch on all"});
+    workbook::Play table("A tower of 1000 balls, 3 m wide and 250 m high, of 499500 pairs",
+                         {"axis", "pairs on the axis", "that touch on all"});
     table.timed("ns a body");
     scenes::Dice dice(4);
     scenes::Balls tower;
@@ -22,9 +23,11 @@ int main() {
     auto yours = [&] {
         const int axis = exercise::widest_axis(points);
         std::vector<Quantity<unit::Length>> lower, upper;
-        for (std::size_t i = 0; i < boxes.size(); ++i) lower.push_back(boxes.lower(axis)[i] * metre), upper.push_back(boxes.upper(axis)[i] * metre);
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            lower.push_back(boxes.lower(axis)[i] * metre), upper.push_back(boxes.upper(axis)[i] * metre);
         double on_axis = 0, touching = 0;
-        for (const auto& [i, j] : exercise::sweep(exercise::sorted(lower), lower, upper, [] {})) ++on_axis, touching += boxes.touch(i, j);
+        for (const auto& [i, j] : exercise::sweep(exercise::sorted(lower), lower, upper, [] {}))
+            ++on_axis, touching += boxes.touch(i, j);
         return std::vector<double>{double(axis), on_axis, touching};
     };
     SortAndSweep::In<Space<>> sweep(SortAndSweep{});
@@ -37,7 +40,8 @@ int main() {
     const double touching = theirs();
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j)
-            on_axis += boxes.lower(sweep.axis())[i] <= boxes.upper(sweep.axis())[j] && boxes.lower(sweep.axis())[j] <= boxes.upper(sweep.axis())[i];
+            on_axis += boxes.lower(sweep.axis())[i] <= boxes.upper(sweep.axis())[j] &&
+                       boxes.lower(sweep.axis())[j] <= boxes.upper(sweep.axis())[i];
     static volatile double sink = 0;
     table.row("yours", yours(), 1000, [&] { sink = sink + yours()[2]; });
     table.row("library", {double(sweep.axis()), on_axis, touching}, 1000, [&] { sink = sink + theirs(); });

@@ -36,11 +36,14 @@ std::vector<Point> plate() {
     points.push_back(metres(5, 5, 30));
     return points;
 }
-std::vector<Point> star() { return {metres(1, 0, 0), metres(-1, 0, 0), metres(0, 1, 0), metres(0, -1, 0), metres(0, 0, 1), metres(0, 0, -1)}; }
+std::vector<Point> star() {
+    return {metres(1, 0, 0), metres(-1, 0, 0), metres(0, 1, 0), metres(0, -1, 0), metres(0, 0, 1), metres(0, 0, -1)};
+}
 
 void expect_axis(const std::vector<Point>& points, int right, const std::string& what, const char* why) {
     const int yours = exercise::widest_axis(points);
-    expect(yours == right, what + "\n    yours  axis " + std::to_string(yours) + "\n    right  axis " + std::to_string(right) + "\n" + why);
+    expect(yours == right, what + "\n    yours  axis " + std::to_string(yours) + "\n    right  axis " +
+                               std::to_string(right) + "\n" + why);
 }
 
 std::string shown(const std::vector<std::size_t>& order) {
@@ -57,7 +60,8 @@ void expect_order(const std::vector<double>& lower, const std::vector<std::size_
     const auto yours = exercise::sorted(in_metres(lower));
     std::string text = "bodies that begin at";
     for (const double x : lower) text += " " + ansatz::workbook::detail::shown(x);
-    expect(yours == right, text + " m, in order\n    yours  " + shown(yours) + "\n    right  " + shown(right) + "\n" + why);
+    expect(yours == right,
+           text + " m, in order\n    yours  " + shown(yours) + "\n    right  " + shown(right) + "\n" + why);
 }
 
 /// Bodies on a line, and what a sweep makes of them.
@@ -90,7 +94,9 @@ struct Line {
     }
 };
 /// None share an end; a long one lies over several, and the list is in no order.
-const std::vector<Line> lines{{{5, 0, 2.25, 9, 1, 7.5}, {6, 2, 3, 9.5, 8, 8.25}}, {{3, 2, 1, 0}, {3.75, 2.75, 1.75, 0.75}}, {{4, 0, 2, 1, 3}, {4.5, 9, 2.5, 1.5, 3.5}}};
+const std::vector<Line> lines{{{5, 0, 2.25, 9, 1, 7.5}, {6, 2, 3, 9.5, 8, 8.25}},
+                              {{3, 2, 1, 0}, {3.75, 2.75, 1.75, 0.75}},
+                              {{4, 0, 2, 1, 3}, {4.5, 9, 2.5, 1.5, 3.5}}};
 const Line touching{{2, 0, 1, 4}, {3, 1, 2, 5}};
 
 std::string said(const std::vector<exercise::Pair>& pairs) {
@@ -100,14 +106,19 @@ std::string said(const std::vector<exercise::Pair>& pairs) {
 }
 void expect_pairs(const Line& line, const char* why) {
     std::string text = "bodies on a line:";
-    for (std::size_t i = 0; i < line.lower.size(); ++i) text += " " + ansatz::workbook::detail::shown(line.lower[i]) + " to " + ansatz::workbook::detail::shown(line.upper[i]) + " m,";
-    expect(line.yours() == line.right(), text + "\n    yours  " + said(line.yours()) + "\n    right  " + said(line.right()) + "\n" + why);
+    for (std::size_t i = 0; i < line.lower.size(); ++i)
+        text += " " + ansatz::workbook::detail::shown(line.lower[i]) + " to " +
+                ansatz::workbook::detail::shown(line.upper[i]) + " m,";
+    expect(line.yours() == line.right(),
+           text + "\n    yours  " + said(line.yours()) + "\n    right  " + said(line.right()) + "\n" + why);
 }
 
 } // namespace
 
 TEST_CASE("of a tower it is the axis along it", "[task-1][tower]") {
-    for (int axis = 0; axis < 3; ++axis) expect_axis(tower(axis, metres(0, 0, 0)), axis, "a tower along axis " + std::to_string(axis), "Along it the points are spread most.");
+    for (int axis = 0; axis < 3; ++axis)
+        expect_axis(tower(axis, metres(0, 0, 0)), axis, "a tower along axis " + std::to_string(axis),
+                    "Along it the points are spread most.");
 }
 
 TEST_CASE("where the world lies does not matter", "[task-1][far-from-the-origin]") {
@@ -116,18 +127,23 @@ TEST_CASE("where the world lies does not matter", "[task-1][far-from-the-origin]
             if (axis != 0 || component(foot, 0) == 0.0 * metre) {
                 std::ostringstream what;
                 what << "a tower along axis " << axis << " whose foot is at " << foot;
-                const int yours = exercise::widest_axis(tower(axis, foot)), at_home = exercise::widest_axis(tower(axis, metres(0, 0, 0)));
-                expect(yours == at_home, what.str() + ": yours says axis " + std::to_string(yours) + ", and " + std::to_string(at_home) +
-                                             " when it stands at the origin\nIt is spread as much there as here: take the mean off first.");
+                const int yours = exercise::widest_axis(tower(axis, foot)),
+                          at_home = exercise::widest_axis(tower(axis, metres(0, 0, 0)));
+                expect(
+                    yours == at_home,
+                    what.str() + ": yours says axis " + std::to_string(yours) + ", and " + std::to_string(at_home) +
+                        " when it stands at the origin\nIt is spread as much there as here: take the mean off first.");
             }
 }
 
 TEST_CASE("one body far away does not decide it", "[task-1][outlier]") {
-    expect_axis(plate(), 1, "a plate, twice as long in y as in x, and one body far above it", "The variance counts them all; the one above adds less than the hundred others.");
+    expect_axis(plate(), 1, "a plate, twice as long in y as in x, and one body far above it",
+                "The variance counts them all; the one above adds less than the hundred others.");
 }
 
 TEST_CASE("of equal axes it is the first", "[task-1][equal-axes]") {
-    expect_axis(star(), 0, "six points, two on each axis, as far apart", "Some axis must be agreed on, so that every run tells its pairs in one order.");
+    expect_axis(star(), 0, "six points, two on each axis, as far apart",
+                "Some axis must be agreed on, so that every run tells its pairs in one order.");
 }
 
 TEST_CASE("they stand in the order in which they begin", "[task-2][in-order]") {
@@ -142,7 +158,8 @@ TEST_CASE("those that begin in one place stand by their index", "[task-2][ties]"
     std::size_t before = 0;
     for (std::size_t p = 0; p < order.size(); ++p) {
         if (order[p] % 2 == 1) continue; // those at 1 m: 0, 2, 4
-        expect(order[p] >= before, "bodies 0, 2 and 4 begin in one place, and stand in the order " + shown(order) + "\nOf equal ones the smaller index comes first.");
+        expect(order[p] >= before, "bodies 0, 2 and 4 begin in one place, and stand in the order " + shown(order) +
+                                       "\nOf equal ones the smaller index comes first.");
         before = order[p];
     }
 }
@@ -160,7 +177,8 @@ TEST_CASE("a pair is named with its smaller index first", "[task-3][smaller-firs
         int looks = 0;
         for (const auto& [i, j] : line.sweep(looks)) {
             std::ostringstream text;
-            text << "yours names the pair (" << i << ", " << j << "); the smaller index comes first, and nobody is paired with himself.";
+            text << "yours names the pair (" << i << ", " << j
+                 << "); the smaller index comes first, and nobody is paired with himself.";
             expect(i < j, text.str());
         }
     }
@@ -168,19 +186,24 @@ TEST_CASE("a pair is named with its smaller index first", "[task-3][smaller-firs
 
 TEST_CASE("it looks at few pairs", "[task-3][few-looks]") {
     Line row;
-    for (int i = 0; i < 200; ++i) row.lower.push_back(199 - i), row.upper.push_back(200.5 - i); // each reaches over the next
+    for (int i = 0; i < 200; ++i)
+        row.lower.push_back(199 - i), row.upper.push_back(200.5 - i); // each reaches over the next
     int looks = 0;
     row.sweep(looks);
     std::ostringstream text;
-    text << "200 bodies in a row, each of which overlaps the next: yours looks at " << looks << " pairs; all would be 19900, and 600 are enough."
-         << "\nWho begins after this one ends does not overlap it, and all that follow begin later still. (Call look() for each pair you look at.)";
+    text << "200 bodies in a row, each of which overlaps the next: yours looks at " << looks
+         << " pairs; all would be 19900, and 600 are enough."
+         << "\nWho begins after this one ends does not overlap it, and all that follow begin later still. (Call look() "
+            "for each pair you look at.)";
     expect(looks <= 600, text.str());
 }
 
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
-        for (int axis = 0; axis < 3; ++axis) numbers.push_back(exercise::widest_axis(tower(axis, metres(0, -1000, 0)))), numbers.push_back(exercise::widest_axis(tower(axis, metres(0, 0, 0))));
+        for (int axis = 0; axis < 3; ++axis)
+            numbers.push_back(exercise::widest_axis(tower(axis, metres(0, -1000, 0)))),
+                numbers.push_back(exercise::widest_axis(tower(axis, metres(0, 0, 0))));
         numbers.push_back(exercise::widest_axis(plate()));
         numbers.push_back(exercise::widest_axis(star()));
     } else if (task == 2)

@@ -73,7 +73,8 @@ void expect_normal(const std::string& what, const Direction& yours, const Direct
                    const char* why) {
     std::ostringstream text;
     text.precision(10);
-    text << what << ": the normal\n    yours  (" << yours.transpose() << ")\n    right  (" << (right + Direction::Zero()).transpose() << ")\n"
+    text << what << ": the normal\n    yours  (" << yours.transpose() << ")\n    right  ("
+         << (right + Direction::Zero()).transpose() << ")\n"
          << why;
     expect(yours.allFinite() && (yours - right).norm() <= within, text.str());
 }

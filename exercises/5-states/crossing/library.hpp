@@ -10,15 +10,14 @@ using Length = ansatz::Quantity<ansatz::unit::Length>;
 
 class CrossingGuard {
 public:
-    explicit CrossingGuard(Length limit) : guard_(ansatz::states::crosses(ansatz::states::value("place", &Seen::place), limit)) {}
+    explicit CrossingGuard(Length limit)
+        : guard_(ansatz::states::crosses(ansatz::states::value("place", &Seen::place), limit)) {}
 
     bool update(Length now) {
         Seen seen{now};
         const ansatz::states::Question<Seen, ansatz::states::NoBehaviour> question{seen, nothing_, {}, {}};
-        if (begun_)
-            guard_.sample(memory_, question);
-        else
-            guard_.begin(memory_, question);
+        if (begun_) guard_.sample(memory_, question);
+        else guard_.begin(memory_, question);
         begun_ = true;
         return guard_.ask(question, memory_);
     }

@@ -22,7 +22,8 @@ struct Scene {
 struct Door {
     using Context = Scene;
     static constexpr auto machine = states::machine(
-        state("waiting", transition(when(crosses(value("place", &Scene::place), 5.0 * metre)), to("alarm"))), final_state("alarm"));
+        state("waiting", transition(when(crosses(value("place", &Scene::place), 5.0 * metre)), to("alarm"))),
+        final_state("alarm"));
 };
 
 /// For how many of a hundred walkers `alarm(scene)`, asked at every update, answers yes at least once.
@@ -44,7 +45,8 @@ int seen(auto&& new_guard) {
 } // namespace
 
 int main() {
-    workbook::Play table("A hundred people walk past a door at 5 m, with 0.07 m/s to 7 m/s and ten updates a second.", {"seen"});
+    workbook::Play table("A hundred people walk past a door at 5 m, with 0.07 m/s to 7 m/s and ten updates a second.",
+                         {"seen"});
     table.timed("ns an update");
 
     const int mine = seen([](const Scene& scene) {

@@ -16,8 +16,9 @@ constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 void expect_crossed(double before, double now, double limit, bool right, const std::string& why) {
     const bool yours = exercise::crossed(before * metre, now * metre, limit * metre);
     std::ostringstream text;
-    text << "from " << before << " m to " << now << " m, with a limit of " << limit << " m\n    yours  " << (yours ? "crossed" : "not crossed") << "\n    right  "
-         << (right ? "crossed" : "not crossed") << '\n' << why;
+    text << "from " << before << " m to " << now << " m, with a limit of " << limit << " m\n    yours  "
+         << (yours ? "crossed" : "not crossed") << "\n    right  " << (right ? "crossed" : "not crossed") << '\n'
+         << why;
     expect(yours == right, text.str());
 }
 
@@ -30,15 +31,18 @@ int crossings(const std::vector<double>& places) {
 }
 void expect_crossings(const std::string& what, const std::vector<double>& places, int right, const std::string& why) {
     const int yours = crossings(places);
-    expect(yours == right, what + "\n    yours  " + std::to_string(yours) + " crossings\n    right  " + std::to_string(right) + "\n" + why);
+    expect(yours == right, what + "\n    yours  " + std::to_string(yours) + " crossings\n    right  " +
+                               std::to_string(right) + "\n" + why);
 }
 
 } // namespace
 
 TEST_CASE("a step over the limit crosses it, in both directions", "[task-1][over]") {
     for (const double limit : {5.0, 0.0, -2.0}) {
-        expect_crossed(limit - 0.1, limit + 0.2, limit, true, "It was on one side and is on the other now. It never was *at* the limit.");
-        expect_crossed(limit + 30, limit - 1, limit, true, "It was on one side and is on the other now. It never was *at* the limit.");
+        expect_crossed(limit - 0.1, limit + 0.2, limit, true,
+                       "It was on one side and is on the other now. It never was *at* the limit.");
+        expect_crossed(limit + 30, limit - 1, limit, true,
+                       "It was on one side and is on the other now. It never was *at* the limit.");
     }
 }
 
@@ -51,8 +55,10 @@ TEST_CASE("a step on one side does not", "[task-1][beside]") {
 TEST_CASE("a step that ends on the limit crosses it, one that begins there does not", "[task-1][on-it]") {
     expect_crossed(4.8, 5.0, 5, true, "It was beside the limit and is on it.");
     expect_crossed(5.2, 5.0, 5, true, "It was beside the limit and is on it.");
-    expect_crossed(5.0, 5.3, 5, false, "It stood on the limit already: the step before has crossed it, and it shall count once.");
-    expect_crossed(5.0, 4.7, 5, false, "It stood on the limit already: the step before has crossed it, and it shall count once.");
+    expect_crossed(5.0, 5.3, 5, false,
+                   "It stood on the limit already: the step before has crossed it, and it shall count once.");
+    expect_crossed(5.0, 4.7, 5, false,
+                   "It stood on the limit already: the step before has crossed it, and it shall count once.");
     expect_crossed(5.0, 5.0, 5, false, "It stood there already.");
 }
 
@@ -68,12 +74,14 @@ TEST_CASE("a guard counts each way through once, wherever the steps end", "[task
 }
 
 TEST_CASE("the first value has crossed nothing", "[task-2][first]") {
-    expect_crossings("7 m and 8 m", {7, 8}, 0, "Both are above. A previous value of 0 m that nobody has given is no previous value.");
+    expect_crossings("7 m and 8 m", {7, 8}, 0,
+                     "Both are above. A previous value of 0 m that nobody has given is no previous value.");
     expect_crossings("7 m and 3 m", {7, 3}, 1, "One step, one crossing.");
 }
 
 TEST_CASE("a gap in the values does not hide a crossing", "[task-2][gap]") {
-    expect_crossings("4 m, not a number, 6 m", {4, gap, 6}, 1, "Nothing is known of the gap, but it was below before it and is above behind it.");
+    expect_crossings("4 m, not a number, 6 m", {4, gap, 6}, 1,
+                     "Nothing is known of the gap, but it was below before it and is above behind it.");
     expect_crossings("not a number, 6 m, 7 m", {gap, 6, 7}, 0, "The first good value is the first value.");
     expect_crossings("4 m, not a number twice, 4 m", {4, gap, gap, 4}, 0, "It is where it was.");
 }
@@ -82,9 +90,11 @@ std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
         for (const double before : {4.0, 4.9, 5.0, 5.1, 6.0})
-            for (const double now : {4.0, 4.95, 5.0, 5.05, 6.0}) numbers.push_back(exercise::crossed(before * metre, now * metre, 5.0 * metre));
+            for (const double now : {4.0, 4.95, 5.0, 5.05, 6.0})
+                numbers.push_back(exercise::crossed(before * metre, now * metre, 5.0 * metre));
     } else {
-        for (const auto& places : std::vector<std::vector<double>>{{4, 6, 5, 5, 6, 4}, {7, 8, 3}, {4, gap, 6, gap, 6, 5, gap, 4}, {gap, 6, 7}, {3, 5, 3}})
+        for (const auto& places : std::vector<std::vector<double>>{
+                 {4, 6, 5, 5, 6, 4}, {7, 8, 3}, {4, gap, 6, gap, 6, 5, gap, 4}, {gap, 6, 7}, {3, 5, 3}})
             numbers.push_back(crossings(places));
     }
     return numbers;

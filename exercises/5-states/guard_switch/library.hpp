@@ -27,8 +27,10 @@ template <State Begin> struct GuardNpc {
         return states::machine(
             initial(names[std::size_t(Begin)]),
             state("patrol", transition(on("noise"), to("search")), transition(when(sight.below()), to("chase"))),
-            state("search", transition(when(sight.below()), to("chase")), transition(when(after(3.0 * second)), to("patrol"))),
-            state("chase", transition(when(distance < 1.0 * metre), to("strike")), transition(when(sight.above()), to("search"))),
+            state("search", transition(when(sight.below()), to("chase")),
+                  transition(when(after(3.0 * second)), to("patrol"))),
+            state("chase", transition(when(distance < 1.0 * metre), to("strike")),
+                  transition(when(sight.above()), to("search"))),
             state("strike", transition(when(after(2.0 * second)), to("chase"))));
     }();
 };
@@ -42,7 +44,8 @@ template <State Begin = State::patrol> State after_this(State now, Seen seen, au
     happens(machine, seen);
     return State(ansatz::index(machine.active()) - 1); // the root is 0
 }
-inline State next(State now, ansatz::Quantity<ansatz::unit::Length> distance, ansatz::Quantity<ansatz::unit::Time> in_state) {
+inline State next(State now, ansatz::Quantity<ansatz::unit::Length> distance,
+                  ansatz::Quantity<ansatz::unit::Time> in_state) {
     return after_this(now, {distance}, [&](auto& machine, Seen& seen) { machine.update(seen, in_state); });
 }
 inline State heard(State now) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // The evening of section 5.1 with your switch in it, beside the machine that the library makes of a description.
 
-#include "guard_npc.hpp"
 #include "play.hpp"
+#include "guard_npc.hpp"
 #include "subject.hpp"
 
 using namespace guard;
@@ -21,7 +21,8 @@ public:
     void update(Npc& npc, Time dt) {
         in_state_ += dt;
         const auto before = now_;
-        go(exercise::next(now_, npc.distance(), in_state_ + 1e-9 * second)); // 180 steps of 1/60 s are 3 s, however they were summed
+        go(exercise::next(now_, npc.distance(),
+                          in_state_ + 1e-9 * second)); // 180 steps of 1/60 s are 3 s, however they were summed
         if (now_ != before && now_ == exercise::State::strike) strike(npc);
         if (now_ == exercise::State::patrol) walk_.update(npc, dt);
         if (now_ == exercise::State::chase) npc.walk(npc.intruder, 2.0 * metre_per_second, dt);
@@ -40,18 +41,23 @@ private:
 } // namespace
 
 int main() {
-    workbook::Play table("A guard's evening of 45 s, 60 updates a second.", {"changes of state", "blows", "place at the end, m"});
+    workbook::Play table("A guard's evening of 45 s, 60 updates a second.",
+                         {"changes of state", "blows", "place at the end, m"});
     table.timed("ns an update");
 
     Npc npc;
     Yours guard;
-    const Trace mine = evening(npc, [](Npc&) {}, [&](Npc& n) { guard.noise(n); }, [&](Npc& n, Time dt) { guard.update(n, dt); }, [&] { return guard.name(); });
-    table.row("yours", {double(mine.size()) - 1, double(npc.blows), npc.place.value()}, 1, [=]() mutable { guard.update(npc, 1.0 / 60 * second); });
+    const Trace mine = evening(
+        npc, [](Npc&) {}, [&](Npc& n) { guard.noise(n); }, [&](Npc& n, Time dt) { guard.update(n, dt); },
+        [&] { return guard.name(); });
+    table.row("yours", {double(mine.size()) - 1, double(npc.blows), npc.place.value()}, 1,
+              [=]() mutable { guard.update(npc, 1.0 / 60 * second); });
 
     Npc other;
     Machine<GuardNpc, Switch> machine;
     const Trace theirs = evening(other, machine);
-    table.row("library", {double(theirs.size()) - 1, double(other.blows), other.place.value()}, 1, [=]() mutable { machine.update(other, 1.0 / 60 * second); });
+    table.row("library", {double(theirs.size()) - 1, double(other.blows), other.place.value()}, 1,
+              [=]() mutable { machine.update(other, 1.0 / 60 * second); });
     print(mine);
     return table.print();
 }

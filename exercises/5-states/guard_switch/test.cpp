@@ -18,8 +18,9 @@ const char* name(State s) {
 void expect_next(State now, double distance, double in_state, State right, const std::string& why) {
     const State yours = exercise::next(now, distance * metre, in_state * second);
     std::ostringstream text;
-    text << "in " << name(now) << " for " << in_state << " s, with the intruder at " << distance << " m\n    yours  " << name(yours) << "\n    right  " << name(right)
-         << '\n' << why;
+    text << "in " << name(now) << " for " << in_state << " s, with the intruder at " << distance << " m\n    yours  "
+         << name(yours) << "\n    right  " << name(right) << '\n'
+         << why;
     expect(yours == right, text.str());
 }
 
@@ -27,34 +28,49 @@ void expect_next(State now, double distance, double in_state, State right, const
 
 TEST_CASE("the guard sees at less than 7 m, on patrol and in a search", "[task-1][sees]") {
     for (const State now : {State::patrol, State::search})
-        for (const double distance : {0.5, 3.0, 6.99}) expect_next(now, distance, 0.1, State::chase, "Whoever is nearer than 7 m is seen.");
+        for (const double distance : {0.5, 3.0, 6.99})
+            expect_next(now, distance, 0.1, State::chase, "Whoever is nearer than 7 m is seen.");
     for (const State now : {State::patrol, State::search})
-        for (const double distance : {7.01, 7.5, 8.5, 30.0}) expect_next(now, distance, 0.1, now, "Whoever is not nearer than 7 m is not seen.");
+        for (const double distance : {7.01, 7.5, 8.5, 30.0})
+            expect_next(now, distance, 0.1, now, "Whoever is not nearer than 7 m is not seen.");
 }
 
 TEST_CASE("in a chase he strikes at less than 1 m, and loses sight beyond 9 m", "[task-1][chase]") {
-    for (const double distance : {0.0, 0.99}) expect_next(State::chase, distance, 0.1, State::strike, "He is near enough to strike.");
+    for (const double distance : {0.0, 0.99})
+        expect_next(State::chase, distance, 0.1, State::strike, "He is near enough to strike.");
     for (const double distance : {1.01, 6.0, 7.5, 8.99})
-        expect_next(State::chase, distance, 0.1, State::chase, "Between 1 m and 9 m the chase goes on. Seen at 7 m, lost at 9 m: with one distance for both, a step to and fro would change the state.");
-    for (const double distance : {9.01, 30.0}) expect_next(State::chase, distance, 0.1, State::search, "Beyond 9 m he has lost the intruder.");
+        expect_next(State::chase, distance, 0.1, State::chase,
+                    "Between 1 m and 9 m the chase goes on. Seen at 7 m, lost at 9 m: with one distance for both, a "
+                    "step to and fro would change the state.");
+    for (const double distance : {9.01, 30.0})
+        expect_next(State::chase, distance, 0.1, State::search, "Beyond 9 m he has lost the intruder.");
 }
 
 TEST_CASE("a search takes three seconds, a blow two", "[task-1][times]") {
-    for (const double t : {0.0, 2.0, 2.99}) expect_next(State::search, 20, t, State::search, "He looks for three seconds.");
-    for (const double t : {3.0, 3.01, 10.0}) expect_next(State::search, 20, t, State::patrol, "After three seconds he goes back. At three seconds they are over.");
-    for (const double t : {0.0, 1.0, 1.99}) expect_next(State::strike, 0.5, t, State::strike, "A blow takes two seconds.");
-    for (const double t : {2.0, 2.01, 10.0}) expect_next(State::strike, 0.5, t, State::chase, "After two seconds the chase goes on.");
+    for (const double t : {0.0, 2.0, 2.99})
+        expect_next(State::search, 20, t, State::search, "He looks for three seconds.");
+    for (const double t : {3.0, 3.01, 10.0})
+        expect_next(State::search, 20, t, State::patrol,
+                    "After three seconds he goes back. At three seconds they are over.");
+    for (const double t : {0.0, 1.0, 1.99})
+        expect_next(State::strike, 0.5, t, State::strike, "A blow takes two seconds.");
+    for (const double t : {2.0, 2.01, 10.0})
+        expect_next(State::strike, 0.5, t, State::chase, "After two seconds the chase goes on.");
 }
 
 TEST_CASE("where two conditions hold, the one that was named first decides", "[task-1][order]") {
-    for (const double t : {3.0, 5.0}) expect_next(State::search, 5, t, State::chase, "He is tired of searching, and sees the intruder at the same update. To see comes first.");
+    for (const double t : {3.0, 5.0})
+        expect_next(State::search, 5, t, State::chase,
+                    "He is tired of searching, and sees the intruder at the same update. To see comes first.");
 }
 
 TEST_CASE("only who is on patrol follows a noise", "[task-2][noise]") {
     for (const State now : all) {
         const State yours = exercise::heard(now), right = now == State::patrol ? State::search : now;
-        expect(yours == right, std::string("after a noise in ") + name(now) + "\n    yours  " + name(yours) + "\n    right  " + name(right) +
-                                   "\nThe only state with a transition for a noise is patrol. In the others nothing happens.");
+        expect(yours == right,
+               std::string("after a noise in ") + name(now) + "\n    yours  " + name(yours) + "\n    right  " +
+                   name(right) +
+                   "\nThe only state with a transition for a noise is patrol. In the others nothing happens.");
     }
 }
 
@@ -64,7 +80,8 @@ std::vector<double> probe(int task) {
         if (task == 2) numbers.push_back(int(exercise::heard(now)));
         if (task == 1)
             for (const double distance : {0.5, 3.0, 7.5, 8.5, 9.5})
-                for (const double t : {0.1, 2.0, 3.0, 4.0}) numbers.push_back(int(exercise::next(now, distance * metre, t * second)));
+                for (const double t : {0.1, 2.0, 3.0, 4.0})
+                    numbers.push_back(int(exercise::next(now, distance * metre, t * second)));
     }
     return numbers;
 }

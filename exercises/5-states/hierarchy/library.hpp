@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-// The library's own answer to this exercise: a machine of these states is built as data and run, and a watcher tells what
-// it left, entered and took.
+// The library's own answer to this exercise: a machine of these states is built as data and run, and a watcher tells
+// what it left, entered and took.
 #include <ansatz/states.hpp>
 
 #include <string>
@@ -65,11 +65,15 @@ inline Way way(const Parents& parents, int source, int target) {
         const int state = int(ansatz::index(recorded[i].state));
         if (recorded[i].what == ansatz::Happening::What::exited) way.left.push_back(state);
         // What is entered behind the target is where that begins.
-        if (recorded[i].what == ansatz::Happening::What::entered && (way.entered.empty() || way.entered.back() != target)) way.entered.push_back(state);
+        if (recorded[i].what == ansatz::Happening::What::entered &&
+            (way.entered.empty() || way.entered.back() != target))
+            way.entered.push_back(state);
     }
     return way;
 }
-inline int around_both(const Parents& parents, int source, int target) { return parents[std::size_t(way(parents, source, target).left.back())]; }
+inline int around_both(const Parents& parents, int source, int target) {
+    return parents[std::size_t(way(parents, source, target).left.back())];
+}
 
 inline int taken(const Parents& parents, int innermost, const std::vector<Transition>& transitions) {
     Tree tree(parents, innermost);
@@ -79,7 +83,8 @@ inline int taken(const Parents& parents, int innermost, const std::vector<Transi
         for (std::size_t i = 0; i < transitions.size(); ++i) {
             if (transitions[i].source != int(s)) continue;
             const std::size_t number = order.size();
-            tree.names.guard(Tree::name(int(number)), [number](const Tree::Context& c) { return bool(c.holds[number]); });
+            tree.names.guard(Tree::name(int(number)),
+                             [number](const Tree::Context& c) { return bool(c.holds[number]); });
             tree.lead(int(s), Tree::name(int(number)), innermost);
             context.holds.push_back(transitions[i].holds);
             order.push_back(int(i));

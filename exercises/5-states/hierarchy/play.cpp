@@ -22,7 +22,8 @@ struct Reasons {
 struct GuardNpc {
     using Context = Reasons;
     static constexpr auto machine = states::machine(
-        state("on duty", on_entry([](Reasons& r) { ++r.entries; }), transition(when([](const Reasons& r) { return r.hurt; }), to("flee")),
+        state("on duty", on_entry([](Reasons& r) { ++r.entries; }),
+              transition(when([](const Reasons& r) { return r.hurt; }), to("flee")),
               state("patrol", transition(when([](const Reasons& r) { return r.sees; }), to("combat")),
                     state("walk", transition(when([](const Reasons& r) { return r.tired; }), to("look"))),
                     state("look", transition(when([](const Reasons& r) { return r.tired; }), to("walk")))),
@@ -35,7 +36,8 @@ class Yours {
 public:
     enum : int { machine, on_duty, patrol, walk, look, combat, flee };
     void update(Reasons& r) {
-        const std::vector<exercise::Transition> transitions{{on_duty, r.hurt}, {patrol, r.sees}, {walk, r.tired}, {look, r.tired}, {combat, r.lost}, {flee, r.healed}};
+        const std::vector<exercise::Transition> transitions{{on_duty, r.hurt}, {patrol, r.sees}, {walk, r.tired},
+                                                            {look, r.tired},   {combat, r.lost}, {flee, r.healed}};
         const int taken = exercise::taken(parents_, now_, transitions);
         if (taken < 0) return;
         const int target = targets_[std::size_t(taken)];
@@ -54,7 +56,8 @@ private:
 } // namespace
 
 int main() {
-    workbook::Play table("A guard with three behaviours, and 10000 updates with random reasons.", {"same state", "entries of on duty"});
+    workbook::Play table("A guard with three behaviours, and 10000 updates with random reasons.",
+                         {"same state", "entries of on duty"});
     table.timed("ns an update");
     std::mt19937 random(3);
     Yours guard;
@@ -64,7 +67,9 @@ int main() {
     machine.start(theirs);
     int same = 0;
     for (int i = 0; i < 10000; ++i) {
-        for (bool Reasons::*reason : {&Reasons::tired, &Reasons::sees, &Reasons::lost, &Reasons::hurt, &Reasons::healed}) mine.*reason = theirs.*reason = random() % 3 == 0;
+        for (bool Reasons::*reason :
+             {&Reasons::tired, &Reasons::sees, &Reasons::lost, &Reasons::hurt, &Reasons::healed})
+            mine.*reason = theirs.*reason = random() % 3 == 0;
         guard.update(mine);
         machine.update(theirs);
         same += guard.now() == int(index(machine.active()));

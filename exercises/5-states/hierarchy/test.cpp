@@ -7,12 +7,15 @@ using namespace ansatz::workbook;
 
 namespace {
 
-/// The guard of section 5.3: awake { on duty { patrol { walk, look }, combat { approach, strike } }, flee { run, hide } }, home.
+/// The guard of section 5.3: awake { on duty { patrol { walk, look }, combat { approach, strike } }, flee { run, hide }
+/// }, home.
 enum : int { machine, awake, on_duty, patrol, walk, look, combat, approach, strike, flee, run, hide, home };
-const exercise::Parents guard{-1, machine, awake, on_duty, patrol, patrol, on_duty, combat, combat, awake, flee, flee, machine};
+const exercise::Parents guard{-1,     machine, awake, on_duty, patrol, patrol, on_duty,
+                              combat, combat,  awake, flee,    flee,   machine};
 
 std::string name(int state) {
-    constexpr const char* names[] = {"the machine", "awake", "on duty", "patrol", "walk", "look", "combat", "approach", "strike", "flee", "run", "hide", "home"};
+    constexpr const char* names[] = {"the machine", "awake",  "on duty", "patrol", "walk", "look", "combat",
+                                     "approach",    "strike", "flee",    "run",    "hide", "home"};
     return state >= 0 && state < int(guard.size()) ? names[state] : "no state (" + std::to_string(state) + ")";
 }
 std::string said(const std::vector<int>& states) {
@@ -22,18 +25,22 @@ std::string said(const std::vector<int>& states) {
 }
 void expect_around(int source, int target, int right, const std::string& why) {
     const int yours = exercise::around_both(guard, source, target);
-    expect(yours == right, "around " + name(source) + " and " + name(target) + "\n    yours  " + name(yours) + "\n    right  " + name(right) + "\n" + why);
+    expect(yours == right, "around " + name(source) + " and " + name(target) + "\n    yours  " + name(yours) +
+                               "\n    right  " + name(right) + "\n" + why);
 }
-void expect_states(const std::string& what, const std::vector<int>& yours, const std::vector<int>& right, const std::string& why) {
+void expect_states(const std::string& what, const std::vector<int>& yours, const std::vector<int>& right,
+                   const std::string& why) {
     expect(yours == right, what + "\n    yours  " + said(yours) + "\n    right  " + said(right) + "\n" + why);
 }
-void expect_taken(int innermost, const std::vector<exercise::Transition>& transitions, int right, const std::string& why) {
+void expect_taken(int innermost, const std::vector<exercise::Transition>& transitions, int right,
+                  const std::string& why) {
     std::string what = "in " + name(innermost) + ", with conditions that hold in";
     for (const auto& t : transitions)
         if (t.holds) what += " " + name(t.source) + ",";
     what.back() = ':';
     const int yours = exercise::taken(guard, innermost, transitions);
-    expect(yours == right, what + "\n    yours  transition " + std::to_string(yours) + "\n    right  transition " + std::to_string(right) + "\n" + why);
+    expect(yours == right, what + "\n    yours  transition " + std::to_string(yours) + "\n    right  transition " +
+                               std::to_string(right) + "\n" + why);
 }
 
 } // namespace
@@ -46,38 +53,48 @@ TEST_CASE("around two states is the innermost that holds both", "[task-1][siblin
 }
 
 TEST_CASE("and neither of them", "[task-1][neither]") {
-    expect_around(strike, combat, on_duty, "Combat is around strike, but not around itself: a transition to it leaves it and enters it again.");
+    expect_around(strike, combat, on_duty,
+                  "Combat is around strike, but not around itself: a transition to it leaves it and enters it again.");
     expect_around(strike, awake, machine, "Awake is around strike, but not around itself.");
     expect_around(walk, walk, patrol, "A state is not around itself.");
 }
 
 TEST_CASE("a transition leaves the inner states first", "[task-2][left]") {
-    expect_states("left from strike to hide", exercise::way(guard, strike, hide).left, {strike, combat, on_duty}, "From the innermost outwards, up to awake, which stays.");
-    expect_states("left from walk to look", exercise::way(guard, walk, look).left, {walk}, "Patrol stays: both are in it.");
-    expect_states("left from look to home", exercise::way(guard, look, home).left, {look, patrol, on_duty, awake}, "Home is in none of them.");
+    expect_states("left from strike to hide", exercise::way(guard, strike, hide).left, {strike, combat, on_duty},
+                  "From the innermost outwards, up to awake, which stays.");
+    expect_states("left from walk to look", exercise::way(guard, walk, look).left, {walk},
+                  "Patrol stays: both are in it.");
+    expect_states("left from look to home", exercise::way(guard, look, home).left, {look, patrol, on_duty, awake},
+                  "Home is in none of them.");
 }
 
 TEST_CASE("and enters the outer states first", "[task-2][entered]") {
-    expect_states("entered from hide to strike", exercise::way(guard, hide, strike).entered, {on_duty, combat, strike}, "From the outermost inwards: nobody strikes who is not in combat yet.");
-    expect_states("entered from home to look", exercise::way(guard, home, look).entered, {awake, on_duty, patrol, look}, "From the outermost inwards.");
-    expect_states("entered from walk to look", exercise::way(guard, walk, look).entered, {look}, "Patrol was not left.");
+    expect_states("entered from hide to strike", exercise::way(guard, hide, strike).entered, {on_duty, combat, strike},
+                  "From the outermost inwards: nobody strikes who is not in combat yet.");
+    expect_states("entered from home to look", exercise::way(guard, home, look).entered, {awake, on_duty, patrol, look},
+                  "From the outermost inwards.");
+    expect_states("entered from walk to look", exercise::way(guard, walk, look).entered, {look},
+                  "Patrol was not left.");
 }
 
 TEST_CASE("a transition to a parent leaves and enters it", "[task-2][parent]") {
     const auto way = exercise::way(guard, strike, combat);
-    expect_states("left from strike to combat", way.left, {strike, combat}, "Combat is begun anew, so it is left first.");
+    expect_states("left from strike to combat", way.left, {strike, combat},
+                  "Combat is begun anew, so it is left first.");
     expect_states("entered from strike to combat", way.entered, {combat}, "And entered again.");
 }
 
 TEST_CASE("the conditions of every active state are checked", "[task-3][all]") {
-    expect_taken(strike, {{combat, false}, {on_duty, true}}, 1, "On duty is active too: what holds for it holds for every state in it.");
+    expect_taken(strike, {{combat, false}, {on_duty, true}}, 1,
+                 "On duty is active too: what holds for it holds for every state in it.");
     expect_taken(strike, {{awake, true}}, 0, "Awake is active too.");
     expect_taken(strike, {{patrol, true}, {flee, true}, {walk, true}}, -1, "None of these is active.");
     expect_taken(strike, {{strike, false}, {awake, false}}, -1, "No condition holds.");
 }
 
 TEST_CASE("the innermost first", "[task-3][inner]") {
-    expect_taken(strike, {{awake, true}, {combat, true}, {strike, true}}, 2, "Strike is the innermost, wherever its transition stands in the list.");
+    expect_taken(strike, {{awake, true}, {combat, true}, {strike, true}}, 2,
+                 "Strike is the innermost, wherever its transition stands in the list.");
     expect_taken(strike, {{awake, true}, {combat, true}, {strike, false}}, 1, "Combat is inside awake.");
 }
 

@@ -25,9 +25,12 @@ public:
 
     bool update(bool wants_to_turn, Time dt) {
         in_state_ += dt;
-        struct Nothing {} nothing;
+        struct Nothing {
+        } nothing;
         const ansatz::states::NoBehaviour own;
-        const bool turned = wants_to_turn && guard_.ask(ansatz::states::Question<Nothing, ansatz::states::NoBehaviour>{nothing, own, in_state_, dt}, {});
+        const bool turned =
+            wants_to_turn &&
+            guard_.ask(ansatz::states::Question<Nothing, ansatz::states::NoBehaviour>{nothing, own, in_state_, dt}, {});
         if (turned) in_state_ = {}; // as a machine does when it enters a state
         return turned;
     }

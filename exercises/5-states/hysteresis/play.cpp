@@ -21,15 +21,16 @@ struct Ear {
 struct Sentry {
     using Context = Ear;
     static constexpr auto edge = band(value("distance", &Ear::distance), 1.0 * metre, 0.1 * metre);
-    static constexpr auto machine = states::machine(
-        state("near", transition(when(edge.above()), to("far"))),
-        state("far", transition(when(edge.below()), to("near"))));
+    static constexpr auto machine = states::machine(state("near", transition(when(edge.above()), to("far"))),
+                                                    state("far", transition(when(edge.below()), to("near"))));
 };
 
 } // namespace
 
 int main() {
-    workbook::Play table("Somebody stands at 1 m and is measured 100000 times with a noise of 0.05 m; the band is 0.1 m to both sides.", {"turns"});
+    workbook::Play table(
+        "Somebody stands at 1 m and is measured 100000 times with a noise of 0.05 m; the band is 0.1 m to both sides.",
+        {"turns"});
     table.timed("ns an update");
     std::mt19937_64 random(5);
     const auto uniform = [&] { return (double(random() >> 11) + 0.5) * 0x1p-53; };
@@ -37,7 +38,9 @@ int main() {
     for (int i = 0; i < 100000; ++i)
         measured.push_back((1 + 0.05 * std::sqrt(-2 * std::log(uniform())) * std::cos(2 * M_PI * uniform())) * metre);
 
-    const auto yours = [](bool far, Quantity<unit::Length> d) { return exercise::above_after(far, d, 1.0 * metre, 0.1 * metre); };
+    const auto yours = [](bool far, Quantity<unit::Length> d) {
+        return exercise::above_after(far, d, 1.0 * metre, 0.1 * metre);
+    };
     const auto bare = [](bool, Quantity<unit::Length> d) { return d > 1.0 * metre; };
     const auto turns = [&](auto&& after) {
         bool far = false;
@@ -50,7 +53,8 @@ int main() {
         return n;
     };
     volatile bool sink = false;
-    table.row("yours", {double(turns(yours))}, 1, [&, i = std::size_t(0)]() mutable { sink = yours(sink, measured[i++ % measured.size()]); });
+    table.row("yours", {double(turns(yours))}, 1,
+              [&, i = std::size_t(0)]() mutable { sink = yours(sink, measured[i++ % measured.size()]); });
 
     Ear ear;
     Machine<Sentry> sentry;
@@ -64,6 +68,7 @@ int main() {
         ear.distance = measured[i++ % measured.size()];
         sink = sentry.update(ear);
     });
-    table.row("no band", {double(turns(bare))}, 1, [&, i = std::size_t(0)]() mutable { sink = bare(sink, measured[i++ % measured.size()]); });
+    table.row("no band", {double(turns(bare))}, 1,
+              [&, i = std::size_t(0)]() mutable { sink = bare(sink, measured[i++ % measured.size()]); });
     return table.print();
 }

@@ -10,9 +10,10 @@ using namespace ansatz;
 namespace exercise {
 
 /// 5.2.3: whether a machine is "above" after an update, with a band of hysteresis around a threshold. It becomes above
-/// when the value is more than `half_width` above the threshold, below when it is more than that below, and stays what it
-/// is in between. `above` is what it was.
-inline bool above_after(bool above, Quantity<unit::Length> value, Quantity<unit::Length> threshold, Quantity<unit::Length> half_width) {
+/// when the value is more than `half_width` above the threshold, below when it is more than that below, and stays what
+/// it is in between. `above` is what it was.
+inline bool above_after(bool above, Quantity<unit::Length> value, Quantity<unit::Length> threshold,
+                        Quantity<unit::Length> half_width) {
     // task 1: return todo(1);
     return above ? value >= threshold - half_width : value > threshold + half_width;
     // end of task 1
@@ -23,8 +24,8 @@ class Dwelling {
 public:
     explicit Dwelling(Quantity<unit::Time> dwell) : dwell_(dwell) {}
 
-    /// One update of length `dt`, in which the machine would like to be in the other state, or not. It turns when it wants
-    /// to and has been in its state for the dwell time; answers whether it turned.
+    /// One update of length `dt`, in which the machine would like to be in the other state, or not. It turns when it
+    /// wants to and has been in its state for the dwell time; answers whether it turned.
     bool update(bool wants_to_turn, Quantity<unit::Time> dt) {
         // task 2: return todo(2);
         in_state_ += dt;

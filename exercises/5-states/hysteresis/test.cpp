@@ -18,8 +18,9 @@ void expect_after(bool above, double value, bool right, const std::string& why) 
     const bool yours = exercise::above_after(above, value * metre, threshold, half_width);
     const auto said = [](bool is_above) { return is_above ? "above" : "below"; };
     std::ostringstream text;
-    text << "was " << said(above) << ", and the value is " << value << " m; threshold 2 m, half-width 0.25 m\n    yours  " << said(yours) << "\n    right  " << said(right)
-         << '\n' << why;
+    text << "was " << said(above) << ", and the value is " << value
+         << " m; threshold 2 m, half-width 0.25 m\n    yours  " << said(yours) << "\n    right  " << said(right) << '\n'
+         << why;
     expect(yours == right, text.str());
 }
 
@@ -46,14 +47,16 @@ std::vector<int> turns(const std::vector<bool>& wishes, Quantity<unit::Time> dwe
         if (dwelling.update(wishes[i], dt)) at.push_back(int(i) + 1);
     return at;
 }
-void expect_turns(const std::string& what, const std::vector<bool>& wishes, const std::vector<int>& right, const std::string& why) {
+void expect_turns(const std::string& what, const std::vector<bool>& wishes, const std::vector<int>& right,
+                  const std::string& why) {
     const auto yours = turns(wishes, 1.0 * second, 0.25 * second);
     const auto said = [](const std::vector<int>& at) {
         std::string text;
         for (const int i : at) text += (text.empty() ? "" : ", ") + std::to_string(i);
         return text.empty() ? std::string("never") : "at update " + text;
     };
-    expect(yours == right, what + ", with a dwell time of 1 s and updates of 0.25 s\n    yours  turns " + said(yours) + "\n    right  turns " + said(right) + "\n" + why);
+    expect(yours == right, what + ", with a dwell time of 1 s and updates of 0.25 s\n    yours  turns " + said(yours) +
+                               "\n    right  turns " + said(right) + "\n" + why);
 }
 std::vector<bool> wishes(const std::string& signs) {
     std::vector<bool> all;
@@ -65,14 +68,17 @@ std::vector<bool> wishes(const std::string& signs) {
 
 TEST_CASE("beyond the band it follows the value", "[task-1][beyond]") {
     for (const bool above : {false, true}) {
-        for (const double value : {2.26, 2.4, 9.0}) expect_after(above, value, true, "The value is above the whole band.");
-        for (const double value : {1.74, 1.6, -3.0}) expect_after(above, value, false, "The value is below the whole band.");
+        for (const double value : {2.26, 2.4, 9.0})
+            expect_after(above, value, true, "The value is above the whole band.");
+        for (const double value : {1.74, 1.6, -3.0})
+            expect_after(above, value, false, "The value is below the whole band.");
     }
 }
 
 TEST_CASE("within the band it stays what it is", "[task-1][within]") {
     for (const bool above : {false, true})
-        for (const double value : {1.76, 1.9, 2.0, 2.1, 2.24}) expect_after(above, value, above, "Within the band the value says nothing: the state is the memory.");
+        for (const double value : {1.76, 1.9, 2.0, 2.1, 2.24})
+            expect_after(above, value, above, "Within the band the value says nothing: the state is the memory.");
 }
 
 TEST_CASE("in noise it turns as often as the law says", "[task-1][noise]") {
@@ -80,21 +86,27 @@ TEST_CASE("in noise it turns as often as the law says", "[task-1][noise]") {
     for (const double w : {0.0, 1.0, 2.0, 3.0}) {
         const double law = n * 0.5 * std::erfc(w / std::sqrt(2.0));
         std::ostringstream text;
-        text << "turns in " << n << " updates of normal noise on the threshold, half-width " << w << " sigma\n    yours  " << turns_in_noise(w, n) << "\n    right  " << law
-             << ", give or take " << 5 * std::sqrt(law)
-             << "\nAn update turns it when the noise is beyond the far edge: with the probability erfc(w / sqrt 2) / 2. Five standard deviations of that count are allowed.";
+        text << "turns in " << n << " updates of normal noise on the threshold, half-width " << w
+             << " sigma\n    yours  " << turns_in_noise(w, n) << "\n    right  " << law << ", give or take "
+             << 5 * std::sqrt(law)
+             << "\nAn update turns it when the noise is beyond the far edge: with the probability erfc(w / sqrt 2) / "
+                "2. Five standard deviations of that count are allowed.";
         expect(std::abs(turns_in_noise(w, n) - law) <= 5 * std::sqrt(law), text.str());
     }
 }
 
 TEST_CASE("it turns when it has dwelt and wants to", "[task-2][dwells]") {
-    expect_turns("wanting to from the first update on", wishes("+++++++++++++"), {4, 8, 12}, "After 1 s, which is four updates, and then anew.");
-    expect_turns("wanting to only after 1.5 s", wishes("-----+---+"), {6, 10}, "By then it has been in its state for long enough: it turns at once.");
-    expect_turns("wanting to twice, too early", wishes("-+-+"), {4}, "The first wish comes after 0.5 s, the second after 1 s.");
+    expect_turns("wanting to from the first update on", wishes("+++++++++++++"), {4, 8, 12},
+                 "After 1 s, which is four updates, and then anew.");
+    expect_turns("wanting to only after 1.5 s", wishes("-----+---+"), {6, 10},
+                 "By then it has been in its state for long enough: it turns at once.");
+    expect_turns("wanting to twice, too early", wishes("-+-+"), {4},
+                 "The first wish comes after 0.5 s, the second after 1 s.");
 }
 
 TEST_CASE("what counts is the time in the state, not that of the wish", "[task-2][wish]") {
-    expect_turns("with a wish that comes and goes", wishes("+-+-+-+-+-+-"), {5, 9}, "A noisy wish is still a wish. Who begins to wait anew whenever it goes may wait for ever.");
+    expect_turns("with a wish that comes and goes", wishes("+-+-+-+-+-+-"), {5, 9},
+                 "A noisy wish is still a wish. Who begins to wait anew whenever it goes may wait for ever.");
 }
 
 std::vector<double> probe(int task) {

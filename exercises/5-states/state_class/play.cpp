@@ -14,9 +14,9 @@ namespace {
 
 struct Yours {
     using Context = Npc;
-    static constexpr auto machine = states::machine(
-        state("patrol", behaves<exercise::Patrol>(), transition(on("fire"), to("alarm"))),
-        state("alarm", behaves<exercise::Alarm>(), transition(on("over"), to("patrol"))));
+    static constexpr auto machine =
+        states::machine(state("patrol", behaves<exercise::Patrol>(), transition(on("fire"), to("alarm"))),
+                        state("alarm", behaves<exercise::Alarm>(), transition(on("over"), to("patrol"))));
 };
 
 /// The same with what the library has: states and times in the place of members.
@@ -26,12 +26,13 @@ inline void come(Npc& n, Quantity<unit::Time> dt) { n.place = max(0.0 * metre, n
 inline void shout(Npc& n) { ++n.shouts; }
 struct Theirs {
     using Context = Npc;
-    static constexpr auto machine = states::machine(
-        state("patrol", transition(on("fire"), to("alarm")),
-              state("going", each_update(go), transition(when(place >= 10.0 * metre), to("coming"))),
-              state("coming", each_update(come), transition(when(place <= 0.0 * metre), to("going"))),
-              shallow_history("where he was", to("going"))),
-        state("alarm", on_entry(shout), transition(when(after(2.0 * second)), to("alarm")), transition(on("over"), to("where he was"))));
+    static constexpr auto machine =
+        states::machine(state("patrol", transition(on("fire"), to("alarm")),
+                              state("going", each_update(go), transition(when(place >= 10.0 * metre), to("coming"))),
+                              state("coming", each_update(come), transition(when(place <= 0.0 * metre), to("going"))),
+                              shallow_history("where he was", to("going"))),
+                        state("alarm", on_entry(shout), transition(when(after(2.0 * second)), to("alarm")),
+                              transition(on("over"), to("where he was"))));
 };
 
 template <class Description> void show(const char* who, workbook::Play& table) {
@@ -49,7 +50,8 @@ template <class Description> void show(const char* who, workbook::Play& table) {
 } // namespace
 
 int main() {
-    workbook::Play table("A guard walks for a minute between 0 m and 10 m, with an alarm of 7 s in it.", {"place at the end, m", "shouts"});
+    workbook::Play table("A guard walks for a minute between 0 m and 10 m, with an alarm of 7 s in it.",
+                         {"place at the end, m", "shouts"});
     table.timed("ns an update");
     show<Yours>("yours", table);
     show<Theirs>("library", table);

@@ -17,9 +17,9 @@ constexpr auto dt = 0.25 * second; // no step is rounded
 /// A machine of the library with the subject's classes in it.
 struct GuardNpc {
     using Context = Npc;
-    static constexpr auto machine = states::machine(
-        state("patrol", behaves<exercise::Patrol>(), transition(on("fire"), to("alarm"))),
-        state("alarm", behaves<exercise::Alarm>(), transition(on("over"), to("patrol"))));
+    static constexpr auto machine =
+        states::machine(state("patrol", behaves<exercise::Patrol>(), transition(on("fire"), to("alarm"))),
+                        state("alarm", behaves<exercise::Alarm>(), transition(on("over"), to("patrol"))));
 };
 using Watchman = Machine<GuardNpc, StatePattern>;
 
@@ -39,22 +39,26 @@ int shouts_in(int updates, Quantity<unit::Time> h) {
     return npc.shouts;
 }
 void expect_equal(const std::string& what, int yours, int right, const std::string& why) {
-    expect(yours == right, what + "\n    yours  " + std::to_string(yours) + "\n    right  " + std::to_string(right) + "\n" + why);
+    expect(yours == right,
+           what + "\n    yours  " + std::to_string(yours) + "\n    right  " + std::to_string(right) + "\n" + why);
 }
 
 } // namespace
 
 TEST_CASE("he walks at 1 m/s, to the post and no further", "[task-1][walks]") {
     for (const int updates : {1, 8, 40})
-        expect_near("the place after " + std::to_string(updates) + " updates of 0.25 s", place_after(updates, dt), updates * 0.25 * metre, 1e-12 * metre,
+        expect_near("the place after " + std::to_string(updates) + " updates of 0.25 s", place_after(updates, dt),
+                    updates * 0.25 * metre, 1e-12 * metre,
                     "At 1 m/s an update of 0.25 s is a way of 0.25 m, and the post is at 10 m.");
     expect_near("the place after 11 updates of 0.9375 s", place_after(11, 0.9375 * second), 10.0 * metre, 1e-12 * metre,
                 "Ten steps and two thirds of one: the last is shorter, for he stops at the post.");
 }
 
 TEST_CASE("at a post he turns round", "[task-1][turns]") {
-    expect_near("the place after 50 updates of 0.25 s", place_after(50, dt), 7.5 * metre, 1e-12 * metre, "40 updates to the far post, and 10 back.");
-    expect_near("the place after 100 updates of 0.25 s", place_after(100, dt), 5.0 * metre, 1e-12 * metre, "There, back, and halfway there again.");
+    expect_near("the place after 50 updates of 0.25 s", place_after(50, dt), 7.5 * metre, 1e-12 * metre,
+                "40 updates to the far post, and 10 back.");
+    expect_near("the place after 100 updates of 0.25 s", place_after(100, dt), 5.0 * metre, 1e-12 * metre,
+                "There, back, and halfway there again.");
 }
 
 TEST_CASE("two guards do not share a post", "[task-1][two-guards]") {
@@ -62,7 +66,8 @@ TEST_CASE("two guards do not share a post", "[task-1][two-guards]") {
     exercise::Patrol first, second_one;
     for (int i = 0; i < 44; ++i) first.update(one, dt);
     for (int i = 0; i < 4; ++i) second_one.update(two, dt);
-    expect_near("the place of the second guard after 4 updates, when the first has turned round", two.place, 1.0 * metre, 1e-12 * metre,
+    expect_near("the place of the second guard after 4 updates, when the first has turned round", two.place,
+                1.0 * metre, 1e-12 * metre,
                 "Each is on his own way: what a state remembers is a member of its class, one for each guard.");
 }
 
@@ -71,10 +76,11 @@ TEST_CASE("after an alarm he goes on to the post that he was going to", "[task-1
     exercise::Patrol patrol;
     for (int i = 0; i < 60; ++i) patrol.update(npc, dt); // to the post and half of the way back
     const auto copy = patrol;
-    exercise::Patrol other = copy;                       // the snapshot of a machine copies its states
+    exercise::Patrol other = copy; // the snapshot of a machine copies its states
     Npc also = npc;
     other.update(also, dt);
-    expect_near("the place of a copy after one update more", also.place, 4.75 * metre, 1e-12 * metre, "He was on the way back at 5 m, so he goes to 4.75 m.");
+    expect_near("the place of a copy after one update more", also.place, 4.75 * metre, 1e-12 * metre,
+                "He was on the way back at 5 m, so he goes to 4.75 m.");
 }
 
 TEST_CASE("he shouts when he enters", "[task-2][enters]") {
@@ -91,7 +97,9 @@ TEST_CASE("and then every two seconds, at any rate", "[task-2][every-two-seconds
         const int updates = int(9.0 / h);
         std::ostringstream text;
         text << "shouts in 9 s with updates of " << h << " s";
-        expect_equal(text.str(), shouts_in(updates, h * second), 5, "One at 0 s, 2 s, 4 s, 6 s and 8 s. Count time, not updates: the rate of a game is not the same everywhere.");
+        expect_equal(text.str(), shouts_in(updates, h * second), 5,
+                     "One at 0 s, 2 s, 4 s, 6 s and 8 s. Count time, not updates: the rate of a game is not the same "
+                     "everywhere.");
     }
 }
 
@@ -104,7 +112,9 @@ TEST_CASE("a new alarm begins to count anew", "[task-2][anew]") {
     guard.handle(npc, "over");
     guard.handle(npc, "fire");
     for (int i = 0; i < 7; ++i) guard.update(npc, dt);
-    expect_equal("shouts in two alarms of 1.75 s", npc.shouts, 2, "Neither lasted two seconds, so each has the shout of its entry and no more. The data outlives the alarm: enter must set it back.");
+    expect_equal("shouts in two alarms of 1.75 s", npc.shouts, 2,
+                 "Neither lasted two seconds, so each has the shout of its entry and no more. The data outlives the "
+                 "alarm: enter must set it back.");
 }
 
 std::vector<double> probe(int task) {

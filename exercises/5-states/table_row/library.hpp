@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-// The library's own answer: Table makes its rows while it is compiled. These come at run time, so the interpreter runs them,
-// with a watcher that says which row it took.
+// The library's own answer: Table makes its rows while it is compiled. These come at run time, so the interpreter runs
+// them, with a watcher that says which row it took.
 #include <ansatz/states.hpp>
 
 #include <cstddef>
@@ -57,7 +57,8 @@ struct Interpreter {
         return make_chart(outline, names);
     }
     static const char* event(Event e) { return e == Event::coin ? "coin" : e == Event::push ? "push" : "kick"; }
-    Interpreter(const Rows& rows, State begin, Event e, Gate& gate) : machine(chart(rows, begin), ansatz::Recorded<>{}) {
+    Interpreter(const Rows& rows, State begin, Event e, Gate& gate)
+        : machine(chart(rows, begin), ansatz::Recorded<>{}) {
         machine.start(gate);
         machine.template get<ansatz::Recorded<>>().clear();
         machine.handle(gate, event(e));

@@ -24,7 +24,8 @@ void give_back(Gate& g) { ++g.returned; }
 struct Turnstile {
     using Context = Gate;
     static constexpr auto machine = states::machine(
-        state("locked", transition(on("coin"), when(paid), then(use), to("unlocked")), transition(on("coin"), then(take))),
+        state("locked", transition(on("coin"), when(paid), then(use), to("unlocked")),
+              transition(on("coin"), then(take))),
         state("unlocked", transition(on("push"), then(pass), to("locked")), transition(on("coin"), then(give_back))));
 };
 const exercise::Rows rows{
@@ -37,7 +38,8 @@ const exercise::Rows rows{
 } // namespace
 
 int main() {
-    workbook::Play table("A turnstile takes 10000 coins and pushes in a random order.", {"people", "coins given back", "coins kept"});
+    workbook::Play table("A turnstile takes 10000 coins and pushes in a random order.",
+                         {"people", "coins given back", "coins kept"});
     table.timed("ns an event");
     std::mt19937 random(1);
     std::array<int, 10000> morning{};
@@ -55,8 +57,7 @@ int main() {
     machine.start(theirs);
     const std::array<EventId, 2> events{machine.event("coin"), machine.event("push")};
     for (const int event : morning) machine.handle(theirs, events[std::size_t(event)]);
-    table.row("library", {double(theirs.passed), double(theirs.returned), double(theirs.coins)}, 1, [=, i = 0]() mutable {
-        machine.handle(theirs, events[std::size_t(morning[std::size_t(i++ % 10000)])]);
-    });
+    table.row("library", {double(theirs.passed), double(theirs.returned), double(theirs.coins)}, 1,
+              [=, i = 0]() mutable { machine.handle(theirs, events[std::size_t(morning[std::size_t(i++ % 10000)])]); });
     return table.print();
 }

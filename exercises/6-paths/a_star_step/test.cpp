@@ -199,7 +199,8 @@ std::vector<double> probe(int task) {
         for (const auto* all : {&choices(), &choices_among_lists()})
             for (const auto& c : *all) {
                 const auto best = exercise::most_promising(c.nodes);
-                numbers.push_back(best == exercise::nobody ? -1.0 : double(best)); // beside 2^64 all others would be zero
+                numbers.push_back(best == exercise::nobody ? -1.0
+                                                           : double(best)); // beside 2^64 all others would be zero
             }
         return numbers;
     }

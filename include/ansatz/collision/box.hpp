@@ -4,8 +4,8 @@
 /// \file
 /// `Box`: a box along the axes; a rectangle in two dimensions.
 ///
-/// Bodies are points without rotation here, so that a box never turns: use it for walls, crates on a grid, and areas that
-/// notice who enters. Two boxes touch along one axis only; a corner is never rounded off.
+/// Bodies are points without rotation here, so that a box never turns: use it for walls, crates on a grid, and areas
+/// that notice who enters. Two boxes touch along one axis only; a corner is never rounded off.
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
@@ -20,8 +20,8 @@ struct Box {
     using shape = Box;                    ///< it is a shape
     static constexpr bool bounded = true; ///< a box holds it
 
-    /// m, half of its length on each axis, finite and greater than zero: `Box{metres(0.5, 0.5, 0.5)}` has edges of 1 m. Two
-    /// of them for a world of two dimensions.
+    /// m, half of its length on each axis, finite and greater than zero: `Box{metres(0.5, 0.5, 0.5)}` has edges of 1 m.
+    /// Two of them for a world of two dimensions.
     VectorParameter<unit::Length> half;
 
     static constexpr std::string_view name = "Box";
@@ -31,7 +31,8 @@ struct Box {
     template <class S> struct In {
         using description = Box;   ///< what it was made from
         typename S::Position half; ///< m
-        /// \throws std::invalid_argument for a half length that is not finite and greater than zero, and for another number of them
+        /// \throws std::invalid_argument for a half length that is not finite and greater than zero, and for another
+        /// number of them
         ///         than the space has dimensions
         explicit In(const Box& box) : half(S::convert("Box::half", box.half)) {
             for (int k = 0; k < S::dimension; ++k)

@@ -4,11 +4,13 @@
 /// \file
 /// `Boxes`: the bounding boxes of many bodies, in lanes: what every broadphase works on (notes 2.1.1).
 ///
-/// A bounding box holds all of a body between two corners, axis by axis. Two bodies whose boxes do not touch cannot touch;
-/// that is all a broadphase relies on. Boxes are closed: two that share a face, an edge or a corner touch. The first `active`
-/// of them belong to bodies that move; the others (fixed, at rest) are met by those, and never by each other.
+/// A bounding box holds all of a body between two corners, axis by axis. Two bodies whose boxes do not touch cannot
+/// touch; that is all a broadphase relies on. Boxes are closed: two that share a face, an edge or a corner touch. The
+/// first `active` of them belong to bodies that move; the others (fixed, at rest) are met by those, and never by each
+/// other.
 ///
-/// Use them without a World, too: fill them from the bodies of your own engine, and give them to a broadphase's `In<S>`.
+/// Use them without a World, too: fill them from the bodies of your own engine, and give them to a broadphase's
+/// `In<S>`.
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
@@ -77,7 +79,8 @@ public:
         for (int k = 0; k < dimension; ++k) all &= lower(k)[i] <= upper(k)[j] && lower(k)[j] <= upper(k)[i];
         return all;
     }
-    /// \throws std::invalid_argument for a box with an infinite corner, or one that is not a number, or whose lower corner is
+    /// \throws std::invalid_argument for a box with an infinite corner, or one that is not a number, or whose lower
+    /// corner is
     ///         above its upper one: no order of such boxes means anything
     void check(const char* where) const {
         for (std::size_t i = 0; i < size(); ++i)

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// The sentences about the roles of bodies that collide: what is wrong with a broadphase, a filter, a narrowphase and its
-/// shapes, a response; and what to write instead. world/check.hpp asks for them by role, and says how they are made.
+/// The sentences about the roles of bodies that collide: what is wrong with a broadphase, a filter, a narrowphase and
+/// its shapes, a response; and what to write instead. world/check.hpp asks for them by role, and says how they are
+/// made.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/narrowphase/pairs.hpp>

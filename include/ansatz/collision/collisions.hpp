@@ -6,8 +6,9 @@
 ///
 ///     positions -> boxes -> broadphase -> filter -> narrowphase -> contacts, by the ids of their bodies -> events
 ///
-/// It is a part of a world's data and exists only where there is a Narrowphase. Bodies that are fixed or at rest are not looked
-/// at with each other; the contacts that a body had when it fell asleep are kept while it sleeps, and hold it.
+/// It is a part of a world's data and exists only where there is a Narrowphase. Bodies that are fixed or at rest are
+/// not looked at with each other; the contacts that a body had when it fell asleep are kept while it sleeps, and hold
+/// it.
 
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/contact.hpp>
@@ -92,10 +93,12 @@ public:
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
     /// Says so.
     void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
-    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may be walking over them.
+    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may be walking over
+    /// them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
-        if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // who takes the id has not slept
+        if (id < pulls_.size())
+            pulls_[id] = S::template zero_vector<unit::Acceleration>(); // who takes the id has not slept
         somebody_removed_ = true;
     }
     /// Whether both bodies of a contact are still there.
@@ -220,7 +223,8 @@ private:
         (data.template state<R>().take(data, all), ...);
     }
 
-    /// How far a body comes in the next step if it goes on as it does: speed, and slack for what pulls at it and for a push by another.
+    /// How far a body comes in the next step if it goes on as it does: speed, and slack for what pulls at it and for a
+    /// push by another.
     struct Ahead {
         Vector<Scalar, S::dimension> way; // m
         Scalar slack{}, margin{};         // m; both together
@@ -234,7 +238,8 @@ private:
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         std::vector<Ahead> ahead;                         // by slot, of those that are looked at before they touch
         std::vector<Contact<S>> touching;
-        [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes; // only where they are used
+        [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent>
+            pushes; // only where they are used
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near; // these, too
     };
 
@@ -301,7 +306,8 @@ private:
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
-    /// The narrowphase of two bodies that come to touch in the next step, if they go on as they do. A pair that falls side by side does not.
+    /// The narrowphase of two bodies that come to touch in the next step, if they go on as they do. A pair that falls
+    /// side by side does not.
     template <class Data>
     [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
                                           std::size_t slot_b, Contact<S>& contact) const {
@@ -357,9 +363,8 @@ private:
         });
     }
 
-    /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is looked at with
-    /// it, but may lie there without any depth.
-    /// \return whether some may be there twice
+    /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is
+    /// looked at with it, but may lie there without any depth. \return whether some may be there twice
     template <class Data> bool keep_those_at_rest(const Data& data) {
         bool twice = false;
         if constexpr (C::rests)
@@ -369,7 +374,8 @@ private:
                 const auto of_a = data.bodies.motion(a), of_b = data.bodies.motion(b);
                 if (of_a == Motion::awake || of_b == Motion::awake) continue;
                 const bool platform = of_a == Motion::moving || of_b == Motion::moving;
-                if (platform && ((of_a != Motion::resting && of_b != Motion::resting) || detail::goes(data, a) || detail::goes(data, b)))
+                if (platform && ((of_a != Motion::resting && of_b != Motion::resting) || detail::goes(data, a) ||
+                                 detail::goes(data, b)))
                     continue;
                 twice = twice || platform;
                 working_.value.found.push_back(contact);

@@ -126,16 +126,18 @@ template <class F, class S> constexpr bool passes_in() {
 
 } // namespace detail
 
-/// A filter in space `S`: declares `reads`, and `In<S>`, made from the policy, answers `passes(a, b)`, whether two bodies are
-/// looked at, from the declared columns of both: `a.template get<Column>()`. It must answer the same for `(b, a)`.
+/// A filter in space `S`: declares `reads`, and `In<S>`, made from the policy, answers `passes(a, b)`, whether two
+/// bodies are looked at, from the declared columns of both: `a.template get<Column>()`. It must answer the same for
+/// `(b, a)`.
 ///
 /// `Layers` is one (notes 2.1).
 template <class F, class S>
 concept FilterIn = PlaysRole<F, roles::Filter> && detail::DeclaresReads<F> && detail::passes_in<F, S>();
 
-/// A narrowphase in space `S`: keeps the shapes of bodies (`Shapes<S>`, `knows<Kind>`, `for_each_kind(f)`), says whether some
-/// have a box and some have none (`any_bounded`, `any_unbounded`), finds out whether two intersect (`collide_bodies<S>`) or
-/// nearly do (`nearly_collide<S>`), and names what a world holds of all that (`Collisions<Composition>`).
+/// A narrowphase in space `S`: keeps the shapes of bodies (`Shapes<S>`, `knows<Kind>`, `for_each_kind(f)`), says
+/// whether some have a box and some have none (`any_bounded`, `any_unbounded`), finds out whether two intersect
+/// (`collide_bodies<S>`) or nearly do (`nearly_collide<S>`), and names what a world holds of all that
+/// (`Collisions<Composition>`).
 ///
 /// `Narrowphase` is one, and `Swept` wraps it (notes 2.1.2); yours will rather wrap it, too.
 template <class N, class S>
@@ -156,31 +158,32 @@ concept NarrowphaseIn = PlaysRole<N, roles::Narrowphase> &&
                             } -> std::same_as<bool>;
                         };
 
-/// A response in space `S` that answers one contact at a time: at the level of velocities or of positions, which it writes, and
-/// `In<S>` has `respond(contact, a, b, meeting)`, which changes the columns of the two bodies that it declared:
-/// `a.template get<Velocity>()`. It may read `InverseMass` undeclared: zero for what nothing moves.
+/// A response in space `S` that answers one contact at a time: at the level of velocities or of positions, which it
+/// writes, and `In<S>` has `respond(contact, a, b, meeting)`, which changes the columns of the two bodies that it
+/// declared: `a.template get<Velocity>()`. It may read `InverseMass` undeclared: zero for what nothing moves.
 ///
 /// `Impulse` and `Projection` are such (notes 2.2.1).
 template <class R, class S>
 concept ContactResponseIn = PlaysRole<R, roles::Response> && detail::answers_contacts<R> && detail::DeclaresWrites<R> &&
                             detail::changes_its_level<R> && detail::Responds<R, S> && !detail::RespondsToCopies<R, S>;
 
-/// A response in space `S` whose contacts are forces of the next step: at the level of accelerations, it couples bodies like a
-/// force between them (`CouplingIn`), and `template <class S> State` keeps the contacts that it is given by `take(data,
-/// contacts)` at the end of a step.
+/// A response in space `S` whose contacts are forces of the next step: at the level of accelerations, it couples bodies
+/// like a force between them (`CouplingIn`), and `template <class S> State` keeps the contacts that it is given by
+/// `take(data, contacts)` at the end of a step.
 ///
 /// `Penalty` is one (notes 2.2.2).
 template <class R, class S>
 concept ForceResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::accelerations) &&
                           CouplingIn<R, S> && detail::KeepsContactsIn<R, S>;
 
-/// A response in space `S` that takes a step in parts and solves all contacts between them. `SoftSubsteps` is one, and says
-/// what each of the verbs is for.
+/// A response in space `S` that takes a step in parts and solves all contacts between them. `SoftSubsteps` is one, and
+/// says what each of the verbs is for.
 template <class R, class S>
 concept SubstepResponseIn =
     PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::substeps) && detail::SolvesContactsIn<R, S>;
 
-/// A response in space `S`, at whichever level: `Projection`, `Impulse`, `Penalty` and `SoftSubsteps` are such (notes 2.2).
+/// A response in space `S`, at whichever level: `Projection`, `Impulse`, `Penalty` and `SoftSubsteps` are such
+/// (notes 2.2).
 template <class R, class S>
 concept ResponseIn = ContactResponseIn<R, S> || ForceResponseIn<R, S> || SubstepResponseIn<R, S>;
 

@@ -10,8 +10,9 @@
 /// | N      | contact normal: a unit vector *from b to a*, the way a must be moved; it turns round for (b, a) | 1 |
 /// | p      | penetration depth: how far they must be moved apart along N until they only touch          | m    |
 ///
-/// The notes put P on the surface of the second sphere, S1 - N (r1 - p); another body would be the second when the two are
-/// swapped. Their N = |S1 - S2| is a length; meant is (S1 - S2) / |S1 - S2|. Bodies that only touch (p = 0) do not intersect.
+/// The notes put P on the surface of the second sphere, S1 - N (r1 - p); another body would be the second when the two
+/// are swapped. Their N = |S1 - S2| is a length; meant is (S1 - S2) / |S1 - S2|. Bodies that only touch (p = 0) do not
+/// intersect.
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/bodies.hpp>
@@ -30,8 +31,9 @@ template <class S> struct Touch {
 /// The same with the roles of the two exchanged.
 template <class S> Touch<S> swapped(const Touch<S>& t) { return {t.point, -t.normal, t.depth}; }
 
-/// Two bodies of a world that intersect; the first is the one with the smaller id. A response that stops bodies before they
-/// intersect (`SoftSubsteps`) leaves them in contact while they press each other; the depth is zero then, or a little less.
+/// Two bodies of a world that intersect; the first is the one with the smaller id. A response that stops bodies before
+/// they intersect (`SoftSubsteps`) leaves them in contact while they press each other; the depth is zero then, or a
+/// little less.
 template <class S> struct Contact : Touch<S> {
     Handle first;            ///< a
     Handle second;           ///< b

@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// `ContactOrder`: puts contacts in the order of their bodies' ids, so that sleeping, waking and the broadphase do not decide
-/// in which order bodies are pushed; and what can be asked of contacts that stand so.
+/// `ContactOrder`: puts contacts in the order of their bodies' ids, so that sleeping, waking and the broadphase do not
+/// decide in which order bodies are pushed; and what can be asked of contacts that stand so.
 ///
-/// A counting sort by the first id, then each of its few contacts by the second: the work grows with the contacts and bodies,
-/// not with a logarithm of them.
+/// A counting sort by the first id, then each of its few contacts by the second: the work grows with the contacts and
+/// bodies, not with a logarithm of them.
 
 #include <ansatz/collision/contact.hpp>
 
@@ -45,9 +45,9 @@ namespace detail {
 
 /// Whether two bodies are among contacts in order; the one with the smaller id first.
 template <class S> bool has_contact(const std::vector<Contact<S>>& contacts, std::uint32_t a, std::uint32_t b) {
-    const auto at = std::lower_bound(contacts.begin(), contacts.end(), std::pair(a, b), [](const Contact<S>& c, const auto& ids) {
-        return std::pair(c.first.id, c.second.id) < ids;
-    });
+    const auto at =
+        std::lower_bound(contacts.begin(), contacts.end(), std::pair(a, b),
+                         [](const Contact<S>& c, const auto& ids) { return std::pair(c.first.id, c.second.id) < ids; });
     return at != contacts.end() && at->first.id == a && at->second.id == b;
 }
 

@@ -25,7 +25,8 @@ namespace ansatz {
 struct Ray {
     /// m, where it begins; finite
     VectorParameter<unit::Length> origin;
-    /// without a unit, e.g. Eigen::Vector3d(0, -1, 0), of any length but zero; finite. In two dimensions the third component must be zero.
+    /// without a unit, e.g. Eigen::Vector3d(0, -1, 0), of any length but zero; finite. In two dimensions the third
+    /// component must be zero.
     VectorParameter<unit::Dimensionless> direction;
     /// m, how far it goes; not negative. Without it there is no end.
     Parameter<unit::Length> longest = std::numeric_limits<double>::max() * metre;

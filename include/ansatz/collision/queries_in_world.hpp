@@ -27,7 +27,9 @@ namespace ansatz {
 
 namespace detail {
 template <class List> struct ReadByAll;
-template <class... F> struct ReadByAll<Types<F...>> { using type = union_of<Columns<>, reads_of<F>...>; };
+template <class... F> struct ReadByAll<Types<F...>> {
+    using type = union_of<Columns<>, reads_of<F>...>;
+};
 } // namespace detail
 
 /// Sensors are told, too.

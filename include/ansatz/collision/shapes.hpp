@@ -5,9 +5,9 @@
 /// `ShapeIn`, what a shape is, and `ShapesOf`: the shapes of a world's bodies, stored by kind.
 ///
 /// A shape is a description (`Sphere{0.5 * metre}`) with `using shape = ` itself, a name, `bounded`, and a nested
-/// `template <class S> struct In` made from it: its numbers in the scalar of a space, and, where it is bounded, the corners of
-/// its box. A shape of yours needs that and functions `collide(In, position, In, position, touch)`, one for each kind that it
-/// meets, in either order, in the namespace of your shape; the library need not know of it.
+/// `template <class S> struct In` made from it: its numbers in the scalar of a space, and, where it is bounded, the
+/// corners of its box. A shape of yours needs that and functions `collide(In, position, In, position, touch)`, one for
+/// each kind that it meets, in either order, in the namespace of your shape; the library need not know of it.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/properties.hpp>
@@ -104,7 +104,7 @@ public:
     }
     /// Whether assigning cannot fail where there is room: what owns memory has a destructor.
     static constexpr bool assigns_in_place =
-        ((std::is_trivially_destructible_v<T> && std::is_trivially_destructible_v<typename T::template In<S>>) && ...);
+        ((std::is_trivially_destructible_v<T> && std::is_trivially_destructible_v<typename T::template In<S>>)&&...);
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const ShapesOf& other) {
         reserve(other.kind_.size());

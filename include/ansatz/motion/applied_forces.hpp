@@ -19,7 +19,9 @@ struct AppliedForces {
 
     template <class S> struct In {
         explicit In(const AppliedForces&) {}
-        [[gnu::always_inline]] typename S::Force force(const typename S::Force& applied, const auto&) const { return applied; }
+        [[gnu::always_inline]] typename S::Force force(const typename S::Force& applied, const auto&) const {
+            return applied;
+        }
     };
 };
 

@@ -4,10 +4,10 @@
 /// \file
 /// `Attraction`: bodies attract each other (Newton's law of gravitation), and so show his third law (notes 1.3, 1.4).
 ///
-/// Use it for a handful of planets, or to see a force that couples bodies: what the first feels, the second feels with the
-/// opposite sign, and the momentum of all of them together stays what it was. Every pair is looked at, so a thousand
-/// bodies are half a million pairs a stage. Near the ground take gravity.hpp. Not provided: a tree or a mesh for many
-/// bodies, and a Jacobian, so an implicit integrator refuses it.
+/// Use it for a handful of planets, or to see a force that couples bodies: what the first feels, the second feels with
+/// the opposite sign, and the momentum of all of them together stays what it was. Every pair is looked at, so a
+/// thousand bodies are half a million pairs a stage. Near the ground take gravity.hpp. Not provided: a tree or a mesh
+/// for many bodies, and a Jacobian, so an implicit integrator refuses it.
 ///
 /// | symbol  | meaning                    | unit         |
 /// |---------|----------------------------|--------------|
@@ -53,7 +53,8 @@ struct Attraction {
                 const auto to = view.template get<Position>(j) - view.template get<Position>(i);
                 const auto distance = norm_softened(to);
                 if (!(distance.value() > 0)) return;
-                // Mass by mass and distance by distance: the product of two planets' masses is more than a float can hold.
+                // Mass by mass and distance by distance: the product of two planets' masses is more than a float can
+                // hold.
                 const auto f = (G * mi / distance) * (mj / distance) * (to / distance).value();
                 view.add_force_pair(i, j, f);
             });
@@ -70,7 +71,9 @@ struct Attraction {
         }
 
     private:
-        typename S::Length norm_softened(const typename S::Position& to) const { return sqrt(squared_norm(to) + softening * softening); }
+        typename S::Length norm_softened(const typename S::Position& to) const {
+            return sqrt(squared_norm(to) + softening * softening);
+        }
 
         /// Pairs by id, so that the sums are the same to the bit whoever was removed before.
         static void for_each_pair(const auto& view, auto&& f) {

@@ -4,8 +4,8 @@
 /// \file
 /// `decay(x)`: e to the power of minus x, the same to the bit in every build.
 ///
-/// Damping that does not depend on the frame rate multiplies by exp(-c dt). The standard library's exp may differ in the
-/// last bit between compilers, their options and their constant folding, and a state hash would differ with it;
+/// Damping that does not depend on the frame rate multiplies by exp(-c dt). The standard library's exp may differ in
+/// the last bit between compilers, their options and their constant folding, and a state hash would differ with it;
 /// this one uses only operations that IEEE 754 defines. Accurate to about one unit in the last place.
 
 #include <ansatz/units/quantity.hpp>
@@ -20,10 +20,8 @@ namespace ansatz {
 template <class Scalar> Scalar decay(const Scalar& x) {
     static_assert(!std::integral<Scalar>,
                   "Ansatz: decay takes a number with a fraction, e.g. decay(1.0); its answer is between 0 and 1");
-    if constexpr (std::integral<Scalar>)
-        return 0;
-    else if constexpr (std::same_as<Scalar, float>)
-        return static_cast<float>(decay(double(x)));
+    if constexpr (std::integral<Scalar>) return 0;
+    else if constexpr (std::same_as<Scalar, float>) return static_cast<float>(decay(double(x)));
     else if constexpr (!std::same_as<Scalar, double>)
         return exp(Scalar(-x)); // a class scalar brings its own exp, found by argument
     else {
@@ -42,10 +40,8 @@ template <class Scalar, class Unit> Scalar decay(const boost::units::quantity<Un
     constexpr bool pure_number = detail::is_dimensionless_unit<Unit>;
     static_assert(pure_number,
                   "Ansatz: decay takes a pure number; a rate becomes one by a time, e.g. decay(rate * dt)");
-    if constexpr (pure_number)
-        return decay(x.value());
-    else
-        return Scalar(0);
+    if constexpr (pure_number) return decay(x.value());
+    else return Scalar(0);
 }
 
 } // namespace ansatz

@@ -5,8 +5,8 @@
 /// `Drag`: damping of the velocity that does not depend on the frame rate (notes 1.7, made right).
 ///
 /// Use it for the cheap "everything comes to a stop in the end" of the notes: in every second the velocity falls by the
-/// same factor exp(-c * 1 s), whether that second has 30 steps or 240. Stable for any coefficient and any step, because it
-/// multiplies instead of pushing. Not a model of air: the resistance of air grows with the square of the speed
+/// same factor exp(-c * 1 s), whether that second has 30 steps or 240. Stable for any coefficient and any step, because
+/// it multiplies instead of pushing. Not a model of air: the resistance of air grows with the square of the speed
 /// (quadratic_drag.hpp). The notes' own form, a factor for each frame, is frame_drag.hpp.
 
 #include <ansatz/motion/decay.hpp>

@@ -4,9 +4,10 @@
 /// \file
 /// Energy and momentum of a world, as queries with units (notes 1.4).
 ///
-/// Use them to watch a simulation: what should be conserved and is not names the mistake. They look at every body when they
-/// are called and cost nothing otherwise. Bodies of infinite mass (fixed, moving) are left out: they are not part of the
-/// system but what acts on it from outside. They need the masses: a world whose policies do not gets `Keep<InverseMass>`.
+/// Use them to watch a simulation: what should be conserved and is not names the mistake. They look at every body when
+/// they are called and cost nothing otherwise. Bodies of infinite mass (fixed, moving) are left out: they are not part
+/// of the system but what acts on it from outside. They need the masses: a world whose policies do not gets
+/// `Keep<InverseMass>`.
 
 #include <ansatz/world/world.hpp>
 
@@ -22,9 +23,9 @@ template <class World_, class F> void for_each_mass(const World_& world, F&& f) 
     });
 }
 
-template <class P, class S> concept HasPotential = requires(const Bound<P, S>& law, const typename S::Position& x, const Context<S, reads_clock<P>>& c) {
-    law.potential(x, c);
-};
+template <class P, class S>
+concept HasPotential = requires(const Bound<P, S>& law, const typename S::Position& x,
+                                const Context<S, reads_clock<P>>& c) { law.potential(x, c); };
 
 } // namespace detail
 
@@ -53,11 +54,11 @@ template <class World_> auto potential_energy(const World_& world) {
         const auto x = world.position(body);
         auto add = [&]<class P>() {
             if constexpr (detail::HasPotential<P, S>) {
-                const auto part = world.laws().template get<P>().potential(x, world.context().template restricted<detail::reads_clock<P>>());
+                const auto part = world.laws().template get<P>().potential(
+                    x, world.context().template restricted<detail::reads_clock<P>>());
                 if constexpr (std::is_convertible_v<decltype(part), typename S::Energy>)
-                    sum += part; // of a force: an energy
-                else
-                    sum += m * part; // of an acceleration: an energy for each kilogram
+                    sum += part;      // of a force: an energy
+                else sum += m * part; // of an acceleration: an energy for each kilogram
             }
         };
         [&]<class... P>(Types<P...>) { (add.template operator()<P>(), ...); }(typename World_::composition::laws{});
@@ -67,12 +68,16 @@ template <class World_> auto potential_energy(const World_& world) {
         const detail::Bound<P, S> force(world.template get<P>());
         if constexpr (requires { force.potential_energy(view); }) sum += force.potential_energy(view);
     };
-    [&]<class... P>(Types<P...>) { (add_coupling.template operator()<P>(), ...); }(typename World_::composition::couplings{});
+    [&]<class... P>(Types<P...>) {
+        (add_coupling.template operator()<P>(), ...);
+    }(typename World_::composition::couplings{});
     return sum;
 }
 
 /// Kinetic and potential energy together, in J.
-template <class World_> auto total_energy(const World_& world) { return kinetic_energy(world) + potential_energy(world); }
+template <class World_> auto total_energy(const World_& world) {
+    return kinetic_energy(world) + potential_energy(world);
+}
 
 /// \f$ \sum m \mathbf v \f$, in kg m/s.
 template <class World_> auto total_momentum(const World_& world) {
@@ -83,10 +88,13 @@ template <class World_> auto total_momentum(const World_& world) {
 
 /// \f$ \sum m\,(\mathbf x - \mathbf x_0) \times \mathbf v \f$ about a point, in kg m^2/s: a vector in three dimensions, a
 /// number in two.
-template <class World_> auto total_angular_momentum(const World_& world, const typename World_::Position& about = typename World_::Position()) {
+template <class World_>
+auto total_angular_momentum(const World_& world, const typename World_::Position& about = typename World_::Position()) {
     using Sum = decltype(typename World_::S::Mass() * cross(about, typename World_::Velocity()));
     Sum sum{};
-    detail::for_each_mass(world, [&](Handle body, const auto& m) { sum += m * cross(world.position(body) - about, world.velocity(body)); });
+    detail::for_each_mass(world, [&](Handle body, const auto& m) {
+        sum += m * cross(world.position(body) - about, world.velocity(body));
+    });
     return sum;
 }
 

@@ -4,9 +4,9 @@
 /// \file
 /// `FrameDrag`: the notes' damping factor 0 < d < 1 for each frame (notes 1.7).
 ///
-/// Use it to see what the notes describe, in a program whose step never changes. It depends on the frame rate: "times 0.99
-/// in each frame" leaves 74 % of a velocity after a second at 30 Hz, 55 % at 60 Hz and 30 % at 120 Hz. drag.hpp is the same
-/// thing without that.
+/// Use it to see what the notes describe, in a program whose step never changes. It depends on the frame rate: "times
+/// 0.99 in each frame" leaves 74 % of a velocity after a second at 30 Hz, 55 % at 60 Hz and 30 % at 120 Hz. drag.hpp is
+/// the same thing without that.
 
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>
@@ -28,7 +28,8 @@ struct FrameDrag {
     static void parameters(auto& self, auto&& visit) { visit("factor", self.factor); }
     void check() const {
         if (!(factor.value() > 0) || !(factor.value() <= 1))
-            refuse_value("FrameDrag", "factor", describe(factor), "a damping factor is above 0 and at most 1 (1 damps nothing)");
+            refuse_value("FrameDrag", "factor", describe(factor),
+                         "a damping factor is above 0 and at most 1 (1 damps nothing)");
     }
 
     template <class S> struct In {

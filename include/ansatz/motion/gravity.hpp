@@ -5,8 +5,8 @@
 /// `Gravity`: a constant acceleration, the same for every mass (notes 1.9).
 ///
 /// Use it near the surface of something large, and vary it as the notes do for a cheap change of environment
-/// (`world.set(Gravity{metres_per_second_squared(0, -1.62, 0)})` is the moon). Not for bodies that attract each other or
-/// a centre: the acceleration then depends on the place; see attraction.hpp.
+/// (`world.set(Gravity{metres_per_second_squared(0, -1.62, 0)})` is the moon). Not for bodies that attract each other
+/// or a centre: the acceleration then depends on the place; see attraction.hpp.
 
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>

@@ -4,10 +4,10 @@
 /// \file
 /// `mechanics`: momentum, impulse, kinetic energy, and the head-on collision that conserves the first (notes 1.4).
 ///
-/// Use them for bodies that you hold yourself and for results in closed form: after a collision the momentum of two bodies
-/// is what it was, at every restitution; only kinetic energy is lost, and this header says how much. The bodies of a world
-/// are asked with energy.hpp; contacts of shapes in space are solved by the responses of chapter 2, which along the normal
-/// must agree with this header. Velocities are numbers or vectors, of any scalar.
+/// Use them for bodies that you hold yourself and for results in closed form: after a collision the momentum of two
+/// bodies is what it was, at every restitution; only kinetic energy is lost, and this header says how much. The bodies
+/// of a world are asked with energy.hpp; contacts of shapes in space are solved by the responses of chapter 2, which
+/// along the normal must agree with this header. Velocities are numbers or vectors, of any scalar.
 ///
 /// | symbol | meaning                                            | unit         |
 /// |--------|----------------------------------------------------|--------------|
@@ -30,7 +30,7 @@ namespace ansatz::mechanics {
 /// \tparam ValueT a scalar for motion along a line, `Vector<Scalar, Dim>` in space
 template <class ScalarT, class ValueT = ScalarT> struct PointMass {
     using Scalar = ScalarT;
-    using Value = ValueT; ///< a number along a line, a vector in space
+    using Value = ValueT;                      ///< a number along a line, a vector in space
     Quantity<unit::Mass, ScalarT> mass;        ///< kg, finite and greater than zero
     Quantity<unit::Velocity, ValueT> velocity; ///< m/s
 };
@@ -44,7 +44,8 @@ PointMass(const Quantity<unit::Mass, ScalarT>&, const Quantity<unit::Velocity, V
 /// \throws std::invalid_argument for another mass
 template <class Mass, class Velocity> auto momentum(const Mass& mass, const Velocity& velocity) {
     constexpr bool units = detail::is_scalar_in<unit::Mass, Mass> && detail::is_in<unit::Velocity, Velocity>;
-    static_assert(units, "Ansatz: mechanics::momentum takes a mass and a velocity; write e.g. momentum(2.0 * kilogram, 3.0 * metre_per_second)");
+    static_assert(units, "Ansatz: mechanics::momentum takes a mass and a velocity; write e.g. momentum(2.0 * kilogram, "
+                         "3.0 * metre_per_second)");
     if constexpr (units) {
         require_positive("mechanics::momentum", "mass", mass);
         return mass * velocity;
@@ -55,7 +56,9 @@ template <class Mass, class Velocity> auto momentum(const Mass& mass, const Velo
 /// impulses follows from that for forces, and with it the conservation of momentum.
 template <class Force, class Time> auto impulse(const Force& force, const Time& dt) {
     constexpr bool units = detail::is_in<unit::Force, Force> && detail::is_scalar_in<unit::Time, Time>;
-    static_assert(units, "Ansatz: mechanics::impulse takes a force and a time; write e.g. impulse(newtons(0, 5, 0), 0.1 * second)");
+    static_assert(
+        units,
+        "Ansatz: mechanics::impulse takes a force and a time; write e.g. impulse(newtons(0, 5, 0), 0.1 * second)");
     ansatz::detail::refuse_whole_numbers<Time>();
     if constexpr (units) return force * dt;
 }
@@ -64,14 +67,15 @@ template <class Force, class Time> auto impulse(const Force& force, const Time& 
 /// \throws std::invalid_argument unless the mass is finite and greater than zero
 template <class Mass, class Velocity> auto kinetic_energy(const Mass& mass, const Velocity& velocity) {
     constexpr bool units = detail::is_scalar_in<unit::Mass, Mass> && detail::is_in<unit::Velocity, Velocity>;
-    static_assert(units, "Ansatz: mechanics::kinetic_energy takes a mass and a velocity; write e.g. kinetic_energy(2.0 * kilogram, "
-                         "3.0 * metre_per_second)");
+    static_assert(
+        units,
+        "Ansatz: mechanics::kinetic_energy takes a mass and a velocity; write e.g. kinetic_energy(2.0 * kilogram, "
+        "3.0 * metre_per_second)");
     if constexpr (units) {
         require_positive("mechanics::kinetic_energy", "mass", mass);
         if constexpr (ansatz::detail::vector_valued<ansatz::detail::stripped<Velocity>>)
             return 0.5 * mass * squared_norm(velocity);
-        else
-            return 0.5 * mass * velocity * velocity;
+        else return 0.5 * mass * velocity * velocity;
     }
 }
 
@@ -83,7 +87,7 @@ template <class R> using ElementOf = std::remove_cvref_t<decltype(*std::begin(st
 template <class R>
 concept PointMasses = requires(R& bodies, const detail::ElementOf<R>& one) {
     std::begin(bodies) != std::end(bodies);
-    one.mass * one.velocity;
+    one.mass* one.velocity;
 };
 
 /// \f$ \sum m \mathbf v \f$ of a list, in kg m/s; zero for an empty one. In a closed system it is constant (notes 1.4).
@@ -118,13 +122,15 @@ auto reduced_mass(const Quantity<unit::Mass, Scalar>& first, const Quantity<unit
 
 namespace detail {
 template <class Scalar, class Value>
-void require_collision(const PointMass<Scalar, Value>& first, const PointMass<Scalar, Value>& second, Scalar restitution) {
+void require_collision(const PointMass<Scalar, Value>& first, const PointMass<Scalar, Value>& second,
+                       Scalar restitution) {
     require_positive("mechanics::collide", "mass", first.mass);
     require_positive("mechanics::collide", "mass", second.mass);
     require_finite("mechanics::collide", "velocity", first.velocity);
     require_finite("mechanics::collide", "velocity", second.velocity);
     if (!(restitution >= Scalar(0) && restitution <= Scalar(1)))
-        refuse_value("mechanics::collide", "restitution", describe(Quantity<unit::Dimensionless, Scalar>::from_value(restitution)),
+        refuse_value("mechanics::collide", "restitution",
+                     describe(Quantity<unit::Dimensionless, Scalar>::from_value(restitution)),
                      "it is from 0 (the bodies stay together) to 1 (no energy is lost)");
 }
 } // namespace detail
@@ -135,12 +141,14 @@ void require_collision(const PointMass<Scalar, Value>& first, const PointMass<Sc
 ///     \mathbf v_2 = \mathbf u_2 + (1 + e) \frac{\mu}{m_2} (\mathbf u_1 - \mathbf u_2) \f]
 ///
 /// One impulse acts on both, with opposite signs, so momentum is conserved at *every* e, and they part with e times the
-/// speed at which they met. (The notes' 2.2.1 says that an inelastic collision dissipates momentum: it does not.) Bodies
-/// of one velocity do not meet and keep it. Whether they approach is the caller's knowledge: only positions tell.
+/// speed at which they met. (The notes' 2.2.1 says that an inelastic collision dissipates momentum: it does not.)
+/// Bodies of one velocity do not meet and keep it. Whether they approach is the caller's knowledge: only positions
+/// tell.
 ///
 /// \param first, second mass in kg, velocity in m/s
 /// \param restitution   e, a plain number from 0 to 1
-/// \throws std::invalid_argument for a mass that is not finite and greater than zero, a velocity that is not finite, or a
+/// \throws std::invalid_argument for a mass that is not finite and greater than zero, a velocity that is not finite, or
+/// a
 ///         restitution outside its range
 template <class Scalar, class Value>
 std::pair<PointMass<Scalar, Value>, PointMass<Scalar, Value>> collide(const PointMass<Scalar, Value>& first,
@@ -159,7 +167,8 @@ std::pair<PointMass<Scalar, Value>, PointMass<Scalar, Value>> collide(const Poin
 /// something else. Nothing at e = 1; at e = 0 all but the energy of the centre of mass.
 /// \throws std::invalid_argument as `collide`
 template <class Scalar, class Value>
-Quantity<unit::Energy, Scalar> energy_lost(const PointMass<Scalar, Value>& first, const PointMass<Scalar, Value>& second,
+Quantity<unit::Energy, Scalar> energy_lost(const PointMass<Scalar, Value>& first,
+                                           const PointMass<Scalar, Value>& second,
                                            std::type_identity_t<Scalar> restitution) {
     detail::require_collision(first, second, restitution);
     return (Scalar(1) - restitution) * (Scalar(1) + restitution) *

@@ -4,11 +4,11 @@
 /// \file
 /// `mechanics`: Newton's three laws as functions of quantities, scalar or vector (notes 1.1 to 1.3).
 ///
-/// Use them to say in a program what the law says: which force a thrust is, what acceleration a load leaves, whether the
-/// forces on a bridge balance. The units do half of the checking: a force that was divided by a velocity is no
+/// Use them to say in a program what the law says: which force a thrust is, what acceleration a load leaves, whether
+/// the forces on a bridge balance. The units do half of the checking: a force that was divided by a velocity is no
 /// acceleration. Not for the inside of a simulation: there a Force policy answers and the world sums and integrates; to
-/// push a body from outside use AppliedForces. Forces in space are vectors and forces along a line are numbers; both work,
-/// with any scalar.
+/// push a body from outside use AppliedForces. Forces in space are vectors and forces along a line are numbers; both
+/// work, with any scalar.
 ///
 /// | symbol | meaning               | unit  |
 /// |--------|-----------------------|-------|
@@ -28,7 +28,8 @@ namespace ansatz::mechanics {
 namespace detail {
 
 /// A quantity of this unit, scalar or vector.
-template <class Unit, class Q> inline constexpr bool is_in = ansatz::detail::has_unit<Unit, ansatz::detail::stripped<Q>>;
+template <class Unit, class Q>
+inline constexpr bool is_in = ansatz::detail::has_unit<Unit, ansatz::detail::stripped<Q>>;
 /// A scalar quantity of this unit.
 template <class Unit, class Q>
 inline constexpr bool is_scalar_in = is_in<Unit, Q> && !ansatz::detail::vector_valued<ansatz::detail::stripped<Q>>;
@@ -39,10 +40,8 @@ inline constexpr bool are_in =
 
 /// |q| of a scalar or a vector.
 template <class Q> auto magnitude(const Q& q) {
-    if constexpr (ansatz::detail::vector_valued<Q>)
-        return norm(q);
-    else
-        return abs(q);
+    if constexpr (ansatz::detail::vector_valued<Q>) return norm(q);
+    else return abs(q);
 }
 
 } // namespace detail
@@ -51,7 +50,8 @@ template <class Q> auto magnitude(const Q& q) {
 /// \param first, rest forces in N, all scalars or all vectors of one dimension
 template <class First, class... Rest> auto resultant(const First& first, const Rest&... rest) {
     constexpr bool forces = detail::are_in<unit::Force, First, Rest...>;
-    static_assert(forces, "Ansatz: mechanics::resultant takes forces of one kind; write e.g. resultant(newtons(0, 5, 0), newtons(1, 0, 0))");
+    static_assert(forces, "Ansatz: mechanics::resultant takes forces of one kind; write e.g. resultant(newtons(0, 5, "
+                          "0), newtons(1, 0, 0))");
     if constexpr (forces) {
         ansatz::detail::stripped<First> sum = first;
         ((sum += rest), ...);
@@ -80,7 +80,8 @@ template <class Mass, class Acceleration> auto force(const Mass& mass, const Acc
 /// \throws std::invalid_argument for another mass
 template <class Force, class Mass> auto acceleration(const Force& resultant, const Mass& mass) {
     constexpr bool units = detail::is_in<unit::Force, Force> && detail::is_scalar_in<unit::Mass, Mass>;
-    static_assert(units, "Ansatz: mechanics::acceleration takes a force and a mass; write e.g. acceleration(newtons(0, 5, 0), 2.0 * kilogram)");
+    static_assert(units, "Ansatz: mechanics::acceleration takes a force and a mass; write e.g. acceleration(newtons(0, "
+                         "5, 0), 2.0 * kilogram)");
     if constexpr (units) {
         require_positive("mechanics::acceleration", "mass", mass);
         return resultant / mass;
@@ -95,12 +96,15 @@ template <class Force> auto reaction(const Force& action) {
     if constexpr (units) return ansatz::detail::stripped<Force>(-action);
 }
 
-/// Whether the forces on a body leave its velocity alone (first law, notes 1.1): their sum is zero, or no larger than the
+/// Whether the forces on a body leave its velocity alone (first law, notes 1.1): their sum is zero, or no larger than
+/// the
 /// rounding of the sum, \f$ |\sum \mathbf F| \le n \varepsilon \sum |\mathbf F| \f$. There is no threshold in newtons, so the
 /// answer does not depend on how heavy things are.
 template <class First, class... Rest> bool in_equilibrium(const First& first, const Rest&... rest) {
     constexpr bool forces = detail::are_in<unit::Force, First, Rest...>;
-    static_assert(forces, "Ansatz: mechanics::in_equilibrium takes forces of one kind; write e.g. in_equilibrium(weight, push, pull)");
+    static_assert(
+        forces,
+        "Ansatz: mechanics::in_equilibrium takes forces of one kind; write e.g. in_equilibrium(weight, push, pull)");
     if constexpr (forces) {
         using Force = ansatz::detail::stripped<First>;
         const Force firstly = first;

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// `QuadraticDrag`: the resistance of air or water, against the motion and with the square of the speed (beyond notes 1.7).
+/// `QuadraticDrag`: the resistance of air or water, against the motion and with the square of the speed (beyond
+/// notes 1.7).
 ///
 /// Use it where a terminal speed matters: a falling body approaches \f$ \sqrt{m g / k} \f$. It is a force, so it needs masses, and
 /// an explicit integrator is stable only while 2 k |v| dt / m stays below about 2. For a cheap fade-out take drag.hpp.
@@ -32,7 +33,8 @@ struct QuadraticDrag {
         return {0.5 * drag_coefficient * density * area};
     }
     /// The one that lets a mass fall no faster than `speed` under gravity `g`.
-    static QuadraticDrag with_terminal_speed(Quantity<unit::Velocity> speed, Quantity<unit::Mass> m, Quantity<unit::Acceleration> g) {
+    static QuadraticDrag with_terminal_speed(Quantity<unit::Velocity> speed, Quantity<unit::Mass> m,
+                                             Quantity<unit::Acceleration> g) {
         return {m * g / (speed * speed)};
     }
 
@@ -44,7 +46,9 @@ struct QuadraticDrag {
         typename S::template ScalarOf<unit::QuadraticDrag> k;
         explicit In(const QuadraticDrag& drag) : k(S::convert(drag.coefficient)) {}
 
-        [[gnu::always_inline]] typename S::Force force(const typename S::Velocity& v, const auto&) const { return -(k * norm(v)) * v; }
+        [[gnu::always_inline]] typename S::Force force(const typename S::Velocity& v, const auto&) const {
+            return -(k * norm(v)) * v;
+        }
 
         /// dF/dv = -k (|v| 1 + v v^T / |v|), which goes to zero with v.
         ForceJacobian<S> jacobian(const typename S::Velocity& v, const auto&) const {
@@ -55,7 +59,8 @@ struct QuadraticDrag {
             auto m = j.velocity.value();
             for (int row = 0; row < S::dimension; ++row)
                 for (int column = 0; column < S::dimension; ++column)
-                    m(row, column) = -k.value() * ((row == column ? speed : typename S::Scalar(0)) + c[row] * c[column] / speed);
+                    m(row, column) =
+                        -k.value() * ((row == column ? speed : typename S::Scalar(0)) + c[row] * c[column] / speed);
             j.velocity = decltype(j.velocity)::from_value(m);
             return j;
         }

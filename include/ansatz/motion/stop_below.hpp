@@ -4,9 +4,10 @@
 /// \file
 /// `StopBelow`: a velocity close to zero is set to zero, to the letter of the notes (notes 1.8).
 ///
-/// Use it to see what the rule does, or in a scene without forces. Under gravity it stops a ball at the top of its flight:
-/// where one step adds less than the threshold (g dt < threshold) the ball goes on by no more than g dt^2 in a step, for
-/// ever. And it saves no work, since the body is looked at in the next step all the same. rest.hpp is the rule made safe.
+/// Use it to see what the rule does, or in a scene without forces. Under gravity it stops a ball at the top of its
+/// flight: where one step adds less than the threshold (g dt < threshold) the ball goes on by no more than g dt^2 in a
+/// step, for ever. And it saves no work, since the body is looked at in the next step all the same. rest.hpp is the
+/// rule made safe.
 
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/requirements.hpp>

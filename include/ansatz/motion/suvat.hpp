@@ -4,10 +4,10 @@
 /// \file
 /// `suvat::solve`: from any three of displacement, two velocities, acceleration and time the other two (notes 1.5).
 ///
-/// Use it for questions about motion along a line under a constant acceleration that have an answer in closed form: when
-/// does the ball land, how fast must it leave, how long is the braking distance. No step and no integrator is involved, so
-/// the answer is also what an integrator is held against. Not for an acceleration that changes (drag, a spring, an orbit):
-/// there the equations hold within a small step only. For motion in space ask it once for each axis.
+/// Use it for questions about motion along a line under a constant acceleration that have an answer in closed form:
+/// when does the ball land, how fast must it leave, how long is the braking distance. No step and no integrator is
+/// involved, so the answer is also what an integrator is held against. Not for an acceleration that changes (drag, a
+/// spring, an orbit): there the equations hold within a small step only. For motion in space ask it once for each axis.
 ///
 /// \code
 /// const auto fall = suvat::solve(suvat::displacement(-20 * metre), suvat::initial_velocity(5 * metre_per_second),
@@ -27,9 +27,9 @@
 ///     s = v t - \tfrac12 a t^2 \f]
 /// The minus in the last belongs to the *final* velocity: with the initial one it is wrong, and often written.
 ///
-/// Rounding: results are accurate to a few units in the last place, also where the textbook's formula for a root cancels,
-/// as long as products of two of the given quantities can be held by the scalar. A class scalar (Boost.Multiprecision) has
-/// no fused multiply-add and relies on its own digits.
+/// Rounding: results are accurate to a few units in the last place, also where the textbook's formula for a root
+/// cancels, as long as products of two of the given quantities can be held by the scalar. A class scalar
+/// (Boost.Multiprecision) has no fused multiply-add and relies on its own digits.
 
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/requirements.hpp>
@@ -71,7 +71,8 @@ public:
     /// Takes a motion to its place by time; one that the scalar cannot hold is left out.
     void add(const Solution<Scalar>& m) {
         if (!is_finite(m.s) || !is_finite(m.u) || !is_finite(m.v) || !is_finite(m.a) || !is_finite(m.t)) return;
-        all_[size_++] = {m.s + zero<decltype(m.s)>(), m.u + zero<decltype(m.u)>(), m.v + zero<decltype(m.v)>(), // -0 becomes 0
+        all_[size_++] = {m.s + zero<decltype(m.s)>(), m.u + zero<decltype(m.u)>(),
+                         m.v + zero<decltype(m.v)>(), // -0 becomes 0
                          m.a + zero<decltype(m.a)>(), m.t + zero<decltype(m.t)>()};
         if (size_ == 2 && all_[1].t < all_[0].t) std::swap(all_[0], all_[1]);
     }
@@ -124,10 +125,8 @@ inline constexpr bool fits = ansatz::detail::has_unit<typename Name::Unit, ansat
 
 /// What does not fit has raised its sentence already and must not raise a second one.
 template <class Name, class Q> constexpr auto give(const Q& q) {
-    if constexpr (fits<Name, Q>)
-        return Known<Name, typename ansatz::detail::stripped<Q>::value_type>{q};
-    else
-        return Known<Name, double>{};
+    if constexpr (fits<Name, Q>) return Known<Name, typename ansatz::detail::stripped<Q>::value_type>{q};
+    else return Known<Name, double>{};
 }
 
 template <class Name, class... Names> inline constexpr int times_in = (0 + ... + int(std::is_same_v<Name, Names>));
@@ -144,10 +143,8 @@ template <class Name, class S, class... Names> auto known(const Known<Names, S>&
 
 /// x y + z with one rounding.
 template <class S> S fused(const S& x, const S& y, const S& z) {
-    if constexpr (std::is_floating_point_v<S>)
-        return std::fma(x, y, z);
-    else
-        return x * y + z;
+    if constexpr (std::is_floating_point_v<S>) return std::fma(x, y, z);
+    else return x * y + z;
 }
 template <class U, class V, class S>
 auto fused(const Quantity<U, S>& x, const Quantity<V, S>& y, const std::type_identity_t<decltype(x * y)>& z) {
@@ -171,7 +168,8 @@ template <class S> struct Formulas {
     static constexpr std::string_view any_time = "nothing changes, so any time would do; give the time";
     static constexpr std::string_view any_acceleration = "in no time, any acceleration would do; give another quantity";
     static constexpr std::string_view any_velocity = "in no time, any velocity would do; give another quantity";
-    static constexpr std::string_view out_of_reach = "it is out of reach: the motion turns round before it, because u^2 + 2 a s is negative";
+    static constexpr std::string_view out_of_reach =
+        "it is out of reach: the motion turns round before it, because u^2 + 2 a s is negative";
     static constexpr std::string_view no_way = "they contradict each other: in no time there is no displacement";
     static constexpr std::string_view no_change = "they contradict each other: in no time the velocity does not change";
 
@@ -185,7 +183,8 @@ template <class S> struct Formulas {
     static Answer<S> suv(const Length& s, const Velocity& u, const Velocity& v) {
         const auto average = mean(u, v);
         if (average == Velocity()) {
-            if (!(s == Length())) return {{}, "they contradict each other: the mean velocity is 0 m/s, so nothing is displaced"};
+            if (!(s == Length()))
+                return {{}, "they contradict each other: the mean velocity is 0 m/s, so nothing is displaced"};
             return {{}, "it is back where it was after any time; give the time"};
         }
         if (s == Length()) return {{}, u == v ? any_acceleration : no_change};
@@ -204,7 +203,8 @@ template <class S> struct Formulas {
         return one(s, (fused(-half, t, s) - rest * t) / t, (fused(half, t, s) + rest * t) / t, a, t);
     }
     static Answer<S> uva(const Velocity& u, const Velocity& v, const Acceleration& a) {
-        if (a == Acceleration()) return {{}, u == v ? any_time : "they contradict each other: without acceleration the velocity stays"};
+        if (a == Acceleration())
+            return {{}, u == v ? any_time : "they contradict each other: without acceleration the velocity stays"};
         const Time t = (v - u) / a;
         return one(mean(u, v) * t, u, v, a, t);
     }
@@ -217,7 +217,8 @@ template <class S> struct Formulas {
     }
     static Answer<S> sua(const Length& s, const Velocity& u, const Acceleration& a) {
         if (a == Acceleration()) {
-            if (u == Velocity()) return {{}, s == Length() ? any_time : "they contradict each other: a body at rest stays where it is"};
+            if (u == Velocity())
+                return {{}, s == Length() ? any_time : "they contradict each other: a body at rest stays where it is"};
             return one(s, u, u, a, s / u);
         }
         const Velocity speed = end_speed(s, u, a);
@@ -234,7 +235,8 @@ template <class S> struct Formulas {
     // Seen backwards a motion goes from its end to its start, so that v is its initial velocity.
     static Answer<S> sva(const Length& s, const Velocity& v, const Acceleration& a) {
         Answer<S> answer = backwards(sua(-s, v, a));
-        if (answer.reason == out_of_reach) answer.reason = "it is out of reach: no motion ends so, because v^2 - 2 a s is negative";
+        if (answer.reason == out_of_reach)
+            answer.reason = "it is out of reach: no motion ends so, because v^2 - 2 a s is negative";
         return answer;
     }
     static Answer<S> svt(const Length& s, const Velocity& v, const Time& t) { return backwards(sut(-s, v, -t)); }
@@ -277,31 +279,36 @@ template <class S> struct Formulas {
 
 /// s: where it ends minus where it starts.
 template <class Q> constexpr auto displacement(const Q& q) {
-    static_assert(detail::fits<named::Displacement, Q>,
-                  "Ansatz: suvat::displacement takes a length in one dimension; write e.g. suvat::displacement(-20 * metre)");
+    static_assert(
+        detail::fits<named::Displacement, Q>,
+        "Ansatz: suvat::displacement takes a length in one dimension; write e.g. suvat::displacement(-20 * metre)");
     return detail::give<named::Displacement>(q);
 }
 /// u: the velocity at the start.
 template <class Q> constexpr auto initial_velocity(const Q& q) {
-    static_assert(detail::fits<named::InitialVelocity, Q>, "Ansatz: suvat::initial_velocity takes a velocity in one dimension; write e.g. "
-                                                           "suvat::initial_velocity(5 * metre_per_second)");
+    static_assert(detail::fits<named::InitialVelocity, Q>,
+                  "Ansatz: suvat::initial_velocity takes a velocity in one dimension; write e.g. "
+                  "suvat::initial_velocity(5 * metre_per_second)");
     return detail::give<named::InitialVelocity>(q);
 }
 /// v: the velocity at the end.
 template <class Q> constexpr auto final_velocity(const Q& q) {
-    static_assert(detail::fits<named::FinalVelocity, Q>, "Ansatz: suvat::final_velocity takes a velocity in one dimension; write e.g. "
-                                                         "suvat::final_velocity(0 * metre_per_second)");
+    static_assert(detail::fits<named::FinalVelocity, Q>,
+                  "Ansatz: suvat::final_velocity takes a velocity in one dimension; write e.g. "
+                  "suvat::final_velocity(0 * metre_per_second)");
     return detail::give<named::FinalVelocity>(q);
 }
 /// a: the constant acceleration.
 template <class Q> constexpr auto acceleration(const Q& q) {
-    static_assert(detail::fits<named::Acceleration, Q>, "Ansatz: suvat::acceleration takes an acceleration in one dimension; write e.g. "
-                                                        "suvat::acceleration(-9.81 * metre_per_second_squared)");
+    static_assert(detail::fits<named::Acceleration, Q>,
+                  "Ansatz: suvat::acceleration takes an acceleration in one dimension; write e.g. "
+                  "suvat::acceleration(-9.81 * metre_per_second_squared)");
     return detail::give<named::Acceleration>(q);
 }
 /// t: the time from start to end.
 template <class Q> constexpr auto time(const Q& q) {
-    static_assert(detail::fits<named::Time, Q>, "Ansatz: suvat::time takes a time; write e.g. suvat::time(2.0 * second)");
+    static_assert(detail::fits<named::Time, Q>,
+                  "Ansatz: suvat::time takes a time; write e.g. suvat::time(2.0 * second)");
     ansatz::detail::refuse_whole_numbers<Q>();
     return detail::give<named::Time>(q);
 }
@@ -310,9 +317,9 @@ template <class Q> constexpr auto time(const Q& q) {
 /// The motion, or the two motions, of which three quantities are known.
 ///
 /// Two there are only where s, a and one velocity are given: a ball thrown up passes a height twice. Both are answered,
-/// also where one has a negative time: the same motion, continued to before its start. A displacement that is reached only
-/// in the turning point gives one; so does one that misses that point by no more than its own rounding. A second motion at
-/// a time that the scalar cannot hold is left out.
+/// also where one has a negative time: the same motion, continued to before its start. A displacement that is reached
+/// only in the turning point gives one; so does one that misses that point by no more than its own rounding. A second
+/// motion at a time that the scalar cannot hold is left out.
 ///
 /// \param knowns exactly three different ones of displacement(...), initial_velocity(...), final_velocity(...),
 ///               acceleration(...) and time(...), in any order, of one scalar
@@ -324,7 +331,9 @@ template <class... Name, class... Scalar> auto solve(const Known<Name, Scalar>&.
     constexpr bool different = ((detail::times_in<Name, Name...> == 1) && ...);
     static_assert(different, "Ansatz: suvat::solve was given one quantity twice; give three different ones");
     constexpr bool one_scalar = !three || ((detail::times_in<Scalar, Scalar...> == 3) && ...);
-    static_assert(one_scalar, "Ansatz: suvat::solve was given different scalars, e.g. float and double; convert with scalar_cast<double>(q)");
+    static_assert(
+        one_scalar,
+        "Ansatz: suvat::solve was given different scalars, e.g. float and double; convert with scalar_cast<double>(q)");
     if constexpr (three && different && one_scalar) {
         using S = std::tuple_element_t<0, std::tuple<Scalar...>>;
         using F = detail::Formulas<S>;
@@ -340,33 +349,24 @@ template <class... Name, class... Scalar> auto solve(const Known<Name, Scalar>&.
         constexpr bool has_v = detail::times_in<named::FinalVelocity, Name...> == 1;
         constexpr bool has_a = detail::times_in<named::Acceleration, Name...> == 1;
         const detail::Answer<S> answer = [&] {
-            if constexpr (has_s && has_u && has_v)
-                return F::suv(s, u, v);
-            else if constexpr (has_s && has_u && has_a)
-                return F::sua(s, u, a);
-            else if constexpr (has_s && has_v && has_a)
-                return F::sva(s, v, a);
-            else if constexpr (has_u && has_v && has_a)
-                return F::uva(u, v, a);
-            else if constexpr (has_s && has_u)
-                return F::sut(s, u, t);
-            else if constexpr (has_s && has_v)
-                return F::svt(s, v, t);
-            else if constexpr (has_s && has_a)
-                return F::sat(s, a, t);
-            else if constexpr (has_u && has_v)
-                return F::uvt(u, v, t);
-            else if constexpr (has_u && has_a)
-                return F::uat(u, a, t);
-            else
-                return F::vat(v, a, t);
+            if constexpr (has_s && has_u && has_v) return F::suv(s, u, v);
+            else if constexpr (has_s && has_u && has_a) return F::sua(s, u, a);
+            else if constexpr (has_s && has_v && has_a) return F::sva(s, v, a);
+            else if constexpr (has_u && has_v && has_a) return F::uva(u, v, a);
+            else if constexpr (has_s && has_u) return F::sut(s, u, t);
+            else if constexpr (has_s && has_v) return F::svt(s, v, t);
+            else if constexpr (has_s && has_a) return F::sat(s, a, t);
+            else if constexpr (has_u && has_v) return F::uvt(u, v, t);
+            else if constexpr (has_u && has_a) return F::uat(u, a, t);
+            else return F::vat(v, a, t);
         }();
         if (answer.solutions.size() == 0) {
             std::string sentence = "suvat::solve: ";
             (sentence.append(Name::text).append(" ").append(describe(knowns.value)).append(", "), ...);
             sentence.replace(sentence.size() - 2, 2, ": ");
             refuse(Refusal::invalid_argument,
-                   sentence.append(answer.reason.empty() ? "the motion has a value that the scalar cannot hold" : answer.reason));
+                   sentence.append(answer.reason.empty() ? "the motion has a value that the scalar cannot hold"
+                                                         : answer.reason));
         }
         return answer.solutions;
     }

@@ -23,8 +23,8 @@
 /// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
 ///
 /// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
-/// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts from the
-/// next `begin` or `find` on. A copy of a search is a search of its own.
+/// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts
+/// from the next `begin` or `find` on. A copy of a search is a search of its own.
 
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/heap.hpp>
@@ -108,19 +108,22 @@ template <class Graph, class... Policies> class AStar {
     using Leaps = detail::pick<roles::Successors, EveryEdge, Policies...>;
     static constexpr bool leaps =
         !std::is_same_v<Leaps, EveryEdge> && LeapsOn<Leaps, Graph, VertexOf<Graph>, EdgeOf<Graph>>;
-    static_assert(leaps || std::is_same_v<Leaps, EveryEdge>,
-                  "Ansatz paths: AStar was given successors that it cannot find on this graph; JumpPoints need a grid of "
-                  "eight directions on even ground, Grid<Eight<...>, Even>; elsewhere leave them out");
+    static_assert(
+        leaps || std::is_same_v<Leaps, EveryEdge>,
+        "Ansatz paths: AStar was given successors that it cannot find on this graph; JumpPoints need a grid of "
+        "eight directions on even ground, Grid<Eight<...>, Even>; elsewhere leave them out");
     static_assert(
         [] {
             if constexpr (requires { Heuristic::knows_weights; })
                 return Heuristic::knows_weights || std::is_same_v<Given, detail::NotGiven>;
             else return true;
         }(),
-        "Ansatz paths: Checked would judge by the graph's own weights, and the search goes by others; give it the same, "
+        "Ansatz paths: Checked would judge by the graph's own weights, and the search goes by others; give it the "
+        "same, "
         "Checked{heuristic, report, WeightsOf{map}}");
-    static_assert(!leaps || std::is_same_v<Given, detail::NotGiven>,
-                  "Ansatz paths: AStar with JumpPoints cannot have WeightsOf: they count on every step costing the same");
+    static_assert(
+        !leaps || std::is_same_v<Given, detail::NotGiven>,
+        "Ansatz paths: AStar with JumpPoints cannot have WeightsOf: they count on every step costing the same");
     using Successors = std::conditional_t<leaps, Leaps, EveryEdge>; // so that one sentence is said and no more
     static_assert(detail::IsNumbered<Graph> || !std::is_same_v<Index, detail::NotGiven> ||
                       detail::IsHashed<VertexOf<Graph>>,
@@ -164,7 +167,8 @@ public:
     /// Finds the path in one go.
     /// \param most    how many nodes may be expanded before it gives up
     /// \param visitor watches (visitor.hpp)
-    /// \throws std::invalid_argument for a start or goal that the graph does not have, and for a graph on which the policy
+    /// \throws std::invalid_argument for a start or goal that the graph does not have, and for a graph on which the
+    /// policy
     ///         of successors would be wrong; never later
     template <class Watcher> Outcome find(const Vertex& start, const Goal& goal, std::size_t most, Watcher& visitor) {
         begin(start, goal, visitor);

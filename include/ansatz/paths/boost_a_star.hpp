@@ -4,10 +4,10 @@
 /// \file
 /// `BoostAStar`: boost::astar_search itself as the engine, to compare with: `AStar{graph, Octile{}, BoostAStar{}}`.
 ///
-/// It prepares every vertex of the graph for each query, allocates, stops by an exception (which is caught in here), cannot
-/// be left and taken up again, and has its own queue and its own rule for closed nodes (it reopens). On an undirectedS graph
-/// with an inconsistent heuristic it answers with wrong costs: no reference there. A search with it expands its budget, or
-/// all, in one go.
+/// It prepares every vertex of the graph for each query, allocates, stops by an exception (which is caught in here),
+/// cannot be left and taken up again, and has its own queue and its own rule for closed nodes (it reopens). On an
+/// undirectedS graph with an inconsistent heuristic it answers with wrong costs: no reference there. A search with it
+/// expands its budget, or all, in one go.
 
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/outcome.hpp>

@@ -4,10 +4,10 @@
 /// \file
 /// `Buckets`: the open list as a ring of buckets, each for a span of f; two to four times as fast as a heap.
 ///
-/// Putting in and taking out cost the same however long the list is. What lies in one bucket comes out last in, first out,
-/// so that the order is right only to a bucket's width. The search makes good for it: it opens nodes again, and when the
-/// goal has come out it goes on until nothing cheaper can be left. The answer is as exact as with a heap. It needs
-/// `Reopening`, which is the default; `NoReopening` is refused in a sentence.
+/// Putting in and taking out cost the same however long the list is. What lies in one bucket comes out last in, first
+/// out, so that the order is right only to a bucket's width. The search makes good for it: it opens nodes again, and
+/// when the goal has come out it goes on until nothing cheaper can be left. The answer is as exact as with a heap. It
+/// needs `Reopening`, which is the default; `NoReopening` is refused in a sentence.
 ///
 /// The best width is a fraction of the cheapest usual edge: too wide and nodes are expanded twice, too narrow and empty
 /// buckets are looked at. A grid says its own; for other graphs it is the first argument, in the unit of the weights.

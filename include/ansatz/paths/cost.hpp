@@ -4,14 +4,16 @@
 /// \file
 /// `CostIn<Number>`: what g, h and f are counted in; the third choice after graph and heuristic.
 ///
-/// - `std::uint32_t` (a grid's default): fastest, and equal costs are equal. A straight step is 33461 and a diagonal one
-///   47321, whose ratio is the square root of 2 to 2 parts in 10^10. Enough for 128 thousand tiles of one path; a search
-///   that would need more says so (`Outcome::too_far`) and never wraps round.
+/// - `std::uint32_t` (a grid's default): fastest, and equal costs are equal. A straight step is 33461 and a diagonal
+/// one
+///   47321, whose ratio is the square root of 2 to 2 parts in 10^10. Enough for 128 thousand tiles of one path; a
+///   search that would need more says so (`Outcome::too_far`) and never wraps round.
 /// - `std::uint64_t`: the same without that end.
 /// - `double`, `float`: any weights at all. A sum of many roots of 2 drifts, so paths of equal length no longer compare
 ///   equal, more nodes are expanded, and float is wrong in the sixth digit.
 ///
-/// Quantities stop here: a search calculates in plain numbers, and what it answers is given its unit again by the graph.
+/// Quantities stop here: a search calculates in plain numbers, and what it answers is given its unit again by the
+/// graph.
 
 #include <ansatz/paths/roles.hpp>
 
@@ -73,10 +75,10 @@ using Wide = std::conditional_t<std::integral<Cost>,
                                 std::conditional_t<std::is_signed_v<Cost>, std::int64_t, std::uint64_t>, Cost>;
 /// The number in which a search keeps estimates of this type: that of its costs, or a wider one of the same kind.
 template <class Cost, class Estimated>
-using Guess = std::conditional_t<std::integral<Cost> && std::integral<Estimated> &&
-                                     std::is_signed_v<Cost> == std::is_signed_v<Estimated> &&
-                                     (sizeof(Estimated) > sizeof(Cost)),
-                                 Estimated, Cost>;
+using Guess =
+    std::conditional_t<std::integral<Cost> && std::integral<Estimated> &&
+                           std::is_signed_v<Cost> == std::is_signed_v<Estimated> && (sizeof(Estimated) > sizeof(Cost)),
+                       Estimated, Cost>;
 /// factor times cost, rounded down where the cost is a whole number, so that an estimate never grows by rounding.
 template <class Cost> [[gnu::always_inline]] inline Cost scaled(Cost cost, double factor) {
     if constexpr (std::integral<Cost>) {

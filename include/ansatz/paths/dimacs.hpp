@@ -3,8 +3,8 @@
 
 /// \file
 /// Reader for road maps in the form of the ninth DIMACS challenge (`.gr`): lines `c ...` are comments, `p sp <vertices>
-/// <arcs>` comes first, `a <from> <to> <weight>` is an arc; vertices are numbered from 1 there and from 0 here. What is wrong
-/// is refused with file, line and what was expected.
+/// <arcs>` comes first, `a <from> <to> <weight>` is an arc; vertices are numbered from 1 there and from 0 here. What is
+/// wrong is refused with file, line and what was expected.
 
 #include <ansatz/paths/moving_ai.hpp>
 

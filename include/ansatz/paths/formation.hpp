@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// `Formation`: one search for a whole group (notes 6.3). The path is found once, for the leader or the centre; where each
-/// member stands follows from its offset. A member whose place is blocked, or cannot be reached in a straight line from the
-/// leader, is told so: it may wait, close up to the leader, or search for itself.
+/// `Formation`: one search for a whole group (notes 6.3). The path is found once, for the leader or the centre; where
+/// each member stands follows from its offset. A member whose place is blocked, or cannot be reached in a straight line
+/// from the leader, is told so: it may wait, close up to the leader, or search for itself.
 
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/smoothing.hpp>

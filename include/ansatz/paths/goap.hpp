@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Goal oriented action planning (notes 6.2): facts and actions, the graph that they span, a planner that searches it by
-/// the same A*, a runner that carries the plan out and plans anew when the world breaks it. Namespace ansatz::goap.
+/// Goal oriented action planning (notes 6.2): facts and actions, the graph that they span, a planner that searches it
+/// by the same A*, a runner that carries the plan out and plans anew when the world breaks it. Namespace ansatz::goap.
 
 #include <ansatz/paths/goap/by_machine.hpp>
 #include <ansatz/paths/goap/domain.hpp>

@@ -4,9 +4,10 @@
 /// \file
 /// What a search asks of a graph: Boost.Graph's concepts, found by its own free functions, and a few optional ones.
 ///
-/// Needed: `out_edges(v, g)` and `target(e, g)` (an IncidenceGraph), a property map of weights (`get(boost::edge_weight,
-/// g)`, or the policy `WeightsOf{map}`), and either numbered vertices (`get(boost::vertex_index, g)` and
-/// `num_vertices(g)`, or `IndexOf{map, count}`) or vertices that std::hash knows, for graphs too large to be numbered.
+/// Needed: `out_edges(v, g)` and `target(e, g)` (an IncidenceGraph), a property map of weights
+/// (`get(boost::edge_weight, g)`, or the policy `WeightsOf{map}`), and either numbered vertices
+/// (`get(boost::vertex_index, g)` and `num_vertices(g)`, or `IndexOf{map, count}`) or vertices that std::hash knows,
+/// for graphs too large to be numbered.
 ///
 /// Asked for where there are such, found by argument-dependent lookup:
 ///
@@ -20,9 +21,9 @@
 /// | `edge_weights(g, std::type_identity<C>{})` | the weights in the number C, where a graph can say them in several  |
 /// | `target_index(e, map)`                     | the number of an edge's target, where the graph has it at hand      |
 ///
-/// boost::filtered_graph and boost::reverse_graph work too: what a graph answers to these holds in a view of it, and what is
-/// filtered out is blocked. Where the edges carry a structure with members (a bundle), say which one is the weight:
-/// `WeightsOf{get(&Street::length, g)}`, or `UnitWeights{}` where every edge costs one.
+/// boost::filtered_graph and boost::reverse_graph work too: what a graph answers to these holds in a view of it, and
+/// what is filtered out is blocked. Where the edges carry a structure with members (a bundle), say which one is the
+/// weight: `WeightsOf{get(&Street::length, g)}`, or `UnitWeights{}` where every edge costs one.
 
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/units/describe.hpp>
@@ -97,7 +98,6 @@ template <class Graph>
 struct GoalTrait<Graph> {
     using type = typename Graph::goal_type;
 };
-
 
 struct NotGiven {};
 
@@ -183,9 +183,10 @@ template <class Graph, class Given> constexpr bool knows_weights() {
 }
 /// The sentence that asks for it.
 template <class Graph, class Given> struct AsksForWeights {
-    static_assert(knows_weights<Graph, Given>(),
-                  "Ansatz paths: the edges of this graph carry a structure of yours, and nothing says which member is the "
-                  "weight; write WeightsOf{get(&Street::length, graph)}, or UnitWeights{} where every edge costs one");
+    static_assert(
+        knows_weights<Graph, Given>(),
+        "Ansatz paths: the edges of this graph carry a structure of yours, and nothing says which member is the "
+        "weight; write WeightsOf{get(&Street::length, graph)}, or UnitWeights{} where every edge costs one");
     static constexpr bool ok = true;
 };
 

@@ -4,12 +4,13 @@
 /// \file
 /// `Heap`: the open list as a heap of four children each, the default queue.
 ///
-/// Takes any cost and hands out the least f exactly; of equal f the one with the least h, which lies nearer to the goal,
-/// and in every build the same. A node whose f fell is put in again instead of being moved, and its old entry is passed
-/// over when it comes up: that is faster than to keep track of places. For whole-number costs Buckets are faster still.
+/// Takes any cost and hands out the least f exactly; of equal f the one with the least h, which lies nearer to the
+/// goal, and in every build the same. A node whose f fell is put in again instead of being moved, and its old entry is
+/// passed over when it comes up: that is faster than to keep track of places. For whole-number costs Buckets are faster
+/// still.
 ///
-/// \see D. B. Johnson, "Priority queues with update and finding minimum spanning trees", Information Processing Letters 4
-/// (1975), for heaps of more than two children.
+/// \see D. B. Johnson, "Priority queues with update and finding minimum spanning trees", Information Processing Letters
+/// 4 (1975), for heaps of more than two children.
 
 #include <ansatz/paths/roles.hpp>
 

@@ -4,11 +4,11 @@
 /// \file
 /// Readers for the grid maps and scenarios of the MovingAI benchmarks: what path finders are compared on.
 ///
-/// '.' and 'G' are ground, 'S' is swamp, 'W' is water; '@', 'O' and 'T' are never passable. Who may walk where is a policy of
-/// `MovingAiMap::grid`: `LandOnly`, by which water is a wall, or `GroundByKind`, by which one wades into it from a swamp. Files
-/// do not say which of both their lengths were made by; the maps of most games hold neither swamp nor water. A step is one of
-/// eight and passes a corner where both straight neighbours are free: `Grid<>`. What is wrong in a file is refused with its
-/// name, line and what was expected.
+/// '.' and 'G' are ground, 'S' is swamp, 'W' is water; '@', 'O' and 'T' are never passable. Who may walk where is a
+/// policy of `MovingAiMap::grid`: `LandOnly`, by which water is a wall, or `GroundByKind`, by which one wades into it
+/// from a swamp. Files do not say which of both their lengths were made by; the maps of most games hold neither swamp
+/// nor water. A step is one of eight and passes a corner where both straight neighbours are free: `Grid<>`. What is
+/// wrong in a file is refused with its name, line and what was expected.
 ///
 /// \see N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", IEEE Trans. Comput. Intell. AI Games 4 (2012).
 
@@ -57,7 +57,8 @@ struct MovingAiMap {
     /// Whether a letter is free ground: '.', 'G' or 'S'.
     static bool passable(char tile) { return LandOnly::passable(tile); }
     /// As a grid: `map.grid()`, or `map.grid<Grid<Four>>(0.5 * metre)`.
-    /// \tparam Rule `LandOnly`, `GroundByKind`, or one of yours: whether a tile is passable and, if it says so, from which
+    /// \tparam Rule `LandOnly`, `GroundByKind`, or one of yours: whether a tile is passable and, if it says so, from
+    /// which
     template <class Map = Grid<>, class Rule = LandOnly> Map grid(Quantity<unit::Length> tile = 1.0 * metre) const {
         Map map(width, height, tile);
         std::vector<std::uint8_t> free;
@@ -156,16 +157,16 @@ template <class Number> bool whole(std::string_view text, Number& number) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
     return read.ec == std::errc{} && read.ptr == text.data() + text.size();
 }
-/// A printed length. By a stream, because libc++ 19 has no from_chars for double; and in the classic locale, because the decimal
-/// point of a file is no matter of where it is read.
+/// A printed length. By a stream, because libc++ 19 has no from_chars for double; and in the classic locale, because
+/// the decimal point of a file is no matter of where it is read.
 inline bool number(std::string_view text, double& value) {
     std::istringstream in{std::string(text)};
     in.imbue(std::locale::classic());
     return in >> value && in.peek() == std::char_traits<char>::eof();
 }
 /// Half a unit of the last digit of a printed length. A default stream prints six significant digits and drops zeros at
-/// the end; whoever prints more, or with a fixed number of decimals, shows it by his digits. Besides, those who made the
-/// files took a root of 2 of seven decimals: a length that lies just above a half is rounded down in them.
+/// the end; whoever prints more, or with a fixed number of decimals, shows it by his digits. Besides, those who made
+/// the files took a root of 2 of seven decimals: a length that lies just above a half is rounded down in them.
 inline double half_unit(std::string_view text, double value, bool fixed) {
     const auto point = text.find('.');
     const int decimals = point == std::string_view::npos ? 0 : int(text.size() - point - 1);

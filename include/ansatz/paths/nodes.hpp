@@ -4,9 +4,9 @@
 /// \file
 /// What a search knows of a node (notes 6.1), and the two stores that keep it: by number, and by hash.
 ///
-/// Neither is ever cleared: every node bears the stamp of the query that wrote it, so a query costs what it looks at and
-/// not what the graph holds. When the stamps have all been used (after two thousand million queries) they are cleared
-/// once.
+/// Neither is ever cleared: every node bears the stamp of the query that wrote it, so a query costs what it looks at
+/// and not what the graph holds. When the stamps have all been used (after two thousand million queries) they are
+/// cleared once.
 
 #include <ansatz/paths/cost.hpp>
 

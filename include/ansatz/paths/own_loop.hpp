@@ -35,7 +35,8 @@ struct OwnLoop {
         using Vertex = typename Work::Vertex;
         using Cost = typename Work::Cost;
         constexpr bool exact = Work::Queue::exact;
-        // Values, not references: behind a reference the compiler would read them again after each node that is written.
+        // Values, not references: behind a reference the compiler would read them again after each node that is
+        // written.
         const auto estimate = work.bound();
         const auto weights = work.weights();
         const auto place = work.place();

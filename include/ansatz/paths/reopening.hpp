@@ -4,9 +4,9 @@
 /// \file
 /// What becomes of a node on the closed list when a cheaper way to it is found: three policies.
 ///
-/// It happens only where the heuristic is inconsistent (from one node to the next it falls by more than the edge costs).
-/// The notes' step 2.3.3 updates such a node and leaves it closed. With an admissible but inconsistent heuristic that is
-/// not enough: what had been reached *through* the node keeps its old, dearer cost.
+/// It happens only where the heuristic is inconsistent (from one node to the next it falls by more than the edge
+/// costs). The notes' step 2.3.3 updates such a node and leaves it closed. With an admissible but inconsistent
+/// heuristic that is not enough: what had been reached *through* the node keeps its old, dearer cost.
 
 #include <ansatz/paths/roles.hpp>
 

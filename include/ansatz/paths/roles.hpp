@@ -52,10 +52,8 @@ template <class Role, class Default> constexpr Default take() { return Default{}
 /// Its value: the one that was given, or one that is made.
 template <class Role, class Default, class First, class... Rest>
 constexpr pick<Role, Default, First, Rest...> take(const First& first, const Rest&... rest) {
-    if constexpr (HasRole<First, Role>)
-        return first;
-    else
-        return take<Role, Default>(rest...);
+    if constexpr (HasRole<First, Role>) return first;
+    else return take<Role, Default>(rest...);
 }
 
 } // namespace detail

@@ -4,9 +4,9 @@
 /// \file
 /// `Route`: a path that is being walked, and the rule when to search again (notes 6.3).
 ///
-/// The notes: paths should only be recomputed when the best path is likely to change, "once when the entity first starts to
-/// move and an additional time for each event that changes parts of the graph that form parts of the path". What lies behind
-/// the walker does not matter any more, and what got dearer elsewhere cannot make another path better.
+/// The notes: paths should only be recomputed when the best path is likely to change, "once when the entity first
+/// starts to move and an additional time for each event that changes parts of the graph that form parts of the path".
+/// What lies behind the walker does not matter any more, and what got dearer elsewhere cannot make another path better.
 ///
 /// | an edge ...                        | the path            | `when_touched` (the default) | `also_when_cheaper` |
 /// |------------------------------------|---------------------|------------------------------|---------------------|
@@ -15,8 +15,8 @@
 /// | elsewhere got dearer               | is still the best   | nothing                      | nothing             |
 /// | anywhere got cheaper or free       | may not be the best | nothing                      | searches            |
 ///
-/// The second column is why the notes say "likely": a path that was best stays valid when a short cut opens, but it is no
-/// longer the best, and only a new search can tell.
+/// The second column is why the notes say "likely": a path that was best stays valid when a short cut opens, but it is
+/// no longer the best, and only a new search can tell.
 
 #include <ansatz/paths/a_star.hpp>
 
@@ -65,8 +65,8 @@ public:
         if (outcome_ == Outcome::found && !arrived()) here_ = path_[++at_];
         return here_;
     }
-    /// Whether the rule asks for a new search. Looks at the rest of the path, once for each change of a graph that counts
-    /// its changes; a graph without `version()` is looked at each time.
+    /// Whether the rule asks for a new search. Looks at the rest of the path, once for each change of a graph that
+    /// counts its changes; a graph without `version()` is looked at each time.
     bool needs_new_path() const {
         if (outcome_ == Outcome::not_begun) return false;
         const auto& g = search_->graph();

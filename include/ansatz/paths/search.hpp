@@ -202,8 +202,8 @@ struct Search {
     Goal goal{};       ///< of this query
     /// The goal's g so far.
     Cost goal_cost{};
-    Guess nearest_h{};             ///< h of `nearest`
-    double bad_value = 0;          ///< the weight that was refused
+    Guess nearest_h{};    ///< h of `nearest`
+    double bad_value = 0; ///< the weight that was refused
     /// Whether the goal has been reached.
     bool goal_known = false, too_far = false; ///< whether a cost was more than its number holds
     Outcome trouble = Outcome::bad_weight;    ///< what the query ends with after refuse_weight

@@ -4,9 +4,9 @@
 /// \file
 /// `line_of_sight` and `smooth`: a path of a grid without its zigzag.
 ///
-/// A grid's path turns by 45 degrees, whatever the terrain. Smoothing keeps those tiles of it between which a straight walk
-/// is possible, so that the walker goes from centre to centre in straight lines of any direction. The result is never
-/// longer than the path, and not always the shortest there is among walls: it follows the path that was found.
+/// A grid's path turns by 45 degrees, whatever the terrain. Smoothing keeps those tiles of it between which a straight
+/// walk is possible, so that the walker goes from centre to centre in straight lines of any direction. The result is
+/// never longer than the path, and not always the shortest there is among walls: it follows the path that was found.
 
 #include <ansatz/paths/grid/grid.hpp>
 
@@ -39,8 +39,8 @@ template <class Step> bool walk_line(Cell a, Cell b, Step&& possible) {
 }
 } // namespace detail
 
-/// Whether one can walk straight from one tile's centre to another's: every step between tiles on the way is an edge of the
-/// map. On a grid of four neighbours a line through a corner is none.
+/// Whether one can walk straight from one tile's centre to another's: every step between tiles on the way is an edge of
+/// the map. On a grid of four neighbours a line through a corner is none.
 template <class Map> bool line_of_sight(const Map& map, Cell a, Cell b) {
     if (!map.passable(a) || !map.passable(b)) return false;
     return detail::walk_line(a, b, [&](Cell from, Cell to) { return map.passable(from, to); });
@@ -54,8 +54,8 @@ template <class Map> bool straight_and_even(const Map& map, Cell a, Cell b) {
 }
 } // namespace detail
 
-/// The corners of a path, from which it can be walked in straight lines: a part of the path's tiles, the first and the last
-/// among them. Where the ground is uneven a line stays on ground of one weight, so that nothing gets dearer.
+/// The corners of a path, from which it can be walked in straight lines: a part of the path's tiles, the first and the
+/// last among them. Where the ground is uneven a line stays on ground of one weight, so that nothing gets dearer.
 template <class Map> std::vector<Cell> smooth(const Map& map, std::span<const Cell> path) {
     std::vector<Cell> corners;
     if (path.empty()) return corners;

@@ -4,7 +4,8 @@
 /// \file
 /// `EveryEdge`: a node's successors are its neighbours (notes 6.1, step 2.3), and what the role asks of another policy.
 ///
-/// Another policy may leave out nodes that lie on the way to others: `JumpPoints` (grid/jump_points.hpp) does, on grids.
+/// Another policy may leave out nodes that lie on the way to others: `JumpPoints` (grid/jump_points.hpp) does, on
+/// grids.
 
 #include <ansatz/paths/roles.hpp>
 

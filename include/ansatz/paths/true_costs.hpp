@@ -50,7 +50,9 @@ template <class Graph, class Cost> struct EdgeTable {
         for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
         halves.resize(first.back());
         auto next = first;
-        each(g, given, [&](std::size_t p, std::size_t q, Cost w) { halves[next[turned ? q : p]++] = {turned ? p : q, w}; });
+        each(g, given, [&](std::size_t p, std::size_t q, Cost w) {
+            halves[next[turned ? q : p]++] = {turned ? p : q, w};
+        });
     }
 };
 } // namespace detail

@@ -4,8 +4,8 @@
 /// \file
 /// `Visitor`: watches a search step by step, as the notes number its steps (6.1); `Trace` writes them down.
 ///
-/// Derive from Visitor and write again what you want to see; what is not written again costs nothing. Every call gets the
-/// vertex and its node, whose f, g, h and parent are those after the step.
+/// Derive from Visitor and write again what you want to see; what is not written again costs nothing. Every call gets
+/// the vertex and its node, whose f, g, h and parent are those after the step.
 
 #include <ansatz/core/compiler_flags.hpp>
 

@@ -4,12 +4,12 @@
 /// \file
 /// `Waypoints`: places with coordinates, joined by roads; a graph of Boost.Graph that is searched by length or by time.
 ///
-/// Take it where a designer sets the places, or where a navigation mesh has its portals. For tiles take `Grid`. A graph of
-/// your own needs nothing of this: AStar takes any.
+/// Take it where a designer sets the places, or where a navigation mesh has its portals. For tiles take `Grid`. A graph
+/// of your own needs nothing of this: AStar takes any.
 ///
 /// \par Which cost
-/// `Waypoints<ByLength>` (the default) finds the shortest way, in metres; `Waypoints<ByTime>` the quickest, in seconds: there
-/// every road has a speed.
+/// `Waypoints<ByLength>` (the default) finds the shortest way, in metres; `Waypoints<ByTime>` the quickest, in seconds:
+/// there every road has a speed.
 
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/units.hpp>
@@ -66,7 +66,8 @@ public:
         return put(from, to, apart(from, to), Speed::from_value(1));
     }
     /// The same with a length of its own: a winding road.
-    /// \throws std::invalid_argument unless the length is finite and not less than the ends are apart, or every estimate
+    /// \throws std::invalid_argument unless the length is finite and not less than the ends are apart, or every
+    /// estimate
     ///         of the straight distance would be too much
     template <class M = Measure>
         requires std::is_same_v<M, ByLength>

@@ -4,9 +4,10 @@
 /// \file
 /// `SpringNetwork`: the springs of a world, as its policies Springs and Ropes keep them.
 ///
-/// A spring lies in one record by its id, so that the loop over all of them reads memory in order and the sums are the same
-/// to the bit whoever sleeps, wakes or is removed. What only some springs need (the place of an anchor) or only some worlds
-/// (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot concerns nobody here.
+/// A spring lies in one record by its id, so that the loop over all of them reads memory in order and the sums are the
+/// same to the bit whoever sleeps, wakes or is removed. What only some springs need (the place of an anchor) or only
+/// some worlds (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot concerns
+/// nobody here.
 
 #include <ansatz/springs/spring.hpp>
 #include <ansatz/world/hash.hpp>
@@ -34,27 +35,27 @@ template <class S> struct StoredLimit {
 template <class S, class E, bool Damped, bool Breaks> class SpringNetwork {
 public:
     using Scalar = typename S::Scalar;
-    using Description = E; ///< Spring or Rope
+    using Description = E;            ///< Spring or Rope
     using Handle_ = ElementHandle<E>; ///< what names one
 
     static constexpr std::uint32_t no_body = 0xffffffffu; ///< the second end is a point
 
     /// One spring. Among `pairs` the bodies are named by their slots, elsewhere by their ids.
     struct Link {
-        std::uint32_t a; ///< a body
-        std::uint32_t b; ///< another, or `no_body`
-        Scalar rest_length; ///< m
-        Scalar stiffness;   ///< N/m
+        std::uint32_t a;                                                                  ///< a body
+        std::uint32_t b;                                                                  ///< another, or `no_body`
+        Scalar rest_length;                                                               ///< m
+        Scalar stiffness;                                                                 ///< N/m
         [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::Absent> damping; ///< N s/m
     };
 
     /// A spring between a body and a point, as the loop over all of them wants it.
     struct Hung {
-        std::uint32_t a;    ///< the slot of the body
-        Scalar rest_length; ///< m
-        Scalar stiffness;   ///< N/m
+        std::uint32_t a;                                                                  ///< the slot of the body
+        Scalar rest_length;                                                               ///< m
+        Scalar stiffness;                                                                 ///< N/m
         [[no_unique_address]] std::conditional_t<Damped, Scalar, detail::Absent> damping; ///< N s/m
-        typename S::Position anchor; ///< m
+        typename S::Position anchor;                                                      ///< m
     };
 
     /// How many there are.
@@ -103,7 +104,7 @@ public:
     /// Neither a look-up nor a branch is left in the loop over them; they took a tenth to a fifth of its time.
     /// @{
     const std::vector<Link>& pairs() const { return pairs_; } ///< between bodies
-    const std::vector<Hung>& hung() const { return hung_; } ///< at points
+    const std::vector<Hung>& hung() const { return hung_; }   ///< at points
     /// Makes the two lists anew, if springs or the slots of bodies changed since.
     /// \param layout changes whenever bodies change their slots
     void arrange(const Bodies& bodies, std::uint64_t layout) {
@@ -112,10 +113,8 @@ public:
         hung_.clear();
         for_each([&](std::uint32_t id, const Link& l) {
             const auto a = bodies.slot_of_id(l.a);
-            if (l.b != no_body)
-                pairs_.push_back({a, bodies.slot_of_id(l.b), l.rest_length, l.stiffness, l.damping});
-            else
-                hung_.push_back({a, l.rest_length, l.stiffness, l.damping, anchors_[id]});
+            if (l.b != no_body) pairs_.push_back({a, bodies.slot_of_id(l.b), l.rest_length, l.stiffness, l.damping});
+            else hung_.push_back({a, l.rest_length, l.stiffness, l.damping, anchors_[id]});
         });
         arranged_ = true;
         layout_ = layout;
@@ -136,7 +135,8 @@ public:
     /// \param limit    where it breaks, if it may: what `breaks_at` made
     /// \throws std::invalid_argument with name, value and unit; std::out_of_range for a stale handle
     template <class Where, class... Limit>
-    Admitted admit(const char* where, const E& spring, const Bodies& bodies, Where&& position, const Limit&... limit) const {
+    Admitted admit(const char* where, const E& spring, const Bodies& bodies, Where&& position,
+                   const Limit&... limit) const {
         Admitted in{};
         const bool swapped = !spring.first.is_body();
         const auto& held = swapped ? spring.second : spring.first;
@@ -150,7 +150,8 @@ public:
         if (other.is_body()) {
             const auto b = bodies.slot(other.body(), where);
             in.link.b = other.body().id;
-            if (in.link.a == in.link.b) refuse_value(where, "its ends", "one body", "a spring joins two bodies, or a body and a point");
+            if (in.link.a == in.link.b)
+                refuse_value(where, "its ends", "one body", "a spring joins two bodies, or a body and a point");
             to = position(b) - position(a);
         } else {
             if (!other.is_point()) refuse_value(where, "its second end", "not given", "it is a body or a point");
@@ -161,8 +162,7 @@ public:
         require_not_negative(where, "stiffness", spring.stiffness);
         require_not_negative(where, "damping", spring.damping);
         in.link.stiffness = S::convert("stiffness", spring.stiffness).value();
-        if constexpr (Damped)
-            in.link.damping = S::convert("damping", spring.damping).value();
+        if constexpr (Damped) in.link.damping = S::convert("damping", spring.damping).value();
         else if (spring.damping.value() != 0)
             refuse_value(where, "damping", describe(spring.damping), "the springs of this world are Undamped");
         if (spring.rest_length) {
@@ -170,7 +170,9 @@ public:
             in.link.rest_length = S::convert("rest length", *spring.rest_length).value();
         } else {
             const auto distance = norm(to);
-            if (!is_finite(distance)) refuse_value(where, "rest length", describe(distance), "give it, since the ends are infinitely far apart");
+            if (!is_finite(distance))
+                refuse_value(where, "rest length", describe(distance),
+                             "give it, since the ends are infinitely far apart");
             in.link.rest_length = distance.value();
         }
         (add_limit(where, in, limit), ...);
@@ -209,7 +211,8 @@ public:
     }
     /// Room for one more, so that `insert` cannot fail.
     void make_room() {
-        if (links_.size() == links_.capacity() && ids_.next() == links_.size()) reserve(std::max<std::size_t>(8, 2 * links_.size()));
+        if (links_.size() == links_.capacity() && ids_.next() == links_.size())
+            reserve(std::max<std::size_t>(8, 2 * links_.size()));
     }
     /// Another description for one that is there.
     void replace(std::uint32_t id, const Admitted& in) { put(id, in); }
@@ -231,10 +234,8 @@ public:
         const auto& l = links_[id];
         E spring;
         spring.first = bodies.handle(bodies.slot_of_id(l.a));
-        if (l.b != no_body)
-            spring.second = bodies.handle(bodies.slot_of_id(l.b));
-        else
-            spring.second = scalar_cast<double>(anchors_[id]);
+        if (l.b != no_body) spring.second = bodies.handle(bodies.slot_of_id(l.b));
+        else spring.second = scalar_cast<double>(anchors_[id]);
         spring.stiffness = static_cast<double>(l.stiffness) * newton_per_metre;
         if constexpr (Damped) spring.damping = static_cast<double>(l.damping) * newton_second_per_metre;
         spring.rest_length = static_cast<double>(l.rest_length) * metre;
@@ -246,11 +247,13 @@ public:
         if constexpr (Breaks) broken_.clear();
     }
     /// Notes that one breaks; it is still there.
-    void note_broken(std::uint32_t id, const typename S::template ScalarOf<unit::Force>& tension, const Scalar& strain, const Bodies& bodies)
+    void note_broken(std::uint32_t id, const typename S::template ScalarOf<unit::Force>& tension, const Scalar& strain,
+                     const Bodies& bodies)
         requires Breaks
     {
         const auto spring = describe_element(id, bodies);
-        broken_.push_back({handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
+        broken_.push_back(
+            {handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
     }
     /// Removes those that were noted behind the first `known`, which were removed in an earlier part of the step.
     void erase_broken(std::size_t known)
@@ -259,9 +262,7 @@ public:
         for (const auto& broken : std::span(broken_).subspan(known)) erase(broken.which.id);
     }
     /// Room for the notes of a step.
-    void reserve_notes() {
-        ids_.reserve_notes();
-    }
+    void reserve_notes() { ids_.reserve_notes(); }
     /// Room for all that may break in a step.
     void reserve_notes_of_step() {
         if constexpr (Breaks) broken_.reserve(std::max(ids(), links_.capacity()));
@@ -273,8 +274,7 @@ public:
             const Link& link = links_[id];
             const typename S::Position to = (link.b == no_body ? anchors_[id] : at(link.b)) - at(link.a);
             return !(robust_norm(to).value() > link.rest_length);
-        } else
-            return false;
+        } else return false;
     }
 
     /// Adds everything to a hash.
@@ -309,25 +309,31 @@ private:
         arranged_ = false;
     }
     static void add_limit(const char* where, Admitted& in, const BreakLimit& limit) {
-        static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies");
-        // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it back.
-        if (!(Scalar(limit.force.value()) > Scalar(0))) refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
-        if (!(Scalar(limit.strain) > Scalar(0))) refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
+        static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or "
+                              "Ropes<Breaking>{} among its policies");
+        // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it
+        // back.
+        if (!(Scalar(limit.force.value()) > Scalar(0)))
+            refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
+        if (!(Scalar(limit.strain) > Scalar(0)))
+            refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
         static_cast<void>(S::convert("break force", limit.force)); // one that is finite is none that never breaks
         static_cast<void>(S::convert("break strain", Quantity<unit::Dimensionless>::from_value(limit.strain)));
         if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
-            refuse_value(where, "break strain", describe(limit.strain), "a spring of rest length 0 has no strain; give a force");
+            refuse_value(where, "break strain", describe(limit.strain),
+                         "a spring of rest length 0 has no strain; give a force");
         if (limit.force < in.limit.force) in.limit.force = limit.force;
         if (limit.strain < in.limit.strain) in.limit.strain = limit.strain;
     }
     template <class Other> static void add_limit(const char*, Admitted&, const Other&) {
         constexpr bool is_limit = sizeof(Other) == 0;
-        static_assert(is_limit, "Ansatz: World::add and World::set take beside a spring or a rope where it breaks; write e.g. breaks_at(50.0 * newton)");
+        static_assert(is_limit, "Ansatz: World::add and World::set take beside a spring or a rope where it breaks; "
+                                "write e.g. breaks_at(50.0 * newton)");
     }
 
     ElementIds ids_;
-    std::vector<Link> links_;                      // by id; one that is gone has no body at its first end
-    std::vector<typename S::Position> anchors_;    // by id
+    std::vector<Link> links_;                   // by id; one that is gone has no body at its first end
+    std::vector<typename S::Position> anchors_; // by id
     [[no_unique_address]] std::conditional_t<Breaks, std::vector<detail::StoredLimit<S>>, detail::Absent> limits_;
     [[no_unique_address]] std::conditional_t<Breaks, std::vector<Broken<E>>, detail::Absent> broken_;
     std::vector<Link> pairs_;

@@ -4,9 +4,9 @@
 /// \file
 /// `Spring` and `Rope`: what one spring of a world is, as it is given to `World::add` and read back.
 ///
-/// `world.add(Spring{ball, hook, 100.0 * newton_per_metre})`: its ends are bodies, or one of them is a point of the world
-/// that nothing moves. Without a rest length it is at rest as it is added. A Rope is a spring that only pulls. Where it
-/// breaks is given beside it, `world.add(Rope{...}, breaks_at(50.0 * newton))`, in a world whose springs can
+/// `world.add(Spring{ball, hook, 100.0 * newton_per_metre})`: its ends are bodies, or one of them is a point of the
+/// world that nothing moves. Without a rest length it is at rest as it is added. A Rope is a spring that only pulls.
+/// Where it breaks is given beside it, `world.add(Rope{...}, breaks_at(50.0 * newton))`, in a world whose springs can
 /// (`Springs<Breaking>`, `Ropes<Breaking>`).
 
 #include <ansatz/springs/hooke.hpp>
@@ -32,15 +32,17 @@ public:
     SpringEnd(const Q& point) : point_(detail::stripped<Q>(point)), is_point_(true) {}
     /// Another quantity: a mistake.
     template <class Unit, class Value>
-        requires(!(std::same_as<Unit, unit::Length> && detail::vector_valued<detail::stripped<boost::units::quantity<Unit, Value>>>))
+        requires(!(std::same_as<Unit, unit::Length> &&
+                   detail::vector_valued<detail::stripped<boost::units::quantity<Unit, Value>>>))
     SpringEnd(const boost::units::quantity<Unit, Value>&) {
         constexpr bool is_place = sizeof(Value) == 0;
-        static_assert(is_place, "Ansatz: an end of a spring is the handle of a body, or a point; write e.g. metres(0, 2, 0)");
+        static_assert(is_place,
+                      "Ansatz: an end of a spring is the handle of a body, or a point; write e.g. metres(0, 2, 0)");
     }
 
-    bool is_body() const { return is_body_; } ///< whether it is a body
+    bool is_body() const { return is_body_; }   ///< whether it is a body
     bool is_point() const { return is_point_; } ///< whether it is a point
-    Handle body() const { return body_; } ///< the body; an empty handle where it is a point
+    Handle body() const { return body_; }       ///< the body; an empty handle where it is a point
     const VectorParameter<unit::Length>& point() const { return point_; } ///< m; the origin where it is a body
 
 private:
@@ -53,22 +55,24 @@ private:
 struct Spring {
     using element = Spring; ///< World::add takes it
 
-    SpringEnd first = {};                               ///< a body, or a point
-    SpringEnd second = {};                              ///< a body, or a point; one of them is a body
+    SpringEnd first = {};                                          ///< a body, or a point
+    SpringEnd second = {};                                         ///< a body, or a point; one of them is a body
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre; ///< k, N/m, finite, not negative; 0 is a mere damper
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
-    std::optional<Parameter<unit::Length>> rest_length = {}; ///< m, finite, not negative; the distance when it is added, without it
+    std::optional<Parameter<unit::Length>> rest_length =
+        {}; ///< m, finite, not negative; the distance when it is added, without it
 };
 
 /// A rope: pulls when it is longer than its rest length, and never pushes.
 struct Rope {
     using element = Rope; ///< World::add takes it
 
-    SpringEnd first = {};                               ///< a body, or a point
-    SpringEnd second = {};                              ///< a body, or a point; one of them is a body
-    Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre; ///< k, N/m, finite, not negative
+    SpringEnd first = {};                                             ///< a body, or a point
+    SpringEnd second = {};                                            ///< a body, or a point; one of them is a body
+    Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre;    ///< k, N/m, finite, not negative
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
-    std::optional<Parameter<unit::Length>> rest_length = {}; ///< m, finite, not negative; the distance when it is added, without it
+    std::optional<Parameter<unit::Length>> rest_length =
+        {}; ///< m, finite, not negative; the distance when it is added, without it
 };
 
 /// Names a spring.
@@ -86,7 +90,8 @@ struct BreakLimit {
 /// \param force N, greater than zero
 template <class Unit, class Value> BreakLimit breaks_at(const boost::units::quantity<Unit, Value>& force) {
     constexpr bool is_force = std::same_as<Unit, unit::Force> && std::is_arithmetic_v<Value>;
-    static_assert(is_force, "Ansatz: breaks_at takes a force, or a strain as a number; write e.g. breaks_at(50.0 * newton) or breaks_at(0.3)");
+    static_assert(is_force, "Ansatz: breaks_at takes a force, or a strain as a number; write e.g. breaks_at(50.0 * "
+                            "newton) or breaks_at(0.3)");
     if constexpr (is_force) return {.force = force};
     return {};
 }
@@ -101,11 +106,11 @@ BreakLimit breaks_at(Number strain) {
 /// A spring that broke in the last step.
 /// \tparam Element Spring or Rope
 template <class Element> struct Broken {
-    ElementHandle<Element> which;     ///< its handle, stale by now
-    SpringEnd first;                  ///< what it held: a body
-    SpringEnd second;                 ///< and another, or a point
-    Quantity<unit::Force> tension;    ///< N, with which it pulled; negative where it pushed
-    double strain;                    ///< (length - rest length) / rest length; 0 where the rest length is 0
+    ElementHandle<Element> which;  ///< its handle, stale by now
+    SpringEnd first;               ///< what it held: a body
+    SpringEnd second;              ///< and another, or a point
+    Quantity<unit::Force> tension; ///< N, with which it pulled; negative where it pushed
+    double strain;                 ///< (length - rest length) / rest length; 0 where the rest length is 0
 };
 
 } // namespace ansatz

@@ -2,12 +2,12 @@
 #pragma once
 
 /// \file
-/// `stable_step`: the largest time step that an integrator takes without growing, for one oscillator and for the springs of
-/// a world (notes 3).
+/// `stable_step`: the largest time step that an integrator takes without growing, for one oscillator and for the
+/// springs of a world (notes 3).
 ///
 /// Use it before a simulation is started and whenever springs were added: a step beyond it does not make a spring a bit
-/// wrong, it makes it explode. Damping that is computed explicitly makes the limit smaller, not larger. To have every step
-/// held to it, add StepLimit to the world (step_limit.hpp).
+/// wrong, it makes it explode. Damping that is computed explicitly makes the limit smaller, not larger. To have every
+/// step held to it, add StepLimit to the world (step_limit.hpp).
 ///
 /// The limit is not looked up in a table: the integrator makes one step of \f$ \ddot x = -\omega^2 x - \gamma \dot x \f$,
 /// and its own two rows of numbers say whether repeating it grows. So it is right for an integrator of yours, too.
@@ -42,7 +42,8 @@ struct PlainOscillator {
     template <class S> struct In {
         double stiffness, damping;
         explicit In(const PlainOscillator& o) : stiffness(o.stiffness), damping(o.damping) {}
-        typename S::Acceleration acceleration(const typename S::Position& x, const typename S::Velocity& v, const auto&) const {
+        typename S::Acceleration acceleration(const typename S::Position& x, const typename S::Velocity& v,
+                                              const auto&) const {
             return S::Acceleration::from_value(-stiffness * x.value() - damping * v.value());
         }
         Jacobian<S> jacobian(const auto&, const auto&, const auto&) const {
@@ -57,14 +58,16 @@ struct PlainOscillator {
 
 /// The matrix of one step of length 1: how the two columns that integrator `I` keeps follow from themselves.
 template <class I, class... Kept> std::array<double, 4> one_step(double stiffness, double damping, Columns<Kept...>) {
-    static_assert(sizeof...(Kept) == 2, "Ansatz: stable_step knows integrators that keep two columns, Position and another");
+    static_assert(sizeof...(Kept) == 2,
+                  "Ansatz: stable_step knows integrators that keep two columns, Position and another");
     using S = Space<double, 2>;
     using Sum = Laws<S, PlainOscillator>;
     using R = Row<S, union_of<Columns<Kept...>, scratch_of<I>, Columns<Position, Velocity>>>;
     const auto one = S::Time::from_value(1.0);
     std::uint64_t unsolved = 0;
     const WholeStep<S, I, Sum, Effects<S>, Effects<S>, Columns<>> step{
-        Sum(PlainOscillator{stiffness, damping}), Effects<S>(), Effects<S>(), Context<S>(S::ClockTime(), TimeStep<S>(one, one)), &unsolved};
+        Sum(PlainOscillator{stiffness, damping}), Effects<S>(), Effects<S>(),
+        Context<S>(S::ClockTime(), TimeStep<S>(one, one)), &unsolved};
     R row{};
     // Both trajectories at once, one in each component.
     auto start = [&]<class First, class Second>(Columns<First, Second>) {
@@ -80,8 +83,8 @@ template <class I, class... Kept> std::array<double, 4> one_step(double stiffnes
     return end(Columns<Kept...>{});
 }
 
-/// Jury's conditions for a matrix of two rows: both eigenvalues at most 1. Those of a symplectic method are 1 exactly, so
-/// that rounding must not decide.
+/// Jury's conditions for a matrix of two rows: both eigenvalues at most 1. Those of a symplectic method are 1 exactly,
+/// so that rounding must not decide.
 template <class I> bool is_stable(double stiffness, double damping) {
     const auto m = one_step<I>(stiffness, damping, writes_of<I>{});
     const double trace = m[0] + m[3], determinant = m[0] * m[3] - m[1] * m[2];
@@ -91,12 +94,12 @@ template <class I> bool is_stable(double stiffness, double damping) {
 
 } // namespace detail
 
-/// The largest time step that integrator `I` takes without growing, for one oscillator: s, zero if it grows with every step,
-/// infinite if it never does.
-/// \param stiffness omega^2 = k/m, 1/s^2, finite, not negative
-/// \param damping   gamma = c/m, 1/s, finite, not negative
-/// \throws std::invalid_argument for other values
-template <class I> Quantity<unit::Time> stable_step(const Quantity<unit::FrequencySquared>& stiffness, const Quantity<unit::Frequency>& damping = 0.0 * hertz) {
+/// The largest time step that integrator `I` takes without growing, for one oscillator: s, zero if it grows with every
+/// step, infinite if it never does. \param stiffness omega^2 = k/m, 1/s^2, finite, not negative \param damping   gamma
+/// = c/m, 1/s, finite, not negative \throws std::invalid_argument for other values
+template <class I>
+Quantity<unit::Time> stable_step(const Quantity<unit::FrequencySquared>& stiffness,
+                                 const Quantity<unit::Frequency>& damping = 0.0 * hertz) {
     require_not_negative("stable_step", "stiffness", stiffness);
     require_not_negative("stable_step", "damping", damping);
     const double k = stiffness.value(), c = damping.value(), rate = std::max(std::sqrt(k), c);
@@ -114,7 +117,8 @@ template <class I> Quantity<unit::Time> stable_step(const Quantity<unit::Frequen
 }
 
 namespace detail {
-/// Calls `f<Q>()` for each force between bodies that says how stiff it is. `Attraction` does not, as no force of one body does.
+/// Calls `f<Q>()` for each force between bodies that says how stiff it is. `Attraction` does not, as no force of one
+/// body does.
 template <class W, class F> void for_each_stiff(F&& f) {
     auto one = [&]<class Q>() {
         if constexpr (DifferentiableCouplingIn<Q, typename W::S>) f.template operator()<Q>();
@@ -125,10 +129,11 @@ template <class W, class F> void for_each_stiff(F&& f) {
 
 /// What is known of the springs of a world: how stiff and how damped they are for the masses that they hold.
 struct Stiffness {
-    Quantity<unit::FrequencySquared> largest{}; ///< no eigenvalue of M^-1 K is larger, 1/s^2, whatever the springs' lengths
-    Quantity<unit::Frequency> damping{};        ///< no eigenvalue of M^-1 C is larger, 1/s
-    Quantity<unit::Time> least_ratio{};         ///< the least c/k of a spring, s
-    Quantity<unit::Time> most_ratio{};          ///< the largest, infinite where a damper has no stiffness
+    Quantity<unit::FrequencySquared>
+        largest{};                       ///< no eigenvalue of M^-1 K is larger, 1/s^2, whatever the springs' lengths
+    Quantity<unit::Frequency> damping{}; ///< no eigenvalue of M^-1 C is larger, 1/s
+    Quantity<unit::Time> least_ratio{};  ///< the least c/k of a spring, s
+    Quantity<unit::Time> most_ratio{};   ///< the largest, infinite where a damper has no stiffness
     friend bool operator==(const Stiffness&, const Stiffness&) = default; ///< the same numbers
 };
 /// What the bound is computed in; kept by those who ask in every step.
@@ -139,7 +144,8 @@ struct StiffnessScratch {
 
 /// A bound of the stiffness of a world's springs, from one look at each of them.
 ///
-/// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body; alone
+/// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body;
+/// alone
 /// with these shares it would swing with \f$ \omega^2 = K_a/m_a + K_b/m_b \f$, where K is the sum of the stiffnesses at a body,
 /// and the whole swings no faster than the fastest of its parts. For two bodies and a spring it is exact.
 template <class... P> Stiffness stiffness_of(const World<P...>& world, StiffnessScratch& scratch) {
@@ -154,16 +160,21 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
         damped.assign(world.size() + 1, 0);
         double least_ratio = std::numeric_limits<double>::infinity(), most_ratio = 0, largest = 0, damping = 0;
         auto each = [&](auto&& f) {
-            detail::for_each_stiff<W>([&]<class Q>() { detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f); });
+            detail::for_each_stiff<W>([&]<class Q>() {
+                detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f);
+            });
         };
-        auto moves = [&](std::size_t slot) { return slot < world.size() && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0; };
+        auto moves = [&](std::size_t slot) {
+            return slot < world.size() && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0;
+        };
         each([&](std::size_t a, std::size_t b, const auto& k, const auto& c) {
             stiff[a] += static_cast<double>(k);
             stiff[b] += static_cast<double>(k);
             damped[a] += static_cast<double>(c);
             damped[b] += static_cast<double>(c);
             if (!(moves(a) + moves(b) > 0) || !(k > 0 || c > 0)) return;
-            const double ratio = k > 0 ? static_cast<double>(c) / static_cast<double>(k) : std::numeric_limits<double>::infinity();
+            const double ratio =
+                k > 0 ? static_cast<double>(c) / static_cast<double>(k) : std::numeric_limits<double>::infinity();
             least_ratio = std::min(least_ratio, ratio);
             most_ratio = std::max(most_ratio, ratio);
         });
@@ -171,7 +182,8 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
             if (k > 0) largest = std::max(largest, stiff[a] * moves(a) + stiff[b] * moves(b));
             if (c > 0) damping = std::max(damping, damped[a] * moves(a) + damped[b] * moves(b));
         });
-        all = {largest / (second * second), damping / second, (largest > 0 ? least_ratio : 0) * second, most_ratio * second};
+        all = {largest / (second * second), damping / second, (largest > 0 ? least_ratio : 0) * second,
+               most_ratio * second};
     }
     return all;
 }
@@ -182,15 +194,15 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world) {
     return stiffness_of(world, scratch);
 }
 
-/// The stiffness of a world's springs as they are stretched now, by power iteration: never above the bound, and as close to
-/// the truth as `iterations` allow. It tells how much the bound is on the safe side.
-template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const World<P...>& world, int iterations = 1000) {
+/// The stiffness of a world's springs as they are stretched now, by power iteration: never above the bound, and as
+/// close to the truth as `iterations` allow. It tells how much the bound is on the safe side.
+template <class... P>
+Quantity<unit::FrequencySquared> measured_stiffness(const World<P...>& world, int iterations = 1000) {
     using W = World<P...>;
     using S = typename W::S;
     using C = typename W::composition;
     using Column = Eigen::VectorXd;
-    if constexpr (!C::coupled)
-        return {};
+    if constexpr (!C::coupled) return {};
     else {
         constexpr int n = S::dimension;
         const auto weight = world.template lane<InverseMass>();
@@ -199,13 +211,15 @@ template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const 
             Column y = Column::Zero(rows);
             auto one = [&]<class Q>() {
                 detail::Bound<Q, S>(world.template get<Q>())
-                    .jacobian(world.template view<Q>(), world.context().template restricted<detail::reads_clock<Q>>(), [&](std::size_t a, std::size_t b, const auto& by_x, const auto&) {
-                        Eigen::Matrix<double, n, 1> apart = x.segment<n>(Eigen::Index(a) * n);
-                        if (b < world.size()) apart -= x.segment<n>(Eigen::Index(b) * n);
-                        const Eigen::Matrix<double, n, 1> f = -by_x.template cast<double>() * apart;
-                        y.segment<n>(Eigen::Index(a) * n) += static_cast<double>(weight[a]) * f;
-                        if (b < world.size()) y.segment<n>(Eigen::Index(b) * n) -= static_cast<double>(weight[b]) * f;
-                    });
+                    .jacobian(world.template view<Q>(), world.context().template restricted<detail::reads_clock<Q>>(),
+                              [&](std::size_t a, std::size_t b, const auto& by_x, const auto&) {
+                                  Eigen::Matrix<double, n, 1> apart = x.segment<n>(Eigen::Index(a) * n);
+                                  if (b < world.size()) apart -= x.segment<n>(Eigen::Index(b) * n);
+                                  const Eigen::Matrix<double, n, 1> f = -by_x.template cast<double>() * apart;
+                                  y.segment<n>(Eigen::Index(a) * n) += static_cast<double>(weight[a]) * f;
+                                  if (b < world.size())
+                                      y.segment<n>(Eigen::Index(b) * n) -= static_cast<double>(weight[b]) * f;
+                              });
             };
             detail::for_each_stiff<W>(one);
             return y;
@@ -213,7 +227,8 @@ template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const 
         Column x(rows);
         for (Eigen::Index i = 0; i < rows; ++i) {
             const double w = static_cast<double>(weight[std::size_t(i / n)]);
-            x[i] = w > 0 ? (i / n % 2 == 0 ? 1.0 : -1.0) + 0.01 * std::sin(double(i)) : 0.0; // neighbours against each other swing fastest
+            x[i] = w > 0 ? (i / n % 2 == 0 ? 1.0 : -1.0) + 0.01 * std::sin(double(i))
+                         : 0.0; // neighbours against each other swing fastest
         }
         double largest = 0;
         for (int i = 0; i < iterations && x.size() > 0; ++i) {
@@ -238,27 +253,34 @@ template <class... P> Quantity<unit::FrequencySquared> measured_stiffness(const 
 
 /// The largest time step that integrator `I` takes without growing, whatever such springs do, s.
 template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
-    if (springs.largest.value() == 0 && springs.damping.value() == 0) return std::numeric_limits<double>::infinity() * second;
-    // A network swings in many ways, each with some stiffness up to the largest and some damping between the least and the
-    // most that goes with it, and not every method is held most by the same of them: semi-implicit Euler by what is stiffest
-    // and most damped, explicit Euler by what is damped least, Runge-Kutta by what is damped much and hardly stiff.
+    if (springs.largest.value() == 0 && springs.damping.value() == 0)
+        return std::numeric_limits<double>::infinity() * second;
+    // A network swings in many ways, each with some stiffness up to the largest and some damping between the least and
+    // the most that goes with it, and not every method is held most by the same of them: semi-implicit Euler by what is
+    // stiffest and most damped, explicit Euler by what is damped least, Runge-Kutta by what is damped much and hardly
+    // stiff.
     auto limit = stable_step<I>(springs.largest, springs.damping);
     constexpr int parts = 8;
     for (int i = 0; i <= parts; ++i) {
         const auto stiffness = springs.largest * (double(i) / parts);
-        const auto at_most = [&](const auto& ratio) { return is_finite(ratio) ? std::min(springs.damping, ratio * stiffness) : springs.damping; };
+        const auto at_most = [&](const auto& ratio) {
+            return is_finite(ratio) ? std::min(springs.damping, ratio * stiffness) : springs.damping;
+        };
         const auto least = at_most(springs.least_ratio), most = at_most(springs.most_ratio);
-        for (int j = 0; j <= parts; ++j) limit = std::min(limit, stable_step<I>(stiffness, least + (most - least) * (double(j) / parts)));
+        for (int j = 0; j <= parts; ++j)
+            limit = std::min(limit, stable_step<I>(stiffness, least + (most - least) * (double(j) / parts)));
     }
     return limit;
 }
 
-/// The largest time step that the integrator of a world takes without growing, whatever its springs do, s: zero where it
-/// grows with every step (explicit Euler without damping), infinite where nothing is stiff or the method never grows.
+/// The largest time step that the integrator of a world takes without growing, whatever its springs do, s: zero where
+/// it grows with every step (explicit Euler without damping), infinite where nothing is stiff or the method never
+/// grows.
 ///
-/// It is on the safe side: a chain of twenty bodies takes 0.3 % more, and `measured_stiffness` says how much a world does.
-/// Forces of one body (`Gravity`, a drag of yours) are not looked at, nor those between bodies that do not say how stiff they
-/// are: give yours `stiffnesses` and `jacobian` (DifferentiableCouplingIn), and it counts; `Attraction` has neither.
+/// It is on the safe side: a chain of twenty bodies takes 0.3 % more, and `measured_stiffness` says how much a world
+/// does. Forces of one body (`Gravity`, a drag of yours) are not looked at, nor those between bodies that do not say
+/// how stiff they are: give yours `stiffnesses` and `jacobian` (DifferentiableCouplingIn), and it counts; `Attraction`
+/// has neither.
 template <class... P> Quantity<unit::Time> stable_step(const World<P...>& world) {
     return stable_step<typename World<P...>::Integrator>(stiffness_of(world));
 }

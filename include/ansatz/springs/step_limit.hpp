@@ -5,12 +5,14 @@
 /// `StepLimit`: what a world does with a step that is too long for its springs (notes 3).
 ///
 /// Add `StepLimit<Refuse>{}` and such a step is refused with the longest that would do, before anything is touched; add
-/// `StepLimit<Divide>{}` and it is taken in as many equal parts as are needed. Either looks at every spring before each step,
-/// which costs nearly as much as their forces (0.8 to 0.9 of a step, 10,000 bodies in a grid): for worlds whose springs
-/// change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never grows.
+/// `StepLimit<Divide>{}` and it is taken in as many equal parts as are needed. Either looks at every spring before each
+/// step, which costs nearly as much as their forces (0.8 to 0.9 of a step, 10,000 bodies in a grid): for worlds whose
+/// springs change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never
+/// grows.
 ///
-/// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that follows a
-/// step; what broke, fell asleep or woke in any of them is among the events of the step. `Interpolation` draws the whole step.
+/// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that
+/// follows a step; what broke, fell asleep or woke in any of them is among the events of the step. `Interpolation`
+/// draws the whole step.
 
 #include <ansatz/springs/stable_step.hpp>
 #include <ansatz/world/world.hpp>
@@ -28,8 +30,9 @@ struct Divide {};
 
 /// \tparam Beyond what a step beyond the limit is: Refuse or Divide
 template <class Beyond = void> struct StepLimit {
-    static_assert(std::same_as<Beyond, Refuse> || std::same_as<Beyond, Divide>, "Ansatz: a StepLimit refuses or divides; write StepLimit<Refuse>{} "
-                                                                               "or StepLimit<Divide>{}");
+    static_assert(std::same_as<Beyond, Refuse> || std::same_as<Beyond, Divide>,
+                  "Ansatz: a StepLimit refuses or divides; write StepLimit<Refuse>{} "
+                  "or StepLimit<Divide>{}");
     using role = roles::StepControl;
 
     /// The part of the largest stable step that is let through; greater than 0, 1 is all of it
@@ -40,7 +43,8 @@ template <class Beyond = void> struct StepLimit {
     static constexpr std::string_view name = "StepLimit";
     static void parameters(auto&, auto&&) {}
     void check() const {
-        if (!(part > 0) || !(part <= 1)) refuse_value("StepLimit", "part", describe(part), "it is greater than 0 and at most 1");
+        if (!(part > 0) || !(part <= 1))
+            refuse_value("StepLimit", "part", describe(part), "it is greater than 0 and at most 1");
         if (most_parts < 1) refuse_value("StepLimit", "most_parts", describe(most_parts), "it is at least 1");
     }
 
@@ -74,15 +78,18 @@ private:
         const double scale = std::pow(10.0, 3 - std::floor(std::log10(t.value())));
         return std::floor(t.value() * scale) / scale * second;
     }
-    [[noreturn, gnu::cold, gnu::noinline]] void refuse_step(const Quantity<unit::Time>& dt, const Quantity<unit::Time>& limit) const {
+    [[noreturn, gnu::cold, gnu::noinline]] void refuse_step(const Quantity<unit::Time>& dt,
+                                                            const Quantity<unit::Time>& limit) const {
         std::string better;
         if (!(limit.value() > 0))
-            better = "this integrator grows with every step where springs are not damped; take SemiImplicitEuler, or ImplicitEuler";
+            better = "this integrator grows with every step where springs are not damped; take SemiImplicitEuler, or "
+                     "ImplicitEuler";
         else if (std::same_as<Beyond, Refuse>)
-            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) + "; take that, StepLimit<Divide>, or ImplicitEuler";
+            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) +
+                     "; take that, StepLimit<Divide>, or ImplicitEuler";
         else
-            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) + ", and most_parts is " + describe(most_parts) +
-                     "; take a shorter step, or ImplicitEuler";
+            better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) +
+                     ", and most_parts is " + describe(most_parts) + "; take a shorter step, or ImplicitEuler";
         refuse_value("World::step", "dt", describe(dt), better);
     }
 };

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// `Bindings`: what the names in a file stand for. A file holds the structure of a machine and names; the functions are the
-/// program's, bound once. A name that a file uses and nobody bound is refused when the file is read, not when it is needed.
+/// `Bindings`: what the names in a file stand for. A file holds the structure of a machine and names; the functions are
+/// the program's, bound once. A name that a file uses and nobody bound is refused when the file is read, not when it is
+/// needed.
 
 #include <ansatz/states/outline.hpp>
 
@@ -166,9 +167,7 @@ public:
     const Guard* find_guard(const std::string& name) const { return find(guards_, name); }    ///< null: nobody bound it
     const Action* find_action(const std::string& name) const { return find(actions_, name); } ///< null: nobody bound it
     /// Null: nobody bound it.
-    const Maker* find_behaviour(const std::string& name) const {
-        return find(behaviours_, name);
-    }
+    const Maker* find_behaviour(const std::string& name) const { return find(behaviours_, name); }
     const auto& log_function() const { return log_; } ///< null: none
     /// The names of its guards, for a sentence.
     std::string guard_names() const { return names(guards_); }

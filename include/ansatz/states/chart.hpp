@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `Chart`: an outline whose names are bound, made ready to run: numbers instead of names, a list of candidates for each
-/// state and event. It never changes, and any number of machines share one.
+/// `Chart`: an outline whose names are bound, made ready to run: numbers instead of names, a list of candidates for
+/// each state and event. It never changes, and any number of machines share one.
 
 #include <ansatz/states/bindings.hpp>
 

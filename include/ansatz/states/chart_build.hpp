@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Makes a chart of an outline and bindings, or says in one sentence why not: with the path of the file, the line and the
-/// name. Nothing half-made is ever seen.
+/// Makes a chart of an outline and bindings, or says in one sentence why not: with the path of the file, the line and
+/// the name. Nothing half-made is ever seen.
 
 #include <ansatz/states/chart.hpp>
 

@@ -4,11 +4,12 @@
 /// \file
 /// The checker: what is probably wrong with a machine that is well formed (notes 5.2).
 ///
-/// `check(outline)` reads the structure: states that nothing leads to, states that nothing leads out of, transitions that a
-/// former one always hides, and guards that compare a continuous value for equality, which motion steps over. A guard that is
-/// a function is a closed box to it. `overlapping<D>(contexts)` opens the box by asking: it finds the guards of one state that
-/// hold together in contexts that you give, so that the order of the description decides, and the pairs of conditions that
-/// lead back and forth in one and the same context, the sort of oscillation that needs no noise.
+/// `check(outline)` reads the structure: states that nothing leads to, states that nothing leads out of, transitions
+/// that a former one always hides, and guards that compare a continuous value for equality, which motion steps over. A
+/// guard that is a function is a closed box to it. `overlapping<D>(contexts)` opens the box by asking: it finds the
+/// guards of one state that hold together in contexts that you give, so that the order of the description decides, and
+/// the pairs of conditions that lead back and forth in one and the same context, the sort of oscillation that needs no
+/// noise.
 
 #include <ansatz/states/outline.hpp>
 #include <ansatz/world/error.hpp>

@@ -2,11 +2,12 @@
 #pragma once
 
 /// \file
-/// What the compile-time representations share: leaving and entering states, the memory of guards, histories, the clock, the
-/// queue of raised events. A representation only decides how to find the transition.
+/// What the compile-time representations share: leaving and entering states, the memory of guards, histories, the
+/// clock, the queue of raised events. A representation only decides how to find the transition.
 ///
 /// One `handle` or `update` runs to completion: the transition, then every transition without event and guard, then the
-/// events that were raised, in this order until nothing is left. The present state changes when a transition is complete.
+/// events that were raised, in this order until nothing is left. The present state changes when a transition is
+/// complete.
 
 #include <ansatz/states/model.hpp>
 #include <ansatz/states/options.hpp>
@@ -111,17 +112,20 @@ template <class... P> struct BehaviourOf<State<P...>> {
 struct OfThoseNames {
     int enter, exit, update;
 };
-template <class B> struct WithNames : B, OfThoseNames {};
+template <class B>
+struct WithNames
+    : B
+    , OfThoseNames {};
 template <class B> constexpr bool may_have_members = std::is_class_v<B> && !std::is_final_v<B>;
 template <class B>
 concept NamesEnter = may_have_members<B> && !requires { &WithNames<B>::enter; } &&
                      !requires { requires std::is_member_object_pointer_v<decltype(&B::enter)>; };
 template <class B>
 concept NamesExit = may_have_members<B> && !requires { &WithNames<B>::exit; } &&
-                     !requires { requires std::is_member_object_pointer_v<decltype(&B::exit)>; };
+                    !requires { requires std::is_member_object_pointer_v<decltype(&B::exit)>; };
 template <class B>
 concept NamesUpdate = may_have_members<B> && !requires { &WithNames<B>::update; } &&
-                     !requires { requires std::is_member_object_pointer_v<decltype(&B::update)>; };
+                      !requires { requires std::is_member_object_pointer_v<decltype(&B::update)>; };
 
 /// Calls `enter`, `exit` or `update` of a state class, if it has it.
 template <class B, class Context> constexpr void behave_enter(B& b, Context& c, EventQueue& q) {
@@ -188,7 +192,8 @@ template <class S, class... T> struct Slots;
 template <std::size_t... I, class... T> struct Slots<std::index_sequence<I...>, T...> : Slot<I, T>... {};
 template <std::size_t I, class T> constexpr T& slot(Slot<I, T>& s) { return s.it; }
 
-/// The longest that one handle or update goes on by itself: a machine that raises events for ever is stopped and says so.
+/// The longest that one handle or update goes on by itself: a machine that raises events for ever is stopped and says
+/// so.
 inline constexpr std::uint32_t most_steps = 1000;
 
 } // namespace detail

@@ -4,8 +4,9 @@
 /// \file
 /// Crossing guards: they see the previous value and the present one (notes 5.2, missed transitions).
 ///
-/// A body that moves 0.3 m in a step is never *at* the door, so `position == door` never holds and the transition is missed.
-/// It was on one side of the door at the previous update and is on the other side now: that is what these guards ask.
+/// A body that moves 0.3 m in a step is never *at* the door, so `position == door` never holds and the transition is
+/// missed. It was on one side of the door at the previous update and is on the other side now: that is what these
+/// guards ask.
 ///
 /// | guard                     | holds when the value               |
 /// |---------------------------|------------------------------------|
@@ -13,10 +14,10 @@
 /// | `falls_through(v, limit)` | was above, and is at or below now  |
 /// | `crosses(v, limit)`       | either                             |
 ///
-/// The previous value is that of the previous update (of `start` at the first), whichever state was active. A value that is
-/// not a number is passed over: the last good one stays the previous one, so that a crossing is not lost in the gap. A value
-/// that starts on the limit has not crossed it. What crosses twice within one step was never outside at an update: no guard
-/// that looks at updates can know; a shorter step can.
+/// The previous value is that of the previous update (of `start` at the first), whichever state was active. A value
+/// that is not a number is passed over: the last good one stays the previous one, so that a crossing is not lost in the
+/// gap. A value that starts on the limit has not crossed it. What crosses twice within one step was never outside at an
+/// update: no guard that looks at updates can know; a shorter step can.
 
 #include <ansatz/states/values.hpp>
 

@@ -16,10 +16,10 @@
 /// };
 /// ```
 ///
-/// A transition with `on` happens on an event; one with `when` and no `on` is a condition, asked at every update; one with
-/// neither is taken as soon as its state is entered. States stand in states; the first is the one that is entered, unless
-/// `initial` names another. All parts of a state or a transition may stand in any order, transitions among each other
-/// excepted: the first one whose guard holds is taken. The description costs nothing at run time.
+/// A transition with `on` happens on an event; one with `when` and no `on` is a condition, asked at every update; one
+/// with neither is taken as soon as its state is entered. States stand in states; the first is the one that is entered,
+/// unless `initial` names another. All parts of a state or a transition may stand in any order, transitions among each
+/// other excepted: the first one whose guard holds is taken. The description costs nothing at run time.
 
 #include <ansatz/states/crossing.hpp>
 #include <ansatz/states/dwell.hpp>
@@ -85,13 +85,14 @@ template <class... P> struct State {
     std::tuple<P...> parts; ///< transitions, states, actions, in the order in which they were written
 };
 
-/// An action that raises an event: it is handled when the present transition is complete, before `handle` or `update` returns.
+/// An action that raises an event: it is handled when the present transition is complete, before `handle` or `update`
+/// returns.
 struct Raised {
     std::string_view event; ///< its name
 };
 
-/// The names of the events that a transition takes: "alarm", or several, "alarm noise". A name stands for all that begin
-/// with it and a dot ("lost" takes "lost.sight"), "*" for every event.
+/// The names of the events that a transition takes: "alarm", or several, "alarm noise". A name stands for all that
+/// begin with it and a dot ("lost" takes "lost.sight"), "*" for every event.
 constexpr On on(std::string_view events) { return {events}; }
 /// The state that a transition goes to; without it the machine stays where it is and nothing is left or entered.
 constexpr To to(std::string_view state) { return {state}; }
@@ -129,14 +130,13 @@ template <class F> constexpr Each<F> each_update(std::string_view name, F action
 /// The action that raises an event, for then, on_entry, on_exit and each_update.
 constexpr Raised raise(std::string_view event) { return {event}; }
 
-/// A state class: any of `enter(Context&)`, `update(Context&)` or `update(Context&, Quantity<unit::Time>)`, `exit(Context&)`,
-/// each also with an EventQueue& at the end, and its own data, which the machine keeps in every representation.
+/// A state class: any of `enter(Context&)`, `update(Context&)` or `update(Context&, Quantity<unit::Time>)`,
+/// `exit(Context&)`, each also with an EventQueue& at the end, and its own data, which the machine keeps in every
+/// representation.
 template <class B> constexpr Behaves<B> behaves(std::string_view name = {}) { return {name}; }
 
 /// A transition of the state it stands in.
-template <class... P> constexpr Transition<P...> transition(P... parts) {
-    return {{parts...}};
-}
+template <class... P> constexpr Transition<P...> transition(P... parts) { return {{parts...}}; }
 /// A state.
 template <class... P> constexpr State<P...> state(std::string_view name, P... parts) {
     return {name, Kind::state, {parts...}};
@@ -145,8 +145,8 @@ template <class... P> constexpr State<P...> state(std::string_view name, P... pa
 template <class... P> constexpr State<P...> final_state(std::string_view name, P... parts) {
     return {name, Kind::final, {parts...}};
 }
-/// Where its parent was when it was left last: the state directly in it (shallow_history) or the innermost one (deep_history).
-/// \param parts  `to("...")`: where to go the first time
+/// Where its parent was when it was left last: the state directly in it (shallow_history) or the innermost one
+/// (deep_history). \param parts  `to("...")`: where to go the first time
 template <class... P> constexpr State<P...> shallow_history(std::string_view name, P... parts) {
     return {name, Kind::shallow_history, {parts...}};
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// A picture of a machine: `to_dot(machine.outline(), names)` is a text for Graphviz, `dot -Tsvg`. States in states are boxes
-/// in boxes; the active states are filled; conditions are drawn dashed.
+/// A picture of a machine: `to_dot(machine.outline(), names)` is a text for Graphviz, `dot -Tsvg`. States in states are
+/// boxes in boxes; the active states are filled; conditions are drawn dashed.
 
 #include <ansatz/states/outline.hpp>
 

@@ -4,9 +4,9 @@
 /// \file
 /// Guards of time: `after(2.0 * second)` in the state, `held_for(guard, 0.5 * second)` (notes 5.2, state oscillations).
 ///
-/// Both count the machine's own time, the sum of its updates, so that a game at 30, 60 and 240 updates a second decides at
-/// the same time. A dwell time bounds how often a machine can turn, whatever the noise or the feedback does: at most once in
-/// that time. A transition that comes with an event and has none of them ignores it.
+/// Both count the machine's own time, the sum of its updates, so that a game at 30, 60 and 240 updates a second decides
+/// at the same time. A dwell time bounds how often a machine can turn, whatever the noise or the feedback does: at most
+/// once in that time. A transition that comes with an event and has none of them ignores it.
 
 #include <ansatz/states/guards.hpp>
 

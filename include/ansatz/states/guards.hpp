@@ -5,10 +5,11 @@
 /// Guards: the conditions of transitions, and how they are combined (notes 5).
 ///
 /// A guard is any function of the user's context that answers yes or no: `when("sees", [](const Npc& n) { … })`. The
-/// library's own guards (`value(...) < 5.0 * metre`, `rises_through`, `after`, …) can be combined with `&&`, `||` and `!`;
-/// a function of yours joins them as `asked("sees", sees) && after(2.0 * second)`. Some remember (the previous value, since
-/// when they hold): their memory lies in the machine, so that a copied machine is a snapshot, and is renewed **at every
-/// update, whichever state is active**. So a crossing is between the previous update and this one, always.
+/// library's own guards (`value(...) < 5.0 * metre`, `rises_through`, `after`, …) can be combined with `&&`, `||` and
+/// `!`; a function of yours joins them as `asked("sees", sees) && after(2.0 * second)`. Some remember (the previous
+/// value, since when they hold): their memory lies in the machine, so that a copied machine is a snapshot, and is
+/// renewed **at every update, whichever state is active**. So a crossing is between the previous update and this one,
+/// always.
 ///
 /// Both sides of `&&` and `||` may be asked or not: a guard must not change anything.
 
@@ -39,7 +40,8 @@ concept AnyGuard = std::derived_from<G, GuardBase> && std::is_trivially_copyable
 namespace detail {
 
 template <class F, class Context, class Own> constexpr bool call(const F& f, const Question<Context, Own>& q) {
-    if constexpr (std::is_invocable_v<const F&, Context&>) return bool(std::invoke(f, q.context)); // also a member: &Npc::sees
+    if constexpr (std::is_invocable_v<const F&, Context&>)
+        return bool(std::invoke(f, q.context)); // also a member: &Npc::sees
     else {
         static_assert(
             std::is_invocable_v<const F&, Context&, const Own&>,

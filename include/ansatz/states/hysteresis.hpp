@@ -4,12 +4,13 @@
 /// \file
 /// Hysteresis: a band between two thresholds instead of one threshold (notes 5.2, state oscillations).
 ///
-/// `constexpr auto warm = band(value("temperature", &Room::t), 20.0, 0.5);` and then `when(warm.above())` on the way up and
-/// `when(warm.below())` on the way down. The value must cross the whole band to be answered again, so that noise, or the
-/// behaviour of the state itself, does not throw the machine back and forth. With normal noise of standard deviation
+/// `constexpr auto warm = band(value("temperature", &Room::t), 20.0, 0.5);` and then `when(warm.above())` on the way up
+/// and `when(warm.below())` on the way down. The value must cross the whole band to be answered again, so that noise,
+/// or the behaviour of the state itself, does not throw the machine back and forth. With normal noise of standard
+/// deviation
 /// \f$\sigma\f$ around the threshold and a band of half-width \f$w\sigma\f$, one sample in \f$ 2 / \mathrm{erfc}(w/\sqrt2) \f$
-/// turns the machine. The band costs nothing and remembers nothing: the state is its memory. What it cannot do is make a
-/// slow actuator fast: a follower that overshoots further than the band still oscillates (see oscillation.hpp).
+/// turns the machine. The band costs nothing and remembers nothing: the state is its memory. What it cannot do is make
+/// a slow actuator fast: a follower that overshoots further than the band still oscillates (see oscillation.hpp).
 
 #include <ansatz/states/values.hpp>
 

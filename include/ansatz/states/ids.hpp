@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// How a machine names its parts while it runs: numbers in the order of the description, which cannot be mixed up, and the
-/// moment at which a guard is asked. Names are for the description, for files and for people; look one up once
+/// How a machine names its parts while it runs: numbers in the order of the description, which cannot be mixed up, and
+/// the moment at which a guard is asked. Names are for the description, for files and for people; look one up once
 /// (`event<GuardNpc>("alarm")`) and keep the number.
 
 #include <ansatz/units.hpp>
@@ -36,8 +36,8 @@ enum class Kind : std::uint8_t { state, parallel, final, shallow_history, deep_h
 /// Whether a state is a memory of where its parent was, not a place to be.
 constexpr bool is_history(Kind kind) { return kind == Kind::shallow_history || kind == Kind::deep_history; }
 
-/// Whether an event of this name belongs to a list of descriptors: "alarm lost.*" takes alarm, alarm.loud and lost.sight,
-/// not alarmed; "*" takes everything (the rule of SCXML: a descriptor is a prefix of whole words).
+/// Whether an event of this name belongs to a list of descriptors: "alarm lost.*" takes alarm, alarm.loud and
+/// lost.sight, not alarmed; "*" takes everything (the rule of SCXML: a descriptor is a prefix of whole words).
 constexpr bool matches(std::string_view descriptors, std::string_view name) {
     while (!descriptors.empty()) {
         const auto end = descriptors.find_first_of(" \t\n\r");

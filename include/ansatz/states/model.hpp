@@ -3,8 +3,8 @@
 
 /// \file
 /// A description, flattened while it is compiled: states and transitions as numbered rows, who is inside whom, which
-/// transitions an event can cause in a state, what a transition leaves and enters. Every compile-time representation reads
-/// this; nothing of it is there at run time but what a representation stores.
+/// transitions an event can cause in a state, what a transition leaves and enters. Every compile-time representation
+/// reads this; nothing of it is there at run time but what a representation stores.
 
 #include <ansatz/states/describe.hpp>
 
@@ -307,7 +307,8 @@ template <class D> struct Model {
             if (t.events.empty() && !t.guarded) return true;
         return false;
     }();
-    /// The transitions to try in a leaf, inner states first, each state's in order; none after the first without a guard.
+    /// The transitions to try in a leaf, inner states first, each state's in order; none after the first without a
+    /// guard.
     static constexpr auto candidates(std::size_t leaf, std::size_t what) {
         Ids<transition_count + 1> found;
         for (std::size_t s = leaf;; s = parent(s)) {
@@ -336,8 +337,8 @@ template <class D> struct Model {
         for (std::size_t s = from; s != domain; s = parent(s)) found.add(std::uint16_t(s));
         return found;
     }
-    /// What is entered, outer states first, from below `domain` to `target` and on to where that begins; the last is a leaf,
-    /// or a history that decides further at run time.
+    /// What is entered, outer states first, from below `domain` to `target` and on to where that begins; the last is a
+    /// leaf, or a history that decides further at run time.
     static constexpr auto entries(std::size_t domain, std::size_t target) {
         Ids<2 * state_count> found;
         std::size_t from = domain;
@@ -356,8 +357,8 @@ template <class D> struct Model {
     }
 };
 
-/// The event of that name, for a constant: `constexpr auto alarm = event<GuardNpc>("alarm")`. A name that the description
-/// does not mention does not compile.
+/// The event of that name, for a constant: `constexpr auto alarm = event<GuardNpc>("alarm")`. A name that the
+/// description does not mention does not compile.
 template <class D> consteval EventId event_of(std::string_view name) {
     const auto found = Model<D>::find_event(name);
     if (found + 1u == Model<D>::event_count)
@@ -369,7 +370,8 @@ template <class D> consteval EventId event_of(std::string_view name) {
 
 namespace ansatz {
 
-/// The event of that name: `constexpr auto alarm = event<GuardNpc>("alarm")`. A name that no transition mentions does not compile.
+/// The event of that name: `constexpr auto alarm = event<GuardNpc>("alarm")`. A name that no transition mentions does
+/// not compile.
 template <class D> consteval EventId event(std::string_view name) { return states::event_of<D>(name); }
 
 } // namespace ansatz

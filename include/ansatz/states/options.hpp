@@ -4,8 +4,9 @@
 /// \file
 /// What a machine does beside its transitions: what happens to events that nobody handles, and who watches.
 ///
-/// `Machine<GuardNpc, Switch, CountUnhandled, Recorded<>>`: options stand in any order after the representation, and what is
-/// not listed costs nothing. An event for which no active state has a transition whose guard holds is *unhandled*:
+/// `Machine<GuardNpc, Switch, CountUnhandled, Recorded<>>`: options stand in any order after the representation, and
+/// what is not listed costs nothing. An event for which no active state has a transition whose guard holds is
+/// *unhandled*:
 ///
 /// | option             | an unhandled event                                          |
 /// |--------------------|-------------------------------------------------------------|
@@ -14,8 +15,8 @@
 /// | `LogUnhandled<N>`  | is counted, and the last N are kept with state and time     |
 /// | `RefuseUnhandled`  | throws std::invalid_argument; the machine is as it was      |
 ///
-/// A *watcher* is any struct with `void operator()(const Happening&)`; read it by `machine.get<Recorded<>>()`. It is a part
-/// of the machine and copied with it. Watchers see; nothing that they do reaches the machine.
+/// A *watcher* is any struct with `void operator()(const Happening&)`; read it by `machine.get<Recorded<>>()`. It is a
+/// part of the machine and copied with it. Watchers see; nothing that they do reaches the machine.
 
 #include <ansatz/states/ids.hpp>
 #include <ansatz/world/error.hpp>
@@ -31,9 +32,9 @@ namespace ansatz {
 struct Happening {
     /// What it was.
     enum class What : std::uint8_t { exited, took, entered, unhandled };
-    What what; ///< tells which of the others have a value
-    StateId state = StateId::
-        none; ///< that was left or entered; of a transition, its source; of an event, the innermost active state
+    What what;                     ///< tells which of the others have a value
+    StateId state = StateId::none; ///< that was left or entered; of a transition, its source; of an event, the
+                                   ///< innermost active state
     TransitionId transition = TransitionId::none; ///< that was taken
     EventId event = EventId::none;                ///< that nobody handled
     Quantity<unit::Time> time{};                  ///< of the machine, since its start

@@ -4,9 +4,9 @@
 /// \file
 /// `OscillationReport`: a watcher that sees a machine turn back and forth (notes 5.2, state oscillations).
 ///
-/// More than n transitions between the same two states within a time are an oscillation. The report says which states, since
-/// when, and how often; it does not stop the machine. Against it help a band of hysteresis, where the value is noisy, and a
-/// dwell time, where the behaviour of the states itself throws the value back.
+/// More than n transitions between the same two states within a time are an oscillation. The report says which states,
+/// since when, and how often; it does not stop the machine. Against it help a band of hysteresis, where the value is
+/// noisy, and a dwell time, where the behaviour of the states itself throws the value back.
 
 #include <ansatz/states/options.hpp>
 

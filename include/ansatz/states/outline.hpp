@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// `Outline`: a machine as data, with names instead of functions. It is what a file holds, what a picture is drawn from and
-/// what the checker reads. `outline_of<GuardNpc>()` makes one of a description; guards and actions without a name get one
-/// that says where they stand ("patrol: guard 1").
+/// `Outline`: a machine as data, with names instead of functions. It is what a file holds, what a picture is drawn from
+/// and what the checker reads. `outline_of<GuardNpc>()` makes one of a description; guards and actions without a name
+/// get one that says where they stand ("patrol: guard 1").
 
 #include <ansatz/states/core.hpp>
 
@@ -30,8 +30,8 @@ struct Outline {
         std::string name;                        ///< unique in the machine; empty for the machine itself
         states::Kind kind = states::Kind::state; ///< a place to be, final, parallel, or a history
         std::size_t parent = 0; ///< the place in `states` of the one that it is in; the machine, 0, is its own
-        std::vector<std::string>
-            initial; ///< states that are entered with it; of a history, where it goes the first time; empty: the first inside
+        std::vector<std::string> initial; ///< states that are entered with it; of a history, where it goes the first
+                                          ///< time; empty: the first inside
         std::vector<Content> initial_content; ///< done between its own entry and that of its initial state
         std::vector<Content> entry,           ///< done when it is entered
             exit,                             ///< done when it is left

@@ -4,9 +4,10 @@
 /// \file
 /// Overlapping guards, found by asking: `overlapping<GuardNpc>(contexts)` (notes 5.2).
 ///
-/// Two guards of one state that hold in the same context leave the choice to the order of the description, which is sometimes
-/// meant and often not. A condition from a to b and one from b to a that hold in the same context turn the machine at every
-/// update, without any noise. Guards that remember or count time are left out: a context alone does not decide them.
+/// Two guards of one state that hold in the same context leave the choice to the order of the description, which is
+/// sometimes meant and often not. A condition from a to b and one from b to a that hold in the same context turn the
+/// machine at every update, without any noise. Guards that remember or count time are left out: a context alone does
+/// not decide them.
 
 #include <ansatz/states/check.hpp>
 
@@ -16,7 +17,8 @@ namespace ansatz {
 
 namespace states::detail {
 
-/// What every guard of a description says in one context; of those that remember, count time or read a state's class, nothing.
+/// What every guard of a description says in one context; of those that remember, count time or read a state's class,
+/// nothing.
 template <class D> struct Answers {
     using M = Model<D>;
     using P = Parts<M>;

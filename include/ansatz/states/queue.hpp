@@ -2,9 +2,10 @@
 #pragma once
 
 /// \file
-/// The events that are raised while a machine is busy: in an action, in a state's `enter`. They wait until the transition is
-/// complete, and are handled in order before `handle` or `update` returns; so a transition never begins inside another.
-/// The queue has a fixed size and takes no memory from the heap; an event too many is dropped and counted.
+/// The events that are raised while a machine is busy: in an action, in a state's `enter`. They wait until the
+/// transition is complete, and are handled in order before `handle` or `update` returns; so a transition never begins
+/// inside another. The queue has a fixed size and takes no memory from the heap; an event too many is dropped and
+/// counted.
 
 #include <ansatz/states/ids.hpp>
 

@@ -2,9 +2,10 @@
 #pragma once
 
 /// \file
-/// Parallel states, for Interpreted: which transitions happen together, what they leave and what they enter. The algorithm is
-/// that of the SCXML recommendation (W3C 2015, appendix D), on numbered states and kept vectors, with one difference that all
-/// representations share: a history stands for a place in its parent when the domain of a transition is sought.
+/// Parallel states, for Interpreted: which transitions happen together, what they leave and what they enter. The
+/// algorithm is that of the SCXML recommendation (W3C 2015, appendix D), on numbered states and kept vectors, with one
+/// difference that all representations share: a history stands for a place in its parent when the domain of a
+/// transition is sought.
 
 #include <ansatz/states/chart_build.hpp>
 

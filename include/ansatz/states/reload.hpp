@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// How an interpreted machine goes on in another chart: `machine.reload(context, chart)` (notes 5.1, the interpreted pattern).
-/// What has a name in both charts stays; what is gone is not left (its actions are gone too); what is new is entered.
+/// How an interpreted machine goes on in another chart: `machine.reload(context, chart)` (notes 5.1, the interpreted
+/// pattern). What has a name in both charts stays; what is gone is not left (its actions are gone too); what is new is
+/// entered.
 
 #include <ansatz/states/interpreted.hpp>
 

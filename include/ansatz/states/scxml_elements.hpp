@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The elements of the SCXML subset, one function each: what scxml.hpp reads, with the line of everything that is wrong.
+/// The elements of the SCXML subset, one function each: what scxml.hpp reads, with the line of everything that is
+/// wrong.
 
 // not in the umbrella: it is a part of scxml.hpp, and needs pugixml
 

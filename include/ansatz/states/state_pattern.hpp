@@ -4,9 +4,9 @@
 /// \file
 /// `StatePattern`: the hard coded state pattern of the notes (5.1), generated from the description.
 ///
-/// Every state is an object of a class of its own, derived from a base class `State`; it holds the data of that state and
-/// answers events through virtual functions. The machine holds a pointer to the present one. It reduces complexity where each
-/// state has much of its own to do; a virtual call for each event is the price.
+/// Every state is an object of a class of its own, derived from a base class `State`; it holds the data of that state
+/// and answers events through virtual functions. The machine holds a pointer to the present one. It reduces complexity
+/// where each state has much of its own to do; a virtual call for each event is the price.
 
 #include <ansatz/states/static_machine.hpp>
 
@@ -50,13 +50,9 @@ struct StatePattern {
             return current_->on_event(machine, context, index(event));
         }
         /// A condition that holds.
-        bool on_condition(Machine& machine, Context& context) {
-            return current_->on_condition(machine, context);
-        }
+        bool on_condition(Machine& machine, Context& context) { return current_->on_condition(machine, context); }
         /// A transition without one.
-        bool at_once(Machine& machine, Context& context) {
-            return current_->at_once(machine, context);
-        }
+        bool at_once(Machine& machine, Context& context) { return current_->at_once(machine, context); }
         bool for_leaf(Machine&, auto&& f) { // f with the innermost active state as a constant
             return states::detail::with_number<M::state_count>(leaf(), [&]<std::size_t S>() {
                 if constexpr (M::is_leaf(S)) return f.template operator()<S>();

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The machine of the compile-time representations: a value that holds the present state, what states and guards remember,
-/// and nothing that its description does not need. `Machine` is its name for users (machine.hpp).
+/// The machine of the compile-time representations: a value that holds the present state, what states and guards
+/// remember, and nothing that its description does not need. `Machine` is its name for users (machine.hpp).
 
 #include <ansatz/states/core.hpp>
 
@@ -16,16 +16,16 @@ namespace ansatz::states {
 /// \tparam O  options, see options.hpp
 template <class D, class R, class... O> class StaticMachine {
 public:
-    using Description = D; ///< where it is described
+    using Description = D;               ///< where it is described
     using Context = typename D::Context; ///< the user's
-    using M = Model<D>; ///< its description, flattened
-    using P = Parts<M>; ///< the types of its parts
+    using M = Model<D>;                  ///< its description, flattened
+    using P = Parts<M>;                  ///< the types of its parts
     static_assert(!M::rows.parallel, "Ansatz: parallel states are for Interpreted: Machine<Description, Interpreted>");
 
     /// Needs the time of an update: it has after(...) or held_for(...).
     static constexpr bool needs_time = P::AllGuards::timed;
 
-    using Opts = Options<O...>; ///< all its options together
+    using Opts = Options<O...>;                                     ///< all its options together
     static constexpr bool keeps_time = needs_time || Opts::watched; ///< knows its time()
 
     constexpr StaticMachine() = default;
@@ -35,12 +35,14 @@ public:
         : options_(options...) {}
 
     // ------------------------------------------------------------ driving it
-    /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and begins anew:
-    /// events that wait, as those behind an action that threw, and stuck() are forgotten.
-    /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies outside
+    /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and
+    /// begins anew: events that wait, as those behind an action that threw, and stuck() are forgotten. \throws
+    /// std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies outside
     void start(Context& context) {
         if constexpr (can_raise) {
-            if (busy_) refuse(Refusal::invalid_argument, "Machine::start: called from an action of the same machine; raise an event instead");
+            if (busy_)
+                refuse(Refusal::invalid_argument,
+                       "Machine::start: called from an action of the same machine; raise an event instead");
             queue_ = {};
         }
         if constexpr (loops) stopped_ = false;
@@ -56,55 +58,70 @@ public:
     /// \return whether a transition was taken (true for one that waits)
     /// \throws std::invalid_argument before start; with RefuseUnhandled, for an event that nobody handles
     [[gnu::always_inline]] bool handle(Context& context, EventId event) {
-        return handle_as(context, event, [event] { return index(event) + 1 < M::event_count ? std::optional(name(event)) : std::nullopt; });
+        return handle_as(context, event, [event] {
+            return index(event) + 1 < M::event_count ? std::optional(name(event)) : std::nullopt;
+        });
     }
     /// The same by name: for consoles and tests, since the name is looked up each time.
     bool handle(Context& context, std::string_view name) {
         return handle_as(context, event(name), [name] { return std::optional(name); });
     }
 
-    /// One update of the fixed clock: guards that remember look, then the conditions of the active states are asked, inner
-    /// states first, and the first that holds is taken (one an update); then what the active states do, outer states first.
-    /// \param dt  s; may be left out where no guard and no state counts time
-    /// \return whether a condition led to a transition
-    /// \throws std::invalid_argument before start, and for a negative or non-finite dt, before anything changes
+    /// One update of the fixed clock: guards that remember look, then the conditions of the active states are asked,
+    /// inner states first, and the first that holds is taken (one an update); then what the active states do, outer
+    /// states first. \param dt  s; may be left out where no guard and no state counts time \return whether a condition
+    /// led to a transition \throws std::invalid_argument before start, and for a negative or non-finite dt, before
+    /// anything changes
     bool update(Context& context, Parameter<unit::Time> dt) {
         if (!(dt.value() >= 0 && dt.value() <= std::numeric_limits<double>::max())) refuse_dt(dt);
         if (!started()) refuse_not_started();
         if constexpr (can_raise)
-            if (busy_) refuse(Refusal::invalid_argument, "Machine::update: called from an action of the same machine; raise an event instead");
+            if (busy_)
+                refuse(Refusal::invalid_argument,
+                       "Machine::update: called from an action of the same machine; raise an event instead");
         const Busy busy(*this);
         if constexpr (keeps_time) clock_.now += dt, clock_.dt = dt;
         sample_memories(context);
         const bool took = state_.on_condition(*this, context);
         if (took) settle(context);
         if constexpr (M::rows.acts) {
-            state_.for_leaf(*this, [&]<std::size_t Leaf>() { behave<Leaf>(context, dt); return true; });
+            state_.for_leaf(*this, [&]<std::size_t Leaf>() {
+                behave<Leaf>(context, dt);
+                return true;
+            });
             settle(context);
         }
         return took;
     }
     /// The same where nobody counts time.
     bool update(Context& context) {
-        static_assert(!needs_time, "Ansatz: this machine counts time (after, held_for); write machine.update(context, dt)");
+        static_assert(!needs_time,
+                      "Ansatz: this machine counts time (after, held_for); write machine.update(context, dt)");
         return update(context, Quantity<unit::Time>{});
     }
     /// Seconds without their unit.
     template <class Number>
         requires(std::is_arithmetic_v<Number>)
     bool update(Context&, Number) {
-        static_assert(ansatz::detail::never<Number>, "Ansatz: update takes the time of a step; write e.g. machine.update(npc, 1.0 / 60 * second)");
+        static_assert(ansatz::detail::never<Number>,
+                      "Ansatz: update takes the time of a step; write e.g. machine.update(npc, 1.0 / 60 * second)");
         return false;
     }
 
     // ------------------------------------------------------------ looking at it
-    bool started() const { return state_.started(); }                                              ///< start was called
-    StateId active() const { return StateId(state_.leaf()); }                                        ///< the innermost active state
-    bool is_in(StateId state) const { return started() && M::rows.contains(std::uint16_t(state), state_.leaf()); } ///< the state or one inside it is active
-    bool is_in(std::string_view name) const { return is_in(state(name)); }                           ///< by name
+    bool started() const { return state_.started(); }         ///< start was called
+    StateId active() const { return StateId(state_.leaf()); } ///< the innermost active state
+    bool is_in(StateId state) const {
+        return started() && M::rows.contains(std::uint16_t(state), state_.leaf());
+    }                                                                      ///< the state or one inside it is active
+    bool is_in(std::string_view name) const { return is_in(state(name)); } ///< by name
     /// In a final state of the machine itself: nothing more will happen.
-    bool done() const { return started() && M::rows.states[state_.leaf()].kind == Kind::final && M::parent(state_.leaf()) == 0; }
-    std::string_view active_name() const { return M::rows.states[state_.leaf()].name; } ///< of the innermost active state
+    bool done() const {
+        return started() && M::rows.states[state_.leaf()].kind == Kind::final && M::parent(state_.leaf()) == 0;
+    }
+    std::string_view active_name() const {
+        return M::rows.states[state_.leaf()].name;
+    } ///< of the innermost active state
     /// The names of all active states, outer ones first; empty before start.
     std::vector<std::string> active_names() const {
         std::vector<std::string> names;
@@ -112,16 +129,25 @@ public:
             if (is_in(StateId(s))) names.emplace_back(M::rows.states[s].name);
         return names;
     }
-    Quantity<unit::Time> time() const requires(keeps_time) { return clock_.now; }           ///< since start
-    bool stuck() const { return stuck_(); }                                             ///< one call raised events without end and was stopped
-    std::uint32_t dropped_events() const { if constexpr (can_raise) return queue_.dropped(); else return 0; } ///< raised, and no room for them
-    template <class Option> const Option& get() const { return options_; }              ///< one of its options
-    template <class Option> Option& get() { return options_; }                          ///< one of its options
-    /// The data of a state that has a class, `machine.own<Patrol>("patrol")` being spelled `own<Patrol>(state("patrol"))`.
+    Quantity<unit::Time> time() const
+        requires(keeps_time)
+    {
+        return clock_.now;
+    }                                       ///< since start
+    bool stuck() const { return stuck_(); } ///< one call raised events without end and was stopped
+    std::uint32_t dropped_events() const {
+        if constexpr (can_raise) return queue_.dropped();
+        else return 0;
+    }                                                                      ///< raised, and no room for them
+    template <class Option> const Option& get() const { return options_; } ///< one of its options
+    template <class Option> Option& get() { return options_; }             ///< one of its options
+    /// The data of a state that has a class, `machine.own<Patrol>("patrol")` being spelled
+    /// `own<Patrol>(state("patrol"))`.
     template <class B> const B& own(StateId id) const {
         const B* found = nullptr;
         detail::with_number<M::state_count>(index(id), [&]<std::size_t S>() {
-            if constexpr (std::is_same_v<typename P::template Behaviour<S>, B>) found = &const_cast<StaticMachine*>(this)->template own_of<S>();
+            if constexpr (std::is_same_v<typename P::template Behaviour<S>, B>)
+                found = &const_cast<StaticMachine*>(this)->template own_of<S>();
             return true;
         });
         if (found == nullptr) refuse(Refusal::invalid_argument, "Machine::own: this state has no data of this class");
@@ -132,15 +158,18 @@ public:
     static constexpr std::size_t transition_count() { return M::transition_count; } ///< all
     static constexpr std::size_t event_count() { return M::event_count; }           ///< names, and one for all others
     /// Of a state; empty for StateId::none and what is no state.
-    static constexpr std::string_view name(StateId id) { return index(id) < M::state_count ? M::rows.states[index(id)].name : std::string_view(); }
-    static constexpr std::string_view name(EventId id) { return M::event_name(index(id)); }               ///< of an event
+    static constexpr std::string_view name(StateId id) {
+        return index(id) < M::state_count ? M::rows.states[index(id)].name : std::string_view();
+    }
+    static constexpr std::string_view name(EventId id) { return M::event_name(index(id)); } ///< of an event
     /// The event of a name; of a name that no transition mentions, the event that only "*" takes.
     static constexpr EventId event(std::string_view name) { return EventId(M::find_event(name)); }
     /// The state of a name.
     /// \throws std::invalid_argument for a name that no state has
     static constexpr StateId state(std::string_view name) {
         const auto found = M::rows.find(name);
-        if (found == nowhere) refuse(Refusal::invalid_argument, "Machine::state: there is no state \"" + std::string(name) + "\"");
+        if (found == nowhere)
+            refuse(Refusal::invalid_argument, "Machine::state: there is no state \"" + std::string(name) + "\"");
         return StateId(found);
     }
 
@@ -161,21 +190,20 @@ public:
     /// Leaves, does and enters what the transition says.
     template <std::size_t Leaf, std::size_t T> void take(Context& context) {
         constexpr auto row = M::rows.transitions[T];
-        if constexpr (row.target == nowhere)
-            perform<T>(context);
+        if constexpr (row.target == nowhere) perform<T>(context);
         else {
             constexpr auto out = M::exits(Leaf, row.domain);
-            [&]<std::size_t... I>(std::index_sequence<I...>) { (exit<remembers_children(out.at[I]) ? Leaf : 0, out.at[I]>(context), ...); }(std::make_index_sequence<out.size>{});
+            [&]<std::size_t... I>(std::index_sequence<I...>) {
+                (exit < remembers_children(out.at[I]) ? Leaf : 0, out.at[I] > (context), ...);
+            }(std::make_index_sequence<out.size>{});
             perform<T>(context);
             enter_from<row.domain, row.target>(context);
         }
     }
     /// The data of the state S: its class, or NoBehaviour.
     template <std::size_t S> auto& own_of() {
-        if constexpr (R::owns_behaviours)
-            return state_.template own_of<S>();
-        else
-            return detail::slot<S, typename P::template Behaviour<S>>(behaviours_);
+        if constexpr (R::owns_behaviours) return state_.template own_of<S>();
+        else return detail::slot<S, typename P::template Behaviour<S>>(behaviours_);
     }
 
 private:
@@ -186,16 +214,33 @@ private:
     }();
     static constexpr bool can_raise = M::rows.acts || has_final;
 
-    struct Clock { Quantity<unit::Time> now{}, dt{}; std::array<Quantity<unit::Time>, M::state_count> entered{}; };
+    struct Clock {
+        Quantity<unit::Time> now{}, dt{};
+        std::array<Quantity<unit::Time>, M::state_count> entered{};
+    };
     // Says that the machine is at work, and that it is not any more, also when an action throws.
     struct Busy {
         StaticMachine& machine;
-        constexpr explicit Busy(StaticMachine& m) : machine(m) { if constexpr (can_raise) machine.busy_ = true; }
-        constexpr ~Busy() { if constexpr (can_raise) machine.busy_ = false; }
+        constexpr explicit Busy(StaticMachine& m) : machine(m) {
+            if constexpr (can_raise) machine.busy_ = true;
+        }
+        constexpr ~Busy() {
+            if constexpr (can_raise) machine.busy_ = false;
+        }
         Busy(const Busy&) = delete;
     };
-    struct Flag { bool it = false; constexpr Flag& operator=(bool b) { it = b; return *this; } constexpr operator bool() const { return it; } };
-    bool stuck_() const { if constexpr (loops) return stopped_; else return false; }
+    struct Flag {
+        bool it = false;
+        constexpr Flag& operator=(bool b) {
+            it = b;
+            return *this;
+        }
+        constexpr operator bool() const { return it; }
+    };
+    bool stuck_() const {
+        if constexpr (loops) return stopped_;
+        else return false;
+    }
     static constexpr bool loops = can_raise || M::has_automatic;
 
     template <std::size_t T> auto question(Context& context) {
@@ -211,25 +256,30 @@ private:
     }
     void for_memories(auto&& f) {
         if constexpr (P::AllGuards::remember)
-            [&]<std::size_t... T>(std::index_sequence<T...>) { (
-                [&] {
-                    if constexpr (P::template remembers<T>)
-                        f.template operator()<T>(guard_of<T>(), detail::slot<T, typename P::template Memory<T>>(memories_));
-                }(), ...); }(std::make_index_sequence<M::transition_count>{});
+            [&]<std::size_t... T>(std::index_sequence<T...>) {
+                (
+                    [&] {
+                        if constexpr (P::template remembers<T>)
+                            f.template operator()<T>(guard_of<T>(),
+                                                     detail::slot<T, typename P::template Memory<T>>(memories_));
+                    }(),
+                    ...);
+            }(std::make_index_sequence<M::transition_count>{});
     }
     void begin_memories(Context& context) {
-        for_memories([&]<std::size_t T>(const auto& guard, auto& memory) { guard.begin(memory, question<T>(context)); });
+        for_memories(
+            [&]<std::size_t T>(const auto& guard, auto& memory) { guard.begin(memory, question<T>(context)); });
     }
     void sample_memories(Context& context) {
-        for_memories([&]<std::size_t T>(const auto& guard, auto& memory) { guard.sample(memory, question<T>(context)); });
+        for_memories(
+            [&]<std::size_t T>(const auto& guard, auto& memory) { guard.sample(memory, question<T>(context)); });
     }
 
     void tell(Happening::What what, std::size_t state, std::size_t transition = 0xffff, EventId event = EventId::none) {
         if constexpr (Opts::watched) options_.tell({what, StateId(state), TransitionId(transition), event, clock_.now});
     }
     EventQueue& queue() {
-        if constexpr (can_raise)
-            return queue_;
+        if constexpr (can_raise) return queue_;
         else {
             static EventQueue none;
             return none;
@@ -238,14 +288,18 @@ private:
 
     template <std::size_t T> void perform(Context& context) {
         tell(Happening::What::took, M::rows.transitions[T].source, T);
-        if constexpr (performs(T)) detail::each_part<detail::part_then>(*std::get<T>(M::transition_nodes), [&](const auto& then) { detail::act<M>(then.action, context, {}, queue()); });
+        if constexpr (performs(T))
+            detail::each_part<detail::part_then>(*std::get<T>(M::transition_nodes), [&](const auto& then) {
+                detail::act<M>(then.action, context, {}, queue());
+            });
     }
     template <std::size_t Leaf, std::size_t S> void exit(Context& context) {
         constexpr auto& node = *std::get<S>(M::state_nodes);
         if constexpr (remembers_children(S)) remember<Leaf, S>();
         if constexpr (M::rows.states[S].acts) {
             detail::behave_exit(own_of<S>(), context, queue());
-            detail::each_part<detail::part_exit>(node, [&](const auto& part) { detail::act<M>(part.action, context, {}, queue()); });
+            detail::each_part<detail::part_exit>(
+                node, [&](const auto& part) { detail::act<M>(part.action, context, {}, queue()); });
         }
         tell(Happening::What::exited, S);
     }
@@ -257,13 +311,15 @@ private:
     template <std::size_t Leaf, std::size_t S> void remember() {
         static constexpr std::uint16_t child = M::child_towards(S, Leaf);
         for (std::size_t h = S + 1; h < M::rows.states[S].end; ++h)
-            if (is_history(M::rows.states[h].kind) && M::parent(h) == S) history_[h] = M::rows.states[h].kind == Kind::deep_history ? std::uint16_t(Leaf) : child;
+            if (is_history(M::rows.states[h].kind) && M::parent(h) == S)
+                history_[h] = M::rows.states[h].kind == Kind::deep_history ? std::uint16_t(Leaf) : child;
     }
     template <std::size_t S> void enter(Context& context) {
         constexpr auto& node = *std::get<S>(M::state_nodes);
         if constexpr (keeps_time) clock_.entered[S] = clock_.now;
         if constexpr (M::rows.states[S].acts) {
-            detail::each_part<detail::part_entry>(node, [&](const auto& part) { detail::act<M>(part.action, context, {}, queue()); });
+            detail::each_part<detail::part_entry>(
+                node, [&](const auto& part) { detail::act<M>(part.action, context, {}, queue()); });
             detail::behave_enter(own_of<S>(), context, queue());
         }
         tell(Happening::What::entered, S);
@@ -283,27 +339,30 @@ private:
         constexpr auto in = M::entries(Domain, Target);
         constexpr std::size_t last = in.at[in.size - 1];
         constexpr bool restores = is_history(M::rows.states[last].kind);
-        [&]<std::size_t... I>(std::index_sequence<I...>) { (enter<in.at[I]>(context), ...); }(std::make_index_sequence<in.size - (restores ? 1 : 0)>{});
-        if constexpr (restores)
-            restore<last>(context);
-        else
-            state_.template set<last>();
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (enter<in.at[I]>(context), ...);
+        }(std::make_index_sequence<in.size - (restores ? 1 : 0)>{});
+        if constexpr (restores) restore<last>(context);
+        else state_.template set<last>();
     }
     template <std::size_t H> void restore(Context& context) {
         const std::size_t kept = history_[H];
-        if (kept == nowhere)
-            enter_from<M::parent(H), M::rows.states[H].initial>(context);
-        else
-            restore_one<H>(context, kept, std::make_index_sequence<holdable<H>.size>{});
+        if (kept == nowhere) enter_from<M::parent(H), M::rows.states[H].initial>(context);
+        else restore_one<H>(context, kept, std::make_index_sequence<holdable<H>.size>{});
     }
     // Only what a history can hold, so that nothing else is compiled.
-    template <std::size_t H> static constexpr auto holdable = [] {
+    template <std::size_t H>
+    static constexpr auto holdable = [] {
         Ids<M::state_count> found;
         for (std::uint16_t s = M::parent(H) + 1; s < M::rows.states[M::parent(H)].end; ++s)
-            if (M::rows.states[H].kind == Kind::deep_history ? M::is_leaf(s) : M::parent(s) == M::parent(H) && !is_history(M::rows.states[s].kind)) found.add(s);
+            if (M::rows.states[H].kind == Kind::deep_history
+                    ? M::is_leaf(s)
+                    : M::parent(s) == M::parent(H) && !is_history(M::rows.states[s].kind))
+                found.add(s);
         return found;
     }();
-    template <std::size_t H, std::size_t... I> void restore_one(Context& context, std::size_t kept, std::index_sequence<I...>) {
+    template <std::size_t H, std::size_t... I>
+    void restore_one(Context& context, std::size_t kept, std::index_sequence<I...>) {
         (void)((kept == holdable<H>.at[I] && (enter_from<M::parent(H), holdable<H>.at[I]>(context), true)) || ...);
     }
 
@@ -311,17 +370,22 @@ private:
         constexpr auto chain = M::exits(Leaf, 0);
         auto one = [&]<std::size_t S>() {
             if constexpr (M::rows.states[S].acts) {
-                detail::each_part<detail::part_each>(*std::get<S>(M::state_nodes), [&](const auto& part) { detail::act<M>(part.action, context, dt, queue()); });
+                detail::each_part<detail::part_each>(*std::get<S>(M::state_nodes), [&](const auto& part) {
+                    detail::act<M>(part.action, context, dt, queue());
+                });
                 detail::behave_update(own_of<S>(), context, dt, queue());
             }
         };
-        [&]<std::size_t... I>(std::index_sequence<I...>) { (one.template operator()<chain.at[chain.size - 1 - I]>(), ...); }(std::make_index_sequence<chain.size>{});
+        [&]<std::size_t... I>(std::index_sequence<I...>) {
+            (one.template operator()<chain.at[chain.size - 1 - I]>(), ...);
+        }(std::make_index_sequence<chain.size>{});
     }
 
     // An event, and how it is called if it must be refused.
     [[gnu::always_inline]] bool handle_as(Context& context, EventId event, auto&& called) {
         if constexpr (can_raise)
-            if (busy_) [[unlikely]] return queue_.raise(event);
+            if (busy_) [[unlikely]]
+                return queue_.raise(event);
         const Busy busy(*this);
         if (!state_.on_event(*this, context, event)) {
             unhandled(event, called);
@@ -333,7 +397,8 @@ private:
     [[gnu::always_inline]] void settle(Context& context) {
         if constexpr (loops) {
             if constexpr (!M::has_automatic)
-                if (queue_.empty()) [[likely]] return;
+                if (queue_.empty()) [[likely]]
+                    return;
             settle_loop(context);
         }
     }
@@ -345,8 +410,7 @@ private:
                 if (queue_.empty()) return;
                 const EventId next = queue_.take();
                 if (!state_.on_event(*this, context, next)) tell_unhandled(next);
-            } else
-                return;
+            } else return;
         }
         stopped_ = true;
         if constexpr (can_raise)
@@ -365,8 +429,12 @@ private:
     Stored state_{};
     [[no_unique_address]] std::conditional_t<can_raise, Flag, detail::Slot<5, detail::Absent>> busy_{};
     [[no_unique_address]] std::conditional_t<loops, bool, detail::Slot<0, detail::Absent>> stopped_{};
-    [[no_unique_address]] std::conditional_t<M::rows.history, std::array<std::uint16_t, M::state_count>, detail::Slot<4, detail::Absent>> history_{};
-    [[no_unique_address]] std::conditional_t<R::owns_behaviours, detail::Slot<1, detail::Absent>, typename P::Behaviours> behaviours_{};
+    [[no_unique_address]] std::conditional_t<M::rows.history, std::array<std::uint16_t, M::state_count>,
+                                             detail::Slot<4, detail::Absent>>
+        history_{};
+    [[no_unique_address]] std::conditional_t<R::owns_behaviours, detail::Slot<1, detail::Absent>,
+                                             typename P::Behaviours>
+        behaviours_{};
     [[no_unique_address]] typename P::AllGuards::Memories memories_{};
     [[no_unique_address]] std::conditional_t<can_raise, EventQueue, detail::Slot<2, detail::Absent>> queue_{};
     [[no_unique_address]] std::conditional_t<keeps_time, Clock, detail::Slot<3, detail::Absent>> clock_{};

@@ -4,9 +4,9 @@
 /// \file
 /// `Switch`: the hard coded switch of the notes (5.1), generated from the description.
 ///
-/// The state is a number; one conditional structure, first over the states, then over the events of each, holds everything,
-/// and the compiler sees through all of it. Simple and efficient for a small machine. What it costs: code for every pair of
-/// a state and a transition that it can take, so a large hierarchy compiles slowly; Table is smaller.
+/// The state is a number; one conditional structure, first over the states, then over the events of each, holds
+/// everything, and the compiler sees through all of it. Simple and efficient for a small machine. What it costs: code
+/// for every pair of a state and a transition that it can take, so a large hierarchy compiles slowly; Table is smaller.
 
 #include <ansatz/states/static_machine.hpp>
 
@@ -32,13 +32,9 @@ struct Switch {
             });
         }
         /// A condition that holds.
-        bool on_condition(Machine& machine, Context& context) {
-            return without<M::on_condition>(machine, context);
-        }
+        bool on_condition(Machine& machine, Context& context) { return without<M::on_condition>(machine, context); }
         /// A transition without one.
-        bool at_once(Machine& machine, Context& context) {
-            return without<M::at_once>(machine, context);
-        }
+        bool at_once(Machine& machine, Context& context) { return without<M::at_once>(machine, context); }
         [[gnu::always_inline]] bool for_leaf(Machine&, auto&& f) { // f with the innermost active state as a constant
             return states::detail::with_number<M::state_count>(leaf_, [&]<std::size_t S>() {
                 if constexpr (M::is_leaf(S)) return f.template operator()<S>();

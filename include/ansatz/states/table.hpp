@@ -4,10 +4,11 @@
 /// \file
 /// `Table`: one row of cells a state, one cell an event, made while the description is compiled.
 ///
-/// Where no transition has a guard and nothing is done, a cell is the next state: an event is one load. Otherwise a cell is a
-/// pointer to the function that asks the guards of this state and event in turn, and takes the transition. Use it for machines
-/// with many transitions; it is the fastest where they only change the state. What it costs: 2 or 16 bytes for every pair of
-/// state and event, and a call through a pointer, which the compiler cannot see through, where anything is asked or done.
+/// Where no transition has a guard and nothing is done, a cell is the next state: an event is one load. Otherwise a
+/// cell is a pointer to the function that asks the guards of this state and event in turn, and takes the transition.
+/// Use it for machines with many transitions; it is the fastest where they only change the state. What it costs: 2 or
+/// 16 bytes for every pair of state and event, and a call through a pointer, which the compiler cannot see through,
+/// where anything is asked or done.
 
 #include <ansatz/states/static_machine.hpp>
 

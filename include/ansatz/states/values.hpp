@@ -4,10 +4,11 @@
 /// \file
 /// Values in guards: `value("distance", &Npc::distance) < 5.0 * metre`.
 ///
-/// A value is a name and how to read it from the context: a member, or a function. Compared with a quantity of its unit it
-/// is a guard that knows its own name, "distance < 5 m", and of which the checker can tell what it is about. An equality
-/// of a continuous value is the notes' missed transition (5.2): a body that moves 0.3 m in a step is never *at* the door.
-/// It compiles, because the notes speak of it, and `check` reports it; write `crosses`, `rises_through` or `falls_through`.
+/// A value is a name and how to read it from the context: a member, or a function. Compared with a quantity of its unit
+/// it is a guard that knows its own name, "distance < 5 m", and of which the checker can tell what it is about. An
+/// equality of a continuous value is the notes' missed transition (5.2): a body that moves 0.3 m in a step is never
+/// *at* the door. It compiles, because the notes speak of it, and `check` reports it; write `crosses`, `rises_through`
+/// or `falls_through`.
 
 #include <ansatz/states/guards.hpp>
 
@@ -54,7 +55,8 @@ inline constexpr bool comparable = [] {
     if constexpr (HasUnit<std::remove_cvref_t<V>> != HasUnit<L>) return false;
     else return Ordered<std::remove_cvref_t<V>, L>;
 }();
-/// Whether two neighbouring values are so close together that nobody meets one of them: a floating-point number or a quantity.
+/// Whether two neighbouring values are so close together that nobody meets one of them: a floating-point number or a
+/// quantity.
 template <class V>
 inline constexpr bool continuous =
     !std::is_integral_v<decltype(number_of(std::declval<const V&>()))> && !std::is_enum_v<V>;

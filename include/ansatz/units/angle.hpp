@@ -21,24 +21,20 @@ using std::tan;
 
 namespace detail {
 /// Radians in a degree, with digits for every scalar that is likely to be used.
-template <class S>
-[[gnu::always_inline]] constexpr S radians_per_degree() {
-    if constexpr (std::is_arithmetic_v<S>)
-        return static_cast<S>(0.0174532925199432957692369076848861271L);
-    else
-        return S("0.017453292519943295769236907684886127134428718885417254560971914401710091146034494436822415696345");
+template <class S> [[gnu::always_inline]] constexpr S radians_per_degree() {
+    if constexpr (std::is_arithmetic_v<S>) return static_cast<S>(0.0174532925199432957692369076848861271L);
+    else return S("0.017453292519943295769236907684886127134428718885417254560971914401710091146034494436822415696345");
 }
 } // namespace detail
 
 /// An angle given in degrees. Whole numbers become double.
-template <detail::ScalarValue S>
-[[gnu::always_inline]] constexpr auto degrees(const S& value) {
+template <detail::ScalarValue S> [[gnu::always_inline]] constexpr auto degrees(const S& value) {
     using Scalar = std::conditional_t<std::is_integral_v<S>, double, S>;
-    return Quantity<unit::PlaneAngle, Scalar>::from_value(static_cast<Scalar>(value) * detail::radians_per_degree<Scalar>());
+    return Quantity<unit::PlaneAngle, Scalar>::from_value(static_cast<Scalar>(value) *
+                                                          detail::radians_per_degree<Scalar>());
 }
 /// An angle given in radians; the same as `value * radian`.
-template <detail::ScalarValue S>
-[[gnu::always_inline]] constexpr auto radians(const S& value) {
+template <detail::ScalarValue S> [[gnu::always_inline]] constexpr auto radians(const S& value) {
     using Scalar = std::conditional_t<std::is_integral_v<S>, double, S>;
     return Quantity<unit::PlaneAngle, Scalar>::from_value(static_cast<Scalar>(value));
 }
@@ -49,14 +45,17 @@ template <class S>
 }
 
 /// Sine of an angle, a plain number.
-template <class S>
-[[gnu::always_inline]] inline S sin(const boost::units::quantity<unit::PlaneAngle, S>& angle) { return sin(angle.value()); }
+template <class S> [[gnu::always_inline]] inline S sin(const boost::units::quantity<unit::PlaneAngle, S>& angle) {
+    return sin(angle.value());
+}
 /// Cosine of an angle, a plain number.
-template <class S>
-[[gnu::always_inline]] inline S cos(const boost::units::quantity<unit::PlaneAngle, S>& angle) { return cos(angle.value()); }
+template <class S> [[gnu::always_inline]] inline S cos(const boost::units::quantity<unit::PlaneAngle, S>& angle) {
+    return cos(angle.value());
+}
 /// Tangent of an angle, a plain number.
-template <class S>
-[[gnu::always_inline]] inline S tan(const boost::units::quantity<unit::PlaneAngle, S>& angle) { return tan(angle.value()); }
+template <class S> [[gnu::always_inline]] inline S tan(const boost::units::quantity<unit::PlaneAngle, S>& angle) {
+    return tan(angle.value());
+}
 
 /// The angle of the direction (x, y), from -pi to pi, of two quantities of one unit. (0, 0) gives
 /// what std::atan2 gives: zero or pi by the signs of the zeros.

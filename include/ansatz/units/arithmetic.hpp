@@ -20,33 +20,28 @@
 // it leaves them to the operators below. (Declared here as Boost does, not included: most programs
 // never see a multiprecision number.)
 namespace boost::multiprecision {
-template <class T, class Number>
-struct is_compatible_arithmetic_type;
+template <class T, class Number> struct is_compatible_arithmetic_type;
 template <class Unit, class Value, class Number>
 struct is_compatible_arithmetic_type<boost::units::quantity<Unit, Value>, Number> : std::false_type {};
 } // namespace boost::multiprecision
 
 namespace ansatz::detail {
 
-template <class Derived>
-std::true_type is_expression_of(const Eigen::MatrixBase<Derived>*);
+template <class Derived> std::true_type is_expression_of(const Eigen::MatrixBase<Derived>*);
 std::false_type is_expression_of(const void*);
 
 /// Any dense Eigen object: a matrix or an unevaluated expression.
 template <class T>
 concept Expression = decltype(is_expression_of(static_cast<const T*>(nullptr)))::value;
 
-template <Expression E>
-using Plain = typename E::PlainObject;
+template <Expression E> using Plain = typename E::PlainObject;
 
 /// A number that takes the scalar Y: any built-in one, or a Y.
 template <class Y, class Number>
 concept NumberFor = ScalarValue<Y> && (Builtin<Number> || std::is_same_v<Number, Y>);
 
-template <class A, class B>
-using UnitProduct = typename boost::units::multiply_typeof_helper<A, B>::type;
-template <class A, class B>
-using UnitQuotient = typename boost::units::divide_typeof_helper<A, B>::type;
+template <class A, class B> using UnitProduct = typename boost::units::multiply_typeof_helper<A, B>::type;
+template <class A, class B> using UnitQuotient = typename boost::units::divide_typeof_helper<A, B>::type;
 
 /// Matrix product, written out: Eigen's would issue packets of its own (see zip()).
 template <class S, int R, int K, int C, int O1, int O2>
@@ -55,8 +50,7 @@ template <class S, int R, int K, int C, int O1, int O2>
     for (int i = 0; i < R; ++i)
         for (int j = 0; j < C; ++j) {
             S sum = a.coeff(i, 0) * b.coeff(0, j);
-            for (int k = 1; k < K; ++k)
-                sum += a.coeff(i, k) * b.coeff(k, j);
+            for (int k = 1; k < K; ++k) sum += a.coeff(i, k) * b.coeff(k, j);
             result.coeffRef(i, j) = sum;
         }
     return result;
@@ -71,12 +65,10 @@ namespace boost::units {
 // Without the first group the result would be an Eigen expression that refers to dead temporaries;
 // without the empty ones, asking whether vector * vector exists would be an error inside Eigen.
 
-template <class S, int R, int C, int O>
-struct unary_plus_typeof_helper<Eigen::Matrix<S, R, C, O, R, C>> {
+template <class S, int R, int C, int O> struct unary_plus_typeof_helper<Eigen::Matrix<S, R, C, O, R, C>> {
     using type = Eigen::Matrix<S, R, C, O, R, C>;
 };
-template <class S, int R, int C, int O>
-struct unary_minus_typeof_helper<Eigen::Matrix<S, R, C, O, R, C>> {
+template <class S, int R, int C, int O> struct unary_minus_typeof_helper<Eigen::Matrix<S, R, C, O, R, C>> {
     using type = Eigen::Matrix<S, R, C, O, R, C>;
 };
 
@@ -146,8 +138,8 @@ struct multiply_typeof_helper<unit<Dim, System>, X> {
 template <class System, class Dim, class X>
     requires(ansatz::detail::Expression<X> && !ansatz::detail::is_matrix<X>)
 struct divide_typeof_helper<X, unit<Dim, System>> {
-    using type = quantity<typename power_typeof_helper<unit<Dim, System>, static_rational<-1>>::type,
-                          ansatz::detail::Plain<X>>;
+    using type =
+        quantity<typename power_typeof_helper<unit<Dim, System>, static_rational<-1>>::type, ansatz::detail::Plain<X>>;
 };
 template <class System, class Dim, class X>
     requires ansatz::detail::Expression<X>
@@ -170,14 +162,16 @@ operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& q) {
 /// Sum of two vectors or matrices of the same unit.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
+operator+(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a,
+          const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::combine<ansatz::detail::Plus>(a.value(), b.value()));
 }
 /// Difference of two vectors or matrices of the same unit.
 template <class U, class S, int R, int C, int O>
 [[gnu::always_inline]] inline quantity<U, Eigen::Matrix<S, R, C, O, R, C>>
-operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a, const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
+operator-(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& a,
+          const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& b) {
     return quantity<U, Eigen::Matrix<S, R, C, O, R, C>>::from_value(
         ansatz::detail::combine<ansatz::detail::Minus>(a.value(), b.value()));
 }
@@ -234,18 +228,20 @@ operator/(const quantity<U, Eigen::Matrix<S, R, C, O, R, C>>& v, const Number& s
 /// A plain vector (a direction) times a scalar quantity (a speed).
 template <ansatz::detail::Expression E, class U, class S>
     requires ansatz::detail::ScalarValue<S>
-[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const E& direction, const quantity<U, S>& s) {
+[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const E& direction,
+                                                                              const quantity<U, S>& s) {
     ansatz::detail::refuse_mixed_scalars<typename E::Scalar, S>();
     if constexpr (std::is_same_v<typename E::Scalar, S>) {
         const ansatz::detail::Plain<E>& v = direction; // an expression is evaluated here, a vector is not copied
-        return quantity<U, ansatz::detail::Plain<E>>::from_value(ansatz::detail::scaled<ansatz::detail::Times>(v, s.value()));
-    } else
-        return {};
+        return quantity<U, ansatz::detail::Plain<E>>::from_value(
+            ansatz::detail::scaled<ansatz::detail::Times>(v, s.value()));
+    } else return {};
 }
 /// A scalar quantity times a plain vector.
 template <ansatz::detail::Expression E, class U, class S>
     requires ansatz::detail::ScalarValue<S>
-[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const quantity<U, S>& s, const E& direction) {
+[[gnu::always_inline]] inline quantity<U, ansatz::detail::Plain<E>> operator*(const quantity<U, S>& s,
+                                                                              const E& direction) {
     return direction * s;
 }
 /// A plain vector divided by a scalar quantity.
@@ -257,8 +253,7 @@ template <ansatz::detail::Expression E, class U, class S>
     if constexpr (std::is_same_v<typename E::Scalar, S>) {
         const ansatz::detail::Plain<E>& v = direction;
         return Result::from_value(ansatz::detail::scaled<ansatz::detail::Over>(v, s.value()));
-    } else
-        return Result();
+    } else return Result();
 }
 
 // --- matrices and vectors -----------------------------------------------------------------------
@@ -277,14 +272,16 @@ template <ansatz::detail::Expression E, class U, class S, int K, int C, int O>
     requires(E::ColsAtCompileTime == K && E::RowsAtCompileTime > 1 && K > 1 && std::is_same_v<typename E::Scalar, S>)
 [[gnu::always_inline]] inline auto operator*(const E& m, const quantity<U, Eigen::Matrix<S, K, C, O, K, C>>& v) {
     const ansatz::detail::Plain<E>& plain = m;
-    return quantity<U, Eigen::Matrix<S, E::RowsAtCompileTime, C>>::from_value(ansatz::detail::product(plain, v.value()));
+    return quantity<U, Eigen::Matrix<S, E::RowsAtCompileTime, C>>::from_value(
+        ansatz::detail::product(plain, v.value()));
 }
 /// A matrix quantity times a plain vector or matrix.
 template <ansatz::detail::Expression E, class U, class S, int R, int K, int O>
     requires(E::RowsAtCompileTime == K && R > 1 && K > 1 && std::is_same_v<typename E::Scalar, S>)
 [[gnu::always_inline]] inline auto operator*(const quantity<U, Eigen::Matrix<S, R, K, O, R, K>>& m, const E& v) {
     const ansatz::detail::Plain<E>& plain = v;
-    return quantity<U, Eigen::Matrix<S, R, E::ColsAtCompileTime>>::from_value(ansatz::detail::product(m.value(), plain));
+    return quantity<U, Eigen::Matrix<S, R, E::ColsAtCompileTime>>::from_value(
+        ansatz::detail::product(m.value(), plain));
 }
 /// A rotation (quaternion, angle-axis) of a vector quantity. Needs <Eigen/Geometry> where it is used.
 template <class Rotation, class U, class S, int N, int O>
@@ -324,25 +321,29 @@ template <class Unit, class Y, ansatz::detail::Builtin Number>
 /// A number plus a dimensionless quantity, whose scalar it takes: `1.0 + rate * dt`.
 template <class System, class Y, class Number>
     requires ansatz::detail::NumberFor<Y, Number>
-[[gnu::always_inline]] constexpr auto operator+(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
+[[gnu::always_inline]] constexpr auto operator+(const Number& s,
+                                                const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) + q.value());
 }
 /// A dimensionless quantity plus a number.
 template <class System, class Y, class Number>
     requires ansatz::detail::NumberFor<Y, Number>
-[[gnu::always_inline]] constexpr auto operator+(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
+[[gnu::always_inline]] constexpr auto operator+(const quantity<unit<dimensionless_type, System>, Y>& q,
+                                                const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() + static_cast<Y>(s));
 }
 /// A number minus a dimensionless quantity: `1.0 - rate * dt`.
 template <class System, class Y, class Number>
     requires ansatz::detail::NumberFor<Y, Number>
-[[gnu::always_inline]] constexpr auto operator-(const Number& s, const quantity<unit<dimensionless_type, System>, Y>& q) {
+[[gnu::always_inline]] constexpr auto operator-(const Number& s,
+                                                const quantity<unit<dimensionless_type, System>, Y>& q) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(static_cast<Y>(s) - q.value());
 }
 /// A dimensionless quantity minus a number.
 template <class System, class Y, class Number>
     requires ansatz::detail::NumberFor<Y, Number>
-[[gnu::always_inline]] constexpr auto operator-(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
+[[gnu::always_inline]] constexpr auto operator-(const quantity<unit<dimensionless_type, System>, Y>& q,
+                                                const Number& s) {
     return quantity<unit<dimensionless_type, System>, Y>::from_value(q.value() - static_cast<Y>(s));
 }
 
@@ -358,10 +359,8 @@ template <class System, class Y, class Number>
     requires(std::is_class_v<Y> && ansatz::detail::NumberFor<Y, Number>)
 constexpr std::partial_ordering operator<=>(const quantity<unit<dimensionless_type, System>, Y>& q, const Number& s) {
     const Y number = static_cast<Y>(s);
-    if (q.value() < number)
-        return std::partial_ordering::less;
-    if (number < q.value())
-        return std::partial_ordering::greater;
+    if (q.value() < number) return std::partial_ordering::less;
+    if (number < q.value()) return std::partial_ordering::greater;
     return q.value() == number ? std::partial_ordering::equivalent : std::partial_ordering::unordered;
 }
 

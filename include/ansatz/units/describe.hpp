@@ -15,8 +15,7 @@
 namespace ansatz {
 namespace detail {
 
-template <class S>
-[[gnu::cold]] inline void append_number(std::string& text, const S& value) {
+template <class S> [[gnu::cold]] inline void append_number(std::string& text, const S& value) {
     if constexpr (std::is_arithmetic_v<S>) {
         if constexpr (std::is_floating_point_v<S>)
             if (value != value) { // to_chars shows the sign of a NaN, which means nothing to a reader
@@ -26,22 +25,19 @@ template <class S>
         char buffer[128];
         const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
         text.append(buffer, end);
-    } else
-        text += value.str(); // a Boost.Multiprecision number
+    } else text += value.str(); // a Boost.Multiprecision number
 }
 
 template <class S, int R, int C, int O>
 [[gnu::cold]] inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
         text += i == 0 ? "(" : ", ";
-        if constexpr (C != 1)
-            text += '(';
+        if constexpr (C != 1) text += '(';
         for (int j = 0; j < C; ++j) {
             text += j == 0 ? "" : ", ";
             append_number(text, m.coeff(i, j));
         }
-        if constexpr (C != 1)
-            text += ')';
+        if constexpr (C != 1) text += ')';
     }
     text += ')';
 }
@@ -49,8 +45,7 @@ template <class S, int R, int C, int O>
 } // namespace detail
 
 /// Text of a quantity: value and symbol, "2 kg", "(0, 9.5, 0) m"; a dimensionless one is its number.
-template <class Unit, class Value>
-[[gnu::cold]] std::string describe(const boost::units::quantity<Unit, Value>& q) {
+template <class Unit, class Value> [[gnu::cold]] std::string describe(const boost::units::quantity<Unit, Value>& q) {
     std::string text;
     detail::append_number(text, q.value());
     if (constexpr auto unit_symbol = symbol<Unit>(); !unit_symbol.empty()) {
@@ -60,15 +55,13 @@ template <class Unit, class Value>
     return text;
 }
 /// Text of a plain number, "0.5", "nan", "inf".
-template <detail::Builtin Number>
-[[gnu::cold]] std::string describe(const Number& value) {
+template <detail::Builtin Number> [[gnu::cold]] std::string describe(const Number& value) {
     std::string text;
     detail::append_number(text, value);
     return text;
 }
 /// Text of a plain vector, "(0, 1, 0)".
-template <class S, int R, int C, int O>
-[[gnu::cold]] std::string describe(const detail::Dense<S, R, C, O>& value) {
+template <class S, int R, int C, int O> [[gnu::cold]] std::string describe(const detail::Dense<S, R, C, O>& value) {
     std::string text;
     detail::append_number(text, value);
     return text;

@@ -28,14 +28,11 @@ template <class S, int N, int O1, int O2>
 [[gnu::always_inline]] inline S dot_of(const Dense<S, N, 1, O1>& a, const Dense<S, N, 1, O2>& b) {
     const S* pa = a.data();
     const S* pb = b.data();
-    if constexpr (N == 2)
-        return pa[0] * pb[0] + pa[1] * pb[1];
-    else if constexpr (N == 3)
-        return pa[0] * pb[0] + pa[1] * pb[1] + pa[2] * pb[2];
+    if constexpr (N == 2) return pa[0] * pb[0] + pa[1] * pb[1];
+    else if constexpr (N == 3) return pa[0] * pb[0] + pa[1] * pb[1] + pa[2] * pb[2];
     else {
         S sum = pa[0] * pb[0];
-        for (int i = 1; i < N; ++i)
-            sum += pa[i] * pb[i];
+        for (int i = 1; i < N; ++i) sum += pa[i] * pb[i];
         return sum;
     }
 }
@@ -45,27 +42,22 @@ template <class S, int N, int O1, int O2>
     static_assert(N == 2 || N == 3, "Ansatz units: cross() is for vectors of 2 or 3 components");
     const S* p = a.data();
     const S* q = b.data();
-    if constexpr (N == 2)
-        return S(p[0] * q[1] - p[1] * q[0]);
-    else
-        return Dense<S, N, 1, O1>(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
+    if constexpr (N == 2) return S(p[0] * q[1] - p[1] * q[0]);
+    else return Dense<S, N, 1, O1>(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]);
 }
 
-template <class Unit, class Value>
-[[gnu::always_inline]] constexpr auto with_unit(const Value& value) {
+template <class Unit, class Value> [[gnu::always_inline]] constexpr auto with_unit(const Value& value) {
     return boost::units::quantity<Unit, Value>::from_value(value);
 }
 
 /// Evaluates an expression, hands a plain vector through.
 template <Expression E>
 [[gnu::always_inline]] inline const Plain<E>& plain(const E& e)
-    requires std::is_same_v<E, Plain<E>> {
+    requires std::is_same_v<E, Plain<E>>
+{
     return e;
 }
-template <Expression E>
-[[gnu::always_inline]] inline Plain<E> plain(const E& e) {
-    return e;
-}
+template <Expression E> [[gnu::always_inline]] inline Plain<E> plain(const E& e) { return e; }
 
 } // namespace detail
 
@@ -124,8 +116,7 @@ template <class U, class S, int N, int O>
     return detail::with_unit<detail::UnitProduct<U, U>>(detail::dot_of(v.value(), v.value()));
 }
 /// |v|^2 of a plain vector.
-template <detail::Expression E>
-[[gnu::always_inline]] inline auto squared_norm(const E& v) {
+template <detail::Expression E> [[gnu::always_inline]] inline auto squared_norm(const E& v) {
     const auto& p = detail::plain(v);
     return detail::dot_of(p, p);
 }
@@ -133,12 +124,12 @@ template <detail::Expression E>
 /// |v|, as sqrt(x*x + y*y + z*z): the form that compilers vectorise. Nothing is rescaled, so
 /// components beyond the square root of the largest number give infinity: see robust_norm().
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return detail::with_unit<U>(S(sqrt(detail::dot_of(v.value(), v.value()))));
 }
 /// |v| of a plain vector.
-template <detail::Expression E>
-[[gnu::always_inline]] inline auto norm(const E& v) {
+template <detail::Expression E> [[gnu::always_inline]] inline auto norm(const E& v) {
     return typename E::Scalar(sqrt(squared_norm(v)));
 }
 
@@ -172,14 +163,12 @@ template <class Unit, class Y>
 }
 
 /// True when a number is neither infinite nor NaN.
-template <detail::ScalarValue S>
-[[gnu::always_inline]] inline bool is_finite(const S& s) {
+template <detail::ScalarValue S> [[gnu::always_inline]] inline bool is_finite(const S& s) {
     using std::isfinite;
     return isfinite(s);
 }
 /// True when every component of a plain vector or matrix is finite.
-template <detail::Expression E>
-[[gnu::always_inline]] inline bool is_finite(const E& e) {
+template <detail::Expression E> [[gnu::always_inline]] inline bool is_finite(const E& e) {
     const auto& m = detail::plain(e);
     bool all = true;
     for (Eigen::Index i = 0; i < m.size(); ++i)
@@ -195,24 +184,20 @@ template <class Unit, class Value>
 namespace detail {
 
 /// The |v|^2 below which the rounding errors of the squares reach |v|.
-template <class S>
-[[gnu::always_inline]] inline constexpr S smallest_square() {
+template <class S> [[gnu::always_inline]] inline constexpr S smallest_square() {
     return std::numeric_limits<S>::min() / std::numeric_limits<S>::epsilon();
 }
 /// True where |v|^2 is neither so large nor so small that its rounding errors reach |v|.
-template <class S>
-[[gnu::always_inline]] inline bool squares_well(const S& squared) {
+template <class S> [[gnu::always_inline]] inline bool squares_well(const S& squared) {
     return squared >= smallest_square<S>() && squared <= std::numeric_limits<S>::max();
 }
 
 /// The largest component by size; 0 for a vector that has an infinite or a NaN component.
-template <class S, int N, int O>
-S largest(const Dense<S, N, 1, O>& v) {
+template <class S, int N, int O> S largest(const Dense<S, N, 1, O>& v) {
     S result(0);
     for (int i = 0; i < N; ++i) {
         const S size = abs(v.data()[i]);
-        if (!is_finite(size))
-            return S(0);
+        if (!is_finite(size)) return S(0);
         result = max(result, size);
     }
     return result;
@@ -228,8 +213,7 @@ template <class S, int N, int O>
         return true;
     }
     const S size = largest(v);
-    if (!(size > S(0)))
-        return false;
+    if (!(size > S(0))) return false;
     const auto near_one = scaled<Over>(v, size);
     result = scaled<Over>(near_one, S(sqrt(dot_of(near_one, near_one))));
     return true;
@@ -244,8 +228,7 @@ template <class U, class S, int N, int O>
 robust_norm(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     const S squared = detail::dot_of(v.value(), v.value());
     const S size = detail::squares_well(squared) ? S(0) : detail::largest(v.value());
-    if (!(size > S(0)))
-        return detail::with_unit<U>(S(sqrt(squared)));
+    if (!(size > S(0))) return detail::with_unit<U>(S(sqrt(squared)));
     const auto near_one = detail::scaled<detail::Over>(v.value(), size);
     return detail::with_unit<U>(S(size * sqrt(detail::dot_of(near_one, near_one))));
 }
@@ -269,32 +252,35 @@ template <class U, class S, int N, int O>
 direction_or(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v,
              const std::type_identity_t<detail::Dense<S, N, 1, O>>& fallback) {
     detail::Dense<S, N, 1, O> result;
-    if (!detail::unit_vector(v.value(), result))
-        return fallback;
+    if (!detail::unit_vector(v.value(), result)) return fallback;
     return result;
 }
 
 /// One component of a vector quantity.
 /// \param i 0 for x, 1 for y, 2 for z; not checked
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> component(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v, int i) {
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+component(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v, int i) {
     return detail::with_unit<U>(v.value().data()[i]);
 }
 /// The first component.
 template <class U, class S, int N, int O>
-[[gnu::always_inline]] inline boost::units::quantity<U, S> x(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+x(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 0);
 }
 /// The second component.
 template <class U, class S, int N, int O>
     requires(N > 1)
-[[gnu::always_inline]] inline boost::units::quantity<U, S> y(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+y(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 1);
 }
 /// The third component.
 template <class U, class S, int N, int O>
     requires(N > 2)
-[[gnu::always_inline]] inline boost::units::quantity<U, S> z(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
+[[gnu::always_inline]] inline boost::units::quantity<U, S>
+z(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     return component(v, 2);
 }
 

@@ -18,28 +18,26 @@ namespace detail {
 
 /// Raises the sentence for a wrong unit. The symbols are template arguments so that the compiler
 /// prints them: Boost's types alone are a page each.
-template <SymbolText Given, SymbolText Wanted>
-constexpr void refuse_unit() {
+template <SymbolText Given, SymbolText Wanted> constexpr void refuse_unit() {
     constexpr bool units_agree = Given.size == Wanted.size + 129; // false, once the symbols are known
-    static_assert(units_agree, "Ansatz units: a quantity of another unit where this parameter's unit belongs; the compiler's "
-                               "note names the unit given and the unit wanted");
+    static_assert(units_agree,
+                  "Ansatz units: a quantity of another unit where this parameter's unit belongs; the compiler's "
+                  "note names the unit given and the unit wanted");
 }
 
 /// A quantity's value in another, wider shape or scalar: float in double, two components in three.
-template <class To, class From>
-inline constexpr bool widens = std::is_arithmetic_v<To> && std::is_arithmetic_v<From>;
+template <class To, class From> inline constexpr bool widens = std::is_arithmetic_v<To> && std::is_arithmetic_v<From>;
 template <class S1, int N1, int O1, class S2, int N2, int O2>
 inline constexpr bool widens<Dense<S1, N1, 1, O1>, Dense<S2, N2, 1, O2>> =
     N2 <= N1 && N2 >= 2 && (std::is_same_v<S1, S2> || widens<S1, S2>);
 
-template <class To, class From>
-constexpr To widened(const From& from) {
-    if constexpr (std::is_arithmetic_v<To>)
-        return static_cast<To>(from);
+template <class To, class From> constexpr To widened(const From& from) {
+    if constexpr (std::is_arithmetic_v<To>) return static_cast<To>(from);
     else {
         To to;
         for (int i = 0; i < To::RowsAtCompileTime; ++i)
-            to.data()[i] = i < From::RowsAtCompileTime ? static_cast<typename To::Scalar>(from.data()[i]) : typename To::Scalar(0);
+            to.data()[i] =
+                i < From::RowsAtCompileTime ? static_cast<typename To::Scalar>(from.data()[i]) : typename To::Scalar(0);
         return to;
     }
 }
@@ -51,7 +49,9 @@ constexpr To widened(const From& from) {
 /// \tparam Unit   the unit that belongs here
 /// \tparam Value  its scalar or vector
 template <class Unit, class Value = double>
-struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
+struct Parameter
+    : Quantity<Unit, Value>
+    , detail::ParameterTag {
     using Base = Quantity<Unit, Value>; ///< the quantity that it is
 
     /// Zero.
@@ -63,7 +63,8 @@ struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
     template <class Other>
         requires(!std::is_same_v<Other, Value>)
     constexpr Parameter(const boost::units::quantity<Unit, Other>& q) : Base(make(q)) {
-        if constexpr (std::is_same_v<Unit, unit::Time>) detail::refuse_whole_numbers<boost::units::quantity<Unit, Other>>();
+        if constexpr (std::is_same_v<Unit, unit::Time>)
+            detail::refuse_whole_numbers<boost::units::quantity<Unit, Other>>();
     }
     /// A time in whole numbers: a mistake, because `1 / 60 * second` is 0 s.
     template <class Q>
@@ -74,18 +75,17 @@ struct Parameter : Quantity<Unit, Value>, detail::ParameterTag {
     /// A bare number: right where nothing has a dimension, a mistake elsewhere.
     template <class Number>
         requires(detail::Builtin<Number> || detail::Expression<Number>)
-    constexpr Parameter(const Number& number) : Base(bare(number)) {
-    }
+    constexpr Parameter(const Number& number) : Base(bare(number)) {}
     /// A quantity of another unit: a mistake.
     template <class Other, class V>
         requires(!std::is_same_v<Other, Unit>)
     constexpr Parameter(const boost::units::quantity<Other, V>&) {
-        detail::refuse_unit<detail::symbol_of<typename Other::dimension_type>, detail::symbol_of<typename Unit::dimension_type>>();
+        detail::refuse_unit<detail::symbol_of<typename Other::dimension_type>,
+                            detail::symbol_of<typename Unit::dimension_type>>();
     }
 
 private:
-    template <class Other>
-    static constexpr Base make(const boost::units::quantity<Unit, Other>& q) {
+    template <class Other> static constexpr Base make(const boost::units::quantity<Unit, Other>& q) {
         constexpr bool fits = detail::widens<Value, Other>; // by name: the compiler prints the condition
         constexpr bool wants_vector = requires { Value::RowsAtCompileTime; };
         constexpr bool gets_vector = requires { Other::RowsAtCompileTime; };
@@ -100,27 +100,23 @@ private:
         static_assert(fits || one_number_for_a_vector || a_vector_for_one_number,
                       "Ansatz units: a quantity that this parameter cannot hold, because it has more components or "
                       "another scalar; scalar_cast<double>(q) makes it one of doubles");
-        if constexpr (fits)
-            return Base::from_value(detail::widened<Value>(q.value()));
-        else
-            return Base();
+        if constexpr (fits) return Base::from_value(detail::widened<Value>(q.value()));
+        else return Base();
     }
-    template <class Number>
-    static constexpr Base bare(const Number& number) {
+    template <class Number> static constexpr Base bare(const Number& number) {
         constexpr bool needs_no_unit = detail::is_dimensionless_unit<Unit>;
-        static_assert(needs_no_unit,
-                      "Ansatz units: a bare number where a quantity belongs; multiply it with its unit, e.g. 0.5 * metre "
-                      "or 0.05 / second");
+        static_assert(
+            needs_no_unit,
+            "Ansatz units: a bare number where a quantity belongs; multiply it with its unit, e.g. 0.5 * metre "
+            "or 0.05 / second");
         if constexpr (needs_no_unit && std::is_convertible_v<Number, Value>)
             return Base::from_value(static_cast<Value>(number));
-        else
-            return Base();
+        else return Base();
     }
 };
 
 /// A vector-valued parameter, e.g. `VectorParameter<unit::Acceleration>`; given two components, the
 /// third is zero.
-template <class Unit, int Dim = 3, class Scalar = double>
-using VectorParameter = Parameter<Unit, Vector<Scalar, Dim>>;
+template <class Unit, int Dim = 3, class Scalar = double> using VectorParameter = Parameter<Unit, Vector<Scalar, Dim>>;
 
 } // namespace ansatz

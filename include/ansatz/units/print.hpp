@@ -24,14 +24,12 @@ template <class Char, class Traits, class S, int R, int C, int O>
 void print_value(std::basic_ostream<Char, Traits>& out, std::streamsize width, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
         out << (i == 0 ? "(" : ", ");
-        if constexpr (C != 1)
-            out << '(';
+        if constexpr (C != 1) out << '(';
         for (int j = 0; j < C; ++j) {
             out << (j == 0 ? "" : ", ");
             print_value(out, width, m.coeff(i, j));
         }
-        if constexpr (C != 1)
-            out << ')';
+        if constexpr (C != 1) out << ')';
     }
     out << ')';
 }
@@ -49,8 +47,7 @@ std::basic_ostream<Char, Traits>& operator<<(std::basic_ostream<Char, Traits>& o
     ansatz::detail::print_value(out, width, q.value());
     if (constexpr auto text = ansatz::symbol<Unit>(); !text.empty()) {
         out << ' ';
-        for (char c : text)
-            out << c;
+        for (char c : text) out << c;
     }
     return out;
 }

@@ -23,17 +23,14 @@ namespace ansatz {
 /// \tparam Unit   an SI unit of namespace ansatz::unit (or any unit of Boost.Units)
 /// \tparam Value  the scalar: float, double, a Boost.Multiprecision number without expression
 ///                templates; or a fixed-size Eigen matrix
-template <class Unit, class Value = double>
-using Quantity = boost::units::quantity<Unit, Value>;
+template <class Unit, class Value = double> using Quantity = boost::units::quantity<Unit, Value>;
 
 /// A plain vector without a unit; `Vector<double, 3>` is `Eigen::Vector3d`. Not zeroed by default.
-template <class Scalar, int Dim>
-using Vector = Eigen::Matrix<Scalar, Dim, 1>;
+template <class Scalar, int Dim> using Vector = Eigen::Matrix<Scalar, Dim, 1>;
 
 /// A vector with a unit, e.g. `VectorQuantity<unit::Velocity, 2, float>`. %Zero by default, like a
 /// scalar quantity and unlike Eigen's vectors.
-template <class Unit, int Dim = 3, class Scalar = double>
-using VectorQuantity = Quantity<Unit, Vector<Scalar, Dim>>;
+template <class Unit, int Dim = 3, class Scalar = double> using VectorQuantity = Quantity<Unit, Vector<Scalar, Dim>>;
 
 /// A square matrix with one unit for all its entries, e.g. a Jacobian in 1/s^2. %Zero by default.
 template <class Unit, int Dim = 3, class Scalar = double>
@@ -45,13 +42,11 @@ namespace detail {
 template <class Scalar, int Rows, int Cols, int Options>
 using Dense = Eigen::Matrix<Scalar, Rows, Cols, Options, Rows, Cols>;
 
-template <class T>
-inline constexpr bool is_matrix = false;
+template <class T> inline constexpr bool is_matrix = false;
 template <class S, int R, int C, int O, int MR, int MC>
 inline constexpr bool is_matrix<Eigen::Matrix<S, R, C, O, MR, MC>> = true;
 
-template <class Unit>
-inline constexpr bool is_dimensionless_unit = false;
+template <class Unit> inline constexpr bool is_dimensionless_unit = false;
 template <class System>
 inline constexpr bool is_dimensionless_unit<boost::units::unit<boost::units::dimensionless_type, System>> = true;
 
@@ -67,22 +62,19 @@ concept ScalarValue =
     std::is_arithmetic_v<T> || (std::is_class_v<T> && !is_matrix<T> && !requires { typename T::unit_type; });
 
 /// Always false, but only once T is known: for a static_assert in a template that must not be used.
-template <class...>
-inline constexpr bool never = false;
+template <class...> inline constexpr bool never = false;
 
 /// Raises the one sentence for arithmetic between different scalars. Called from the body of an
 /// operator, so that asking whether the expression exists does not raise it.
-template <class A, class B>
-[[gnu::always_inline]] constexpr void refuse_mixed_scalars() {
+template <class A, class B> [[gnu::always_inline]] constexpr void refuse_mixed_scalars() {
     constexpr bool builtin = std::is_arithmetic_v<A> && std::is_arithmetic_v<B>;
     constexpr bool one_builtin_scalar = !builtin || std::is_same_v<A, B>; // by name: compilers print the condition
     constexpr bool one_scalar = builtin || std::is_same_v<A, B>;
     static_assert(one_builtin_scalar,
                   "Ansatz units: float and double are mixed in one expression; convert one side with "
                   "scalar_cast<double>(q)");
-    static_assert(one_scalar,
-                  "Ansatz units: two scalar types are mixed in one expression; convert one side with "
-                  "scalar_cast<Scalar>(q)");
+    static_assert(one_scalar, "Ansatz units: two scalar types are mixed in one expression; convert one side with "
+                              "scalar_cast<Scalar>(q)");
 }
 
 /// The coefficients of two matrices combined one by one. Eigen would do the same with its
@@ -100,7 +92,8 @@ template <class Operation, class Matrix, std::size_t... I>
 
 /// Every coefficient of a matrix combined with the same number; see zip().
 template <class Operation, class Matrix, std::size_t... I>
-[[gnu::always_inline]] inline Matrix each(const Matrix& a, const typename Matrix::Scalar& s, std::index_sequence<I...>) {
+[[gnu::always_inline]] inline Matrix each(const Matrix& a, const typename Matrix::Scalar& s,
+                                          std::index_sequence<I...>) {
     Matrix result;
     const auto* pa = a.data();
     auto* pr = result.data();
@@ -108,30 +101,43 @@ template <class Operation, class Matrix, std::size_t... I>
     return result;
 }
 
-struct Plus  { template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a + b; } };
-struct Minus { template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a - b; } };
-struct Times { template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a * b; } };
-struct Negate { template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S&) { return -a; } };
-struct Over  { template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a / b; } };
+struct Plus {
+    template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a + b; }
+};
+struct Minus {
+    template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a - b; }
+};
+struct Times {
+    template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a * b; }
+};
+struct Negate {
+    template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S&) { return -a; }
+};
+struct Over {
+    template <class S> [[gnu::always_inline]] static constexpr S of(const S& a, const S& b) { return a / b; }
+};
 
-template <class M>
-using Indices = std::make_index_sequence<static_cast<std::size_t>(M::SizeAtCompileTime)>;
+template <class M> using Indices = std::make_index_sequence<static_cast<std::size_t>(M::SizeAtCompileTime)>;
 
-template <class Operation, class M>
-[[gnu::always_inline]] inline M combine(const M& a, const M& b) { return zip<Operation>(a, b, Indices<M>{}); }
+template <class Operation, class M> [[gnu::always_inline]] inline M combine(const M& a, const M& b) {
+    return zip<Operation>(a, b, Indices<M>{});
+}
 
-template <class Operation, class M>
-[[gnu::always_inline]] inline M scaled(const M& a, const typename M::Scalar& s) { return each<Operation>(a, s, Indices<M>{}); }
+template <class Operation, class M> [[gnu::always_inline]] inline M scaled(const M& a, const typename M::Scalar& s) {
+    return each<Operation>(a, s, Indices<M>{});
+}
 
-template <class M>
-[[gnu::always_inline]] inline M negated(const M& a) { return each<Negate>(a, a.data()[0], Indices<M>{}); }
+template <class M> [[gnu::always_inline]] inline M negated(const M& a) {
+    return each<Negate>(a, a.data()[0], Indices<M>{});
+}
 
 template <class M, std::size_t... I>
-[[gnu::always_inline]] inline void fill(M& m, const typename M::Scalar& s, std::index_sequence<I...>) { ((m.data()[I] = s), ...); }
+[[gnu::always_inline]] inline void fill(M& m, const typename M::Scalar& s, std::index_sequence<I...>) {
+    ((m.data()[I] = s), ...);
+}
 
 /// What a quantity with a matrix as its value stores and how it is changed in place.
-template <class Self, class Matrix>
-class MatrixStorage {
+template <class Self, class Matrix> class MatrixStorage {
 public:
     using value_type = Matrix;
     using Scalar = typename Matrix::Scalar;
@@ -175,8 +181,7 @@ protected:
     }
 
 private:
-    template <std::size_t... I>
-    [[gnu::always_inline]] void assign(const Matrix& other, std::index_sequence<I...>) {
+    template <std::size_t... I> [[gnu::always_inline]] void assign(const Matrix& other, std::index_sequence<I...>) {
         ((value_.data()[I] = other.data()[I]), ...);
     }
     [[gnu::always_inline]] Self& self() { return static_cast<Self&>(*this); }
@@ -215,9 +220,8 @@ private:
 /// The same without a dimension: converts from and to the plain matrix, as Boost's scalars do.
 template <class System, class S, int R, int C, int O>
 class quantity<BOOST_UNITS_DIMENSIONLESS_UNIT(System), Eigen::Matrix<S, R, C, O, R, C>>
-    : public ansatz::detail::MatrixStorage<
-          quantity<unit<dimensionless_type, System>, Eigen::Matrix<S, R, C, O, R, C>>,
-          Eigen::Matrix<S, R, C, O, R, C>> {
+    : public ansatz::detail::MatrixStorage<quantity<unit<dimensionless_type, System>, Eigen::Matrix<S, R, C, O, R, C>>,
+                                           Eigen::Matrix<S, R, C, O, R, C>> {
     using Storage = ansatz::detail::MatrixStorage<quantity, Eigen::Matrix<S, R, C, O, R, C>>;
 
 public:
@@ -240,17 +244,14 @@ public:
 namespace ansatz {
 
 /// %Zero of a quantity type: `zero<VectorQuantity<unit::Length>>()`.
-template <class Q>
-[[gnu::always_inline]] constexpr Q zero() { return Q(); }
+template <class Q> [[gnu::always_inline]] constexpr Q zero() { return Q(); }
 
 namespace detail {
 
-template <class T, class Value>
-struct ScalarCast {
+template <class T, class Value> struct ScalarCast {
     [[gnu::always_inline]] static constexpr T of(const Value& v) { return static_cast<T>(v); }
 };
-template <class T, class S, int R, int C, int O>
-struct ScalarCast<T, Dense<S, R, C, O>> {
+template <class T, class S, int R, int C, int O> struct ScalarCast<T, Dense<S, R, C, O>> {
     using Result = Dense<T, R, C, O>;
     template <std::size_t... I>
     [[gnu::always_inline]] static Result copy(const Dense<S, R, C, O>& m, std::index_sequence<I...>) {

@@ -24,10 +24,10 @@ struct Exponents {
     long denominator[count]{1, 1, 1, 1, 1, 1, 1, 1, 1};
 };
 
-inline constexpr std::array<std::string_view, Exponents::count> base_symbols{"kg", "m", "s", "A", "K", "mol", "cd", "rad", "sr"};
+inline constexpr std::array<std::string_view, Exponents::count> base_symbols{"kg",  "m",  "s",   "A", "K",
+                                                                             "mol", "cd", "rad", "sr"};
 
-template <class Base>
-inline constexpr int base_index = -1;
+template <class Base> inline constexpr int base_index = -1;
 template <> inline constexpr int base_index<boost::units::mass_base_dimension> = 0;
 template <> inline constexpr int base_index<boost::units::length_base_dimension> = 1;
 template <> inline constexpr int base_index<boost::units::time_base_dimension> = 2;
@@ -38,10 +38,8 @@ template <> inline constexpr int base_index<boost::units::luminous_intensity_bas
 template <> inline constexpr int base_index<boost::units::plane_angle_base_dimension> = 7;
 template <> inline constexpr int base_index<boost::units::solid_angle_base_dimension> = 8;
 
-template <class Dimension>
-struct ExponentsOf;
-template <>
-struct ExponentsOf<boost::units::dimensionless_type> {
+template <class Dimension> struct ExponentsOf;
+template <> struct ExponentsOf<boost::units::dimensionless_type> {
     static constexpr void add(Exponents&) {}
 };
 template <class Base, long N, long D, class Rest>
@@ -60,12 +58,10 @@ struct SymbolText {
     std::size_t size = 0;
 
     constexpr void add(std::string_view s) {
-        for (char c : s)
-            text[size++] = c;
+        for (char c : s) text[size++] = c;
     }
     constexpr void add(long n) {
-        if (n >= 10)
-            add(n / 10);
+        if (n >= 10) add(n / 10);
         text[size++] = static_cast<char>('0' + n % 10);
     }
     /// One base unit with a positive exponent n/d.
@@ -91,15 +87,13 @@ constexpr std::string_view named_symbol(const Exponents& e) {
         int mass, length, time;
     };
     constexpr Named names[] = {
-        {"N", 1, 1, -2},  {"J", 1, 2, -2},   {"W", 1, 2, -3},     {"Pa", 1, -1, -2},
+        {"N", 1, 1, -2},   {"J", 1, 2, -2},   {"W", 1, 2, -3},     {"Pa", 1, -1, -2},
         {"N/m", 1, 0, -2}, {"m/N", -1, 0, 2}, {"Pa s", 1, -1, -1},
     };
     for (int i = 0; i < Exponents::count; ++i)
-        if (e.denominator[i] != 1 || (i > 2 && e.numerator[i] != 0))
-            return {};
+        if (e.denominator[i] != 1 || (i > 2 && e.numerator[i] != 0)) return {};
     for (const Named& n : names)
-        if (e.numerator[0] == n.mass && e.numerator[1] == n.length && e.numerator[2] == n.time)
-            return n.symbol;
+        if (e.numerator[0] == n.mass && e.numerator[1] == n.length && e.numerator[2] == n.time) return n.symbol;
     return {};
 }
 
@@ -122,8 +116,7 @@ constexpr SymbolText symbol_text(const Exponents& e) {
             result.add(base_symbols[static_cast<std::size_t>(i)], e.numerator[i], e.denominator[i]);
             first = false;
         }
-    if (below == 0)
-        return result;
+    if (below == 0) return result;
     result.add(above == 0 ? "1/" : "/");
     result.add(below > 1 ? "(" : "");
     first = true;
@@ -137,15 +130,13 @@ constexpr SymbolText symbol_text(const Exponents& e) {
     return result;
 }
 
-template <class Dimension>
-constexpr SymbolText make_symbol() {
+template <class Dimension> constexpr SymbolText make_symbol() {
     Exponents e;
     ExponentsOf<Dimension>::add(e);
     return symbol_text(e);
 }
 
-template <class Dimension>
-inline constexpr SymbolText symbol_of = make_symbol<Dimension>();
+template <class Dimension> inline constexpr SymbolText symbol_of = make_symbol<Dimension>();
 
 } // namespace detail
 
@@ -156,9 +147,6 @@ constexpr std::string_view symbol(const boost::units::unit<Dimension, boost::uni
     return {detail::symbol_of<Dimension>.text, detail::symbol_of<Dimension>.size};
 }
 /// The symbol of a unit type: `symbol<unit::Velocity>()`.
-template <class Unit>
-constexpr std::string_view symbol() {
-    return symbol(Unit{});
-}
+template <class Unit> constexpr std::string_view symbol() { return symbol(Unit{}); }
 
 } // namespace ansatz

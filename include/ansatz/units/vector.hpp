@@ -15,12 +15,10 @@ namespace ansatz {
 namespace detail {
 
 /// double for built-in numbers, else the one class scalar among them.
-template <class... Xs>
-struct Components {
+template <class... Xs> struct Components {
     using type = double;
 };
-template <class X, class... Xs>
-struct Components<X, Xs...> {
+template <class X, class... Xs> struct Components<X, Xs...> {
     using type = typename Components<Xs...>::type;
 };
 template <class X, class... Xs>
@@ -29,8 +27,7 @@ struct Components<X, Xs...> {
     using type = X;
 };
 
-template <class Unit, class... Xs>
-[[gnu::always_inline]] inline auto make_vector(const Xs&... xs) {
+template <class Unit, class... Xs> [[gnu::always_inline]] inline auto make_vector(const Xs&... xs) {
     static_assert(sizeof...(Xs) == 2 || sizeof...(Xs) == 3, "Ansatz units: a vector has 2 or 3 components");
     using Scalar = typename Components<Xs...>::type;
     return VectorQuantity<Unit, static_cast<int>(sizeof...(Xs)), Scalar>::from_value(
@@ -50,16 +47,16 @@ template <class Dimension, class System, class... Xs>
 /// A vector quantity from two components of one unit and scalar.
 template <class Unit, class S>
     requires detail::ScalarValue<S>
-[[gnu::always_inline]] inline VectorQuantity<Unit, 2, S> vector_of(const boost::units::quantity<Unit, S>& x,
-                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& y) {
+[[gnu::always_inline]] inline VectorQuantity<Unit, 2, S>
+vector_of(const boost::units::quantity<Unit, S>& x, const std::type_identity_t<boost::units::quantity<Unit, S>>& y) {
     return VectorQuantity<Unit, 2, S>::from_value(Vector<S, 2>(x.value(), y.value()));
 }
 /// A vector quantity from three components of one unit and scalar.
 template <class Unit, class S>
     requires detail::ScalarValue<S>
-[[gnu::always_inline]] inline VectorQuantity<Unit, 3, S> vector_of(const boost::units::quantity<Unit, S>& x,
-                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& y,
-                                                                   const std::type_identity_t<boost::units::quantity<Unit, S>>& z) {
+[[gnu::always_inline]] inline VectorQuantity<Unit, 3, S>
+vector_of(const boost::units::quantity<Unit, S>& x, const std::type_identity_t<boost::units::quantity<Unit, S>>& y,
+          const std::type_identity_t<boost::units::quantity<Unit, S>>& z) {
     return VectorQuantity<Unit, 3, S>::from_value(Vector<S, 3>(x.value(), y.value(), z.value()));
 }
 
@@ -70,11 +67,15 @@ template <class Unit, class S>
 /// A vector quantity of two or three components, in the unit of its name.
 template <class... Xs> auto metres(const Xs&... xs) { return detail::make_vector<unit::Length>(xs...); }
 template <class... Xs> auto metres_per_second(const Xs&... xs) { return detail::make_vector<unit::Velocity>(xs...); }
-template <class... Xs> auto metres_per_second_squared(const Xs&... xs) { return detail::make_vector<unit::Acceleration>(xs...); }
+template <class... Xs> auto metres_per_second_squared(const Xs&... xs) {
+    return detail::make_vector<unit::Acceleration>(xs...);
+}
 template <class... Xs> auto newtons(const Xs&... xs) { return detail::make_vector<unit::Force>(xs...); }
 template <class... Xs> auto newton_metres(const Xs&... xs) { return detail::make_vector<unit::Torque>(xs...); }
 template <class... Xs> auto newton_seconds(const Xs&... xs) { return detail::make_vector<unit::Impulse>(xs...); }
-template <class... Xs> auto kilogram_metres_per_second(const Xs&... xs) { return detail::make_vector<unit::Momentum>(xs...); }
+template <class... Xs> auto kilogram_metres_per_second(const Xs&... xs) {
+    return detail::make_vector<unit::Momentum>(xs...);
+}
 template <class... Xs> auto radians_per_second(const Xs&... xs) { return detail::make_vector<unit::Frequency>(xs...); }
 ///@}
 

@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// `Zero<Q>`: a vector quantity that is zero and known to be so when compiling, e.g. the acceleration of a body on which
-/// nothing acts. A compiler may not leave out `v + 0.0` by itself, because it turns -0 into 0; with this type
-/// `v += a * dt` is no instruction and the lane of v is not stored. It is a Q in every other respect, so that a formula
+/// `Zero<Q>`: a vector quantity that is zero and known to be so when compiling, e.g. the acceleration of a body on
+/// which nothing acts. A compiler may not leave out `v + 0.0` by itself, because it turns -0 into 0; with this type `v
+/// += a * dt` is no instruction and the lane of v is not stored. It is a Q in every other respect, so that a formula
 /// need not know of it. Do not use it for a value that merely happens to be zero: that is zero<Q>().
 
 #include <ansatz/units/arithmetic.hpp>

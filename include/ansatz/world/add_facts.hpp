@@ -20,8 +20,11 @@ template <class C, class Q> inline constexpr bool is_given<Given<C, Q>> = true;
 template <class Q> inline constexpr bool is_given<GivenMass<Q>> = true;
 template <class T> inline constexpr bool is_given_datum = false;
 template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
-template <class T> inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
-template <class T> inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T> || ShapeDescription<T> || std::same_as<T, Sensor>;
+template <class T>
+inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
+template <class T>
+inline constexpr bool is_property =
+    is_given<T> || is_given_datum<T> || is_kind<T> || ShapeDescription<T> || std::same_as<T, Sensor>;
 
 template <class C, class T> inline constexpr bool gives = false;
 template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
@@ -29,8 +32,7 @@ template <class Q> inline constexpr bool gives<InverseMass, GivenMass<Q>> = true
 
 /// The datum among the properties, or a new one.
 template <class DatumT, class... Property> auto given_datum([[maybe_unused]] const Property&... property) {
-    if constexpr (std::is_void_v<DatumT>)
-        return Absent{};
+    if constexpr (std::is_void_v<DatumT>) return Absent{};
     else {
         DatumT datum{};
         [[maybe_unused]] auto take = [&](const auto& given) {
@@ -43,19 +45,17 @@ template <class DatumT, class... Property> auto given_datum([[maybe_unused]] con
 
 /// The shape among the properties.
 inline Absent given_shape() { return {}; }
-template <class First, class... Rest> auto given_shape([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
-    if constexpr (ShapeDescription<First>)
-        return first;
-    else
-        return given_shape(rest...);
+template <class First, class... Rest>
+auto given_shape([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
+    if constexpr (ShapeDescription<First>) return first;
+    else return given_shape(rest...);
 }
 /// The same in the scalar of the space; refused where its numbers are not acceptable.
 template <class S, class T> auto shape_in([[maybe_unused]] const T& description) {
     if constexpr (ShapeDescription<T>) {
         check_in<S>(description);
         return typename T::template In<S>(description);
-    } else
-        return Absent{};
+    } else return Absent{};
 }
 
 template <class C, class T> inline constexpr bool gives_column = false;
@@ -79,20 +79,23 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool mass_by_name = !(gives_column<InverseMass, Property> || ...);
     static constexpr bool no_history = !(gives_column<PreviousPosition, Property> || ...);
     static constexpr bool own_columns =
-        !((gives_column<RestTime, Property> || gives_column<DrawnPosition, Property> || gives_column<AppliedForce, Property> ||
-           gives_column<CoupledForce, Property>) || ...);
+        !((gives_column<RestTime, Property> || gives_column<DrawnPosition, Property> ||
+           gives_column<AppliedForce, Property> || gives_column<CoupledForce, Property>) ||
+          ...);
     static constexpr bool is_fixed = (std::same_as<Property, Fixed> || ...);
     static constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
     static constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
     static constexpr bool immovable = is_fixed || is_moving;
     static constexpr bool shape_once = (0 + ... + int(ShapeDescription<Property>)) <= 1;
-    static constexpr bool shape_wanted = C::collides || !((ShapeDescription<Property> || std::same_as<Property, Sensor>) || ...);
+    static constexpr bool shape_wanted =
+        C::collides || !((ShapeDescription<Property> || std::same_as<Property, Sensor>) || ...);
     template <class T> static constexpr bool is_known() {
         if constexpr (ShapeDescription<T> && C::collides) return C::Narrowphase::template knows<T>;
         return true;
     }
     static constexpr bool shape_known = (is_known<Property>() && ...);
-    static constexpr bool sensor_has_shape = !(std::same_as<Property, Sensor> || ...) || (ShapeDescription<Property> || ...);
+    static constexpr bool sensor_has_shape =
+        !(std::same_as<Property, Sensor> || ...) || (ShapeDescription<Property> || ...);
     static constexpr bool mass_wanted = given<InverseMass> == 0 || C::has_mass;
     static constexpr bool mass_there = given<InverseMass> == 1 || !C::has_mass || immovable;
     static constexpr bool infinite_mass = given<InverseMass> == 0 || !immovable;
@@ -101,32 +104,48 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool can_rest = C::rests || !is_resting;
     static constexpr bool datum_kept = !std::is_void_v<DatumT> || !(is_given_datum<Property> || ...);
     static constexpr bool datum_fits = (fits_datum<DatumT, Property> && ...);
-    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns && mass_wanted && mass_there && infinite_mass &&
-                               fixed_stands && resting_stands && can_rest && shape_once && shape_wanted && shape_known && sensor_has_shape && datum_kept && datum_fits;
+    static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns &&
+                               mass_wanted && mass_there && infinite_mass && fixed_stands && resting_stands &&
+                               can_rest && shape_once && shape_wanted && shape_known && sensor_has_shape &&
+                               datum_kept && datum_fits;
 };
 template <class Facts> struct CheckAdd {
     static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
                                      "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
     static_assert(Facts::one_kind, "Ansatz: add: a body is one of fixed, moving or resting");
     static_assert(Facts::once, "Ansatz: add: a property is given twice");
-    static_assert(Facts::mass_by_name, "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
-    static_assert(Facts::no_history, "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
-    static_assert(Facts::own_columns, "Ansatz: add: the world itself writes this column; a force from outside is given by apply_force");
-    static_assert(Facts::mass_wanted, "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
-                                      "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
-    static_assert(Facts::mass_there || !Facts::mass_by_name,
-                  "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
+    static_assert(
+        Facts::mass_by_name,
+        "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
+    static_assert(Facts::no_history,
+                  "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
+    static_assert(Facts::own_columns,
+                  "Ansatz: add: the world itself writes this column; a force from outside is given by apply_force");
+    static_assert(
+        Facts::mass_wanted,
+        "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
+        "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
+    static_assert(
+        Facts::mass_there || !Facts::mass_by_name,
+        "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
     static_assert(Facts::infinite_mass, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
-    static_assert(Facts::fixed_stands, "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
+    static_assert(Facts::fixed_stands,
+                  "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
     static_assert(Facts::resting_stands, "Ansatz: add: a resting body has no velocity");
     static_assert(Facts::can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
     static_assert(Facts::shape_once, "Ansatz: add: a body has one shape; add several bodies for several shapes");
-    static_assert(Facts::shape_wanted, "Ansatz: add: bodies of this world do not collide, so it takes no shape; add a broadphase, a narrowphase and a "
-                                       "response to its policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
-    static_assert(Facts::shape_known, "Ansatz: add: a shape that this world's narrowphase does not know; name it there, e.g. Narrowphase<Sphere, Plane, Box>{}");
-    static_assert(Facts::sensor_has_shape || !Facts::shape_wanted, "Ansatz: add: a sensor without a shape notices nobody; give it one, e.g. add(Sphere{2.0 * metre}, sensor, fixed)");
+    static_assert(
+        Facts::shape_wanted,
+        "Ansatz: add: bodies of this world do not collide, so it takes no shape; add a broadphase, a narrowphase and a "
+        "response to its policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
+    static_assert(Facts::shape_known, "Ansatz: add: a shape that this world's narrowphase does not know; name it "
+                                      "there, e.g. Narrowphase<Sphere, Plane, Box>{}");
+    static_assert(Facts::sensor_has_shape || !Facts::shape_wanted,
+                  "Ansatz: add: a sensor without a shape notices nobody; give it one, e.g. add(Sphere{2.0 * metre}, "
+                  "sensor, fixed)");
     static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
-    static_assert(Facts::datum_fits, "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
+    static_assert(Facts::datum_fits,
+                  "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
 };
 
 } // namespace ansatz::detail

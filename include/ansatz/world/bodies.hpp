@@ -24,7 +24,7 @@ namespace ansatz {
 /// Names a body, in the world that made it and in every copy of that world.
 struct Handle {
     std::uint32_t id = 0xffffffffu; ///< counts up with each body; given again only with another generation
-    std::uint32_t generation = 0; ///< how often the id was given before
+    std::uint32_t generation = 0;   ///< how often the id was given before
     friend bool operator==(const Handle&, const Handle&) = default; ///< whether they name one body
 };
 
@@ -44,16 +44,25 @@ inline const char* name_of(Motion m) {
 
 namespace detail {
 /// A handle that names nothing any more, or never did; of a body, or of a number of another kind.
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std::size_t given_out,
-                                                                 const char* where) {
+[[noreturn, gnu::cold, gnu::noinline]] inline void
+refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std::size_t given_out, const char* where) {
     std::string sentence(where);
     if (id == Handle{}.id && generation == Handle{}.generation)
         sentence.append(": the handle is empty; use one that World::add returned");
     else if (id < given_out) {
-        sentence.append(": the handle is stale: ").append(what).append(" ").append(describe(id)).append(" of generation ").append(describe(generation));
+        sentence.append(": the handle is stale: ")
+            .append(what)
+            .append(" ")
+            .append(describe(id))
+            .append(" of generation ")
+            .append(describe(generation));
         sentence.append(" was removed; ask contains(handle) first");
     } else {
-        sentence.append(": the handle names ").append(what).append(" ").append(describe(id)).append(", but this world has given out only ");
+        sentence.append(": the handle names ")
+            .append(what)
+            .append(" ")
+            .append(describe(id))
+            .append(", but this world has given out only ");
         sentence.append(describe(given_out)).append("; use a handle of this world or of the one it was copied from");
     }
     refuse(Refusal::out_of_range, sentence);
@@ -63,7 +72,8 @@ namespace detail {
 /// The directory of a world's bodies. Slots are positions in the lanes; the owner of the lanes is told of every swap.
 class Bodies {
 public:
-    using Slot = std::uint32_t; ///< a body's place in the lanes; it changes when other bodies are removed, sleep or wake
+    using Slot =
+        std::uint32_t; ///< a body's place in the lanes; it changes when other bodies are removed, sleep or wake
 
     /// All bodies.
     std::size_t size() const { return id_at_.size(); }
@@ -75,7 +85,9 @@ public:
     std::size_t count(Motion m) const { return end(m) - begin(m); }
 
     /// Whether the handle names a body that is still there.
-    bool contains(Handle h) const { return h.id < slot_of_.size() && generation_[h.id] == h.generation && slot_of_[h.id] != none; }
+    bool contains(Handle h) const {
+        return h.id < slot_of_.size() && generation_[h.id] == h.generation && slot_of_[h.id] != none;
+    }
 
     /// \throws std::out_of_range for a handle whose body was removed, or that no body ever had
     Slot slot(Handle h, const char* where) const {
@@ -133,7 +145,8 @@ public:
         }
     }
 
-    /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs. With room for it, it cannot fail.
+    /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs. With room for it, it cannot
+    /// fail.
     Handle push_back() {
         std::uint32_t id;
         if (free_.empty()) {
@@ -181,7 +194,8 @@ public:
     friend bool operator==(const Bodies& a, const Bodies& b) {
         if (a.ids() != b.ids() || a.free_ != b.free_ || a.generation_ != b.generation_) return false;
         for (std::uint32_t id = 0; id < a.ids(); ++id)
-            if (a.alive(id) != b.alive(id) || (a.alive(id) && a.motion(a.slot_of_[id]) != b.motion(b.slot_of_[id]))) return false;
+            if (a.alive(id) != b.alive(id) || (a.alive(id) && a.motion(a.slot_of_[id]) != b.motion(b.slot_of_[id])))
+                return false;
         return true;
     }
 

@@ -12,50 +12,60 @@ namespace ansatz {
 
 namespace detail {
 
-// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function that
-// is called last of all, and whatever follows from the mistake would be read before the sentence.
+// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function
+// that is called last of all, and whatever follows from the mistake would be read before the sentence.
 
-template <class Unit, class Q> inline constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
-template <class Unit, class Q> inline constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
-template <class Q> constexpr int dimension_of = [] {
+template <class Unit, class Q>
+inline constexpr bool fits_vector = has_unit<Unit, stripped<Q>> && vector_valued<stripped<Q>>;
+template <class Unit, class Q>
+inline constexpr bool fits_scalar = has_unit<Unit, stripped<Q>> && !vector_valued<stripped<Q>>;
+template <class Q>
+constexpr int dimension_of = [] {
     if constexpr (vector_valued<stripped<Q>>) return int(stripped<Q>::value_type::RowsAtCompileTime);
     return 1;
 }();
 
 /// A vector from outside, in the world's scalar.
 template <class S, class Unit, class Q>
-typename S::template VectorOf<Unit> finite_vector([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
+typename S::template VectorOf<Unit> finite_vector([[maybe_unused]] std::string_view where,
+                                                  [[maybe_unused]] std::string_view what, const Q& q) {
     constexpr bool fits = fits_vector<Unit, Q>;
-    static_assert(fits, "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
-                        "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
+    static_assert(
+        fits, "Ansatz: a vector quantity of another kind belongs here; e.g. a position is metres(0, 10, 0), a velocity "
+              "metres_per_second(1, 0, 0), an impulse newton_seconds(0, 5, 0), a force newtons(0, 5, 0)");
     constexpr bool same_dimension = !fits || dimension_of<Q> == S::dimension;
-    static_assert(same_dimension, "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes "
-                                  "metres(x, y), one of three dimensions metres(x, y, z)");
+    static_assert(same_dimension,
+                  "Ansatz: a vector has another dimension than its world; a world of Space<Scalar, 2> takes "
+                  "metres(x, y), one of three dimensions metres(x, y, z)");
     typename S::template VectorOf<Unit> result;
     if constexpr (fits && same_dimension) {
         result = scalar_cast<typename S::Scalar>(q);
-        if (!is_finite(result)) refuse_value(where, what, describe(q), "every component is a finite number that the world's scalar can hold");
+        if (!is_finite(result))
+            refuse_value(where, what, describe(q),
+                         "every component is a finite number that the world's scalar can hold");
     }
     return result;
 }
 
 /// A scalar from outside, in the world's scalar.
 template <class S, class Unit, class Q>
-typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_view where, [[maybe_unused]] std::string_view what, const Q& q) {
+typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_view where,
+                                                  [[maybe_unused]] std::string_view what, const Q& q) {
     constexpr bool fits = fits_scalar<Unit, Q>;
-    static_assert(fits, "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, e.g. 1.0 / 60 * second");
+    static_assert(fits, "Ansatz: a scalar quantity of another unit belongs here; multiply the number with its unit, "
+                        "e.g. 1.0 / 60 * second");
     typename S::template ScalarOf<Unit> result{};
     if constexpr (fits) {
         result = scalar_cast<typename S::Scalar>(q);
-        if (!is_finite(result)) refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
+        if (!is_finite(result))
+            refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
     }
     return result;
 }
 
 /// A value from outside for a column, in the world's scalar and within the column's bounds.
 template <class S, class C, class Q> value_of<C, S> value_for(std::string_view where, const Q& q) {
-    if constexpr (C::shape == Shape::vector)
-        return finite_vector<S, typename C::Unit>(where, C::name, q);
+    if constexpr (C::shape == Shape::vector) return finite_vector<S, typename C::Unit>(where, C::name, q);
     else {
         const auto value = finite_scalar<S, typename C::Unit>(where, C::name, q);
         if (!in_range<C>(value.value())) refuse_value(where, C::name, describe(q), "it is " + range_of<C>());
@@ -69,8 +79,9 @@ template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_
     const auto given = scalar_cast<Scalar>(m);
     const auto inverse = Scalar(1) / given;
     if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
-        refuse_value(where, "mass", describe(m),
-                     "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
+        refuse_value(
+            where, "mass", describe(m),
+            "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
     return inverse;
 }
 

@@ -2,12 +2,12 @@
 #pragma once
 
 /// \file
-/// What the numbers of a column may be, beside finite: a column that says so is held to it by every door of a world (`add`,
-/// `write`, `load`).
+/// What the numbers of a column may be, beside finite: a column that says so is held to it by every door of a world
+/// (`add`, `write`, `load`).
 ///
 /// A column names the bounds of its numbers, in its own unit, by `static constexpr double least` and `most`, and by
-/// `static constexpr bool whole = true;` that they are whole ones. `Restitution` has 0 and 1. Zero, which a body is given that is
-/// told nothing, should be within them.
+/// `static constexpr bool whole = true;` that they are whole ones. `Restitution` has 0 and 1. Zero, which a body is
+/// given that is told nothing, should be within them.
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/columns.hpp>
@@ -35,12 +35,9 @@ template <class C, class Scalar> bool in_range([[maybe_unused]] const Scalar& x)
 template <class C> std::string range_of() {
     const auto bound = [](double value) { return describe(Quantity<typename C::Unit>::from_value(value)); };
     std::string words = is_whole<C> ? "a whole number" : "a number";
-    if constexpr (has_least<C> && has_most<C>)
-        words += " from " + bound(C::least) + " to " + bound(C::most);
-    else if constexpr (has_least<C>)
-        words += ", finite and at least " + bound(C::least);
-    else if constexpr (has_most<C>)
-        words += ", finite and at most " + bound(C::most);
+    if constexpr (has_least<C> && has_most<C>) words += " from " + bound(C::least) + " to " + bound(C::most);
+    else if constexpr (has_least<C>) words += ", finite and at least " + bound(C::least);
+    else if constexpr (has_most<C>) words += ", finite and at most " + bound(C::most);
     return words;
 }
 

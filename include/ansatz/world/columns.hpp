@@ -84,8 +84,9 @@ template <class UnitT, int Number = 0> struct ScratchVector {
 struct Clock {};
 /// @}
 
-/// A column: its unit, shape and name. It may also name the bounds of its numbers (column_range.hpp), and the policies that ask
-/// for it: `template <bool Stored> struct Needs` with an assertion, for worlds without one (`Restitution` has it).
+/// A column: its unit, shape and name. It may also name the bounds of its numbers (column_range.hpp), and the policies
+/// that ask for it: `template <bool Stored> struct Needs` with an assertion, for worlds without one (`Restitution` has
+/// it).
 template <class C>
 concept Column = requires {
     typename C::Unit;
@@ -102,12 +103,13 @@ template <class... C> struct Columns {
 namespace detail {
 
 template <class T> inline constexpr bool is_columns = false;
-template <class... C> inline constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>) && ...);
+template <class... C> inline constexpr bool is_columns<Columns<C...>> = ((Column<C> || std::same_as<C, Clock>)&&...);
 
 /// Where a type stands in a list of types.
 template <class T, class List> inline constexpr std::size_t place_of = 0;
 template <class T, template <class...> class List, class First, class... Rest>
-inline constexpr std::size_t place_of<T, List<First, Rest...>> = std::same_as<T, First> ? 0 : 1 + place_of<T, List<Rest...>>;
+inline constexpr std::size_t place_of<T, List<First, Rest...>> =
+    std::same_as<T, First> ? 0 : 1 + place_of<T, List<Rest...>>;
 
 template <class C, class List> inline constexpr bool contains = false;
 template <class C, class... In> inline constexpr bool contains<C, Columns<In...>> = (std::same_as<C, In> || ...);
@@ -168,8 +170,8 @@ template <class P> using writes_of = typename detail::Writes<P>::type;
 
 /// A column's value in a space: a scalar or a vector quantity.
 template <class C, class S>
-using value_of =
-    std::conditional_t<C::shape == Shape::vector, typename S::template VectorOf<typename C::Unit>, typename S::template ScalarOf<typename C::Unit>>;
+using value_of = std::conditional_t<C::shape == Shape::vector, typename S::template VectorOf<typename C::Unit>,
+                                    typename S::template ScalarOf<typename C::Unit>>;
 
 /// How many lanes (arrays of raw scalars) a column takes in a space of `Dim` dimensions.
 template <class C> constexpr std::size_t lanes_of(int dimension) {

@@ -2,12 +2,13 @@
 #pragma once
 
 /// \file
-/// What contacts do within a step: they are found, wake who sleeps, and are answered by the world's responses (notes 2.2).
+/// What contacts do within a step: they are found, wake who sleeps, and are answered by the world's responses
+/// (notes 2.2).
 ///
-/// A response answers one contact at a time, in the order of the bodies' ids: it is given where and how the two intersect and
-/// the columns of both that it declared, and changes the ones that it writes. Here its answer is brought to the bodies: a
-/// velocity through the integrator, which owns what velocity means, and a new place with the history that belongs to it. What
-/// rests or is fixed has no inverse mass here.
+/// A response answers one contact at a time, in the order of the bodies' ids: it is given where and how the two
+/// intersect and the columns of both that it declared, and changes the ones that it writes. Here its answer is brought
+/// to the bodies: a velocity through the integrator, which owns what velocity means, and a new place with the history
+/// that belongs to it. What rests or is fixed has no inverse mass here.
 
 #include <ansatz/world/data.hpp>
 
@@ -19,8 +20,8 @@
 namespace ansatz {
 
 namespace detail {
-/// By how much of a step the velocity that an integrator keeps is ahead of the position: under constant acceleration the
-/// velocity at the position's time is v + leads a dt, and the motion from one to the other is exact.
+/// By how much of a step the velocity that an integrator keeps is ahead of the position: under constant acceleration
+/// the velocity at the position's time is v + leads a dt, and the motion from one to the other is exact.
 template <class I> constexpr double velocity_leads() {
     if constexpr (requires { I::velocity_leads; }) return I::velocity_leads;
     return 0;
@@ -30,10 +31,10 @@ template <class I> constexpr double velocity_leads() {
 /// What a response may ask beside the contact and the bodies.
 /// \tparam Pull a function
 template <class S, class Pull> struct ContactContext {
-    typename S::Time dt;         ///< of the step that brought them together, s
-    typename S::Scalar leads;    ///< the velocity at the time of the position is v + leads a dt
-    bool parted;                 ///< whether a response of this world will move them apart
-    const Pull& pull;            ///< `pull()`: N . (a_a - a_b), what pulls them apart, m/s^2; negative towards each other
+    typename S::Time dt;      ///< of the step that brought them together, s
+    typename S::Scalar leads; ///< the velocity at the time of the position is v + leads a dt
+    bool parted;              ///< whether a response of this world will move them apart
+    const Pull& pull;         ///< `pull()`: N . (a_a - a_b), what pulls them apart, m/s^2; negative towards each other
 };
 
 /// The contacts of one step.
@@ -42,7 +43,7 @@ template <class C, class Policies, class Acceleration> class ContactStep {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Data = WorldData<C>; ///< what it works on
+    using Data = WorldData<C>;        ///< what it works on
     using Slot = typename Data::Slot; ///< a body's place in the lanes
 
     /// Of a step of this length.
@@ -57,9 +58,12 @@ public:
             more = false;
             for (const auto& contact : data_.collisions.contacts) {
                 if (!data_.collisions.lasts(data_.bodies, contact)) continue;
-                for (const auto& [one, other] : {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
+                for (const auto& [one, other] :
+                     {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
                     const auto sleeper = data_.bodies.slot_of_id(one.id);
-                    if (data_.bodies.motion(sleeper) != Motion::resting || !disturbs(data_.bodies.slot_of_id(other.id), first && contact.begins())) continue;
+                    if (data_.bodies.motion(sleeper) != Motion::resting ||
+                        !disturbs(data_.bodies.slot_of_id(other.id), first && contact.begins()))
+                        continue;
                     if (data_.collisions.is_sensor(one.id) || data_.collisions.is_sensor(other.id)) continue;
                     wake(sleeper);
                     more = true;
@@ -72,7 +76,8 @@ public:
     /// Whether a body wakes one that rests in contact with it, or hangs together with it.
     bool disturbs(Slot slot, bool begins) const {
         const auto motion = data_.bodies.motion(slot);
-        if (motion == Motion::moving) return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
+        if (motion == Motion::moving)
+            return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
         return motion == Motion::awake && (begins || data_.lanes.template get<RestTime>(slot) == typename S::Time());
     }
 
@@ -82,11 +87,14 @@ public:
         if constexpr (detail::answers_as_one<R>) return respond_as_one<R>(response);
         for (int sweep = 0, sweeps = sweeps_of(response); sweep < sweeps; ++sweep)
             for (const auto& contact : data_.collisions.contacts)
-                if (!data_.collisions.is_sensor(contact.first.id) && !data_.collisions.is_sensor(contact.second.id)) answer<R>(response, contact);
+                if (!data_.collisions.is_sensor(contact.first.id) && !data_.collisions.is_sensor(contact.second.id))
+                    answer<R>(response, contact);
     }
 
     /// Puts a body somewhere, with its history.
-    void place(Slot slot, const typename S::Position& to) { displace(slot, to - data_.lanes.template get<Position>(slot)); }
+    void place(Slot slot, const typename S::Position& to) {
+        displace(slot, to - data_.lanes.template get<Position>(slot));
+    }
 
 private:
     /// What a response sees of a body.
@@ -107,15 +115,19 @@ private:
             const auto ids = [](const auto& c) { return std::pair(c.first.id, c.second.id); };
             for (const auto& contact : data_.collisions.near().all) {
                 while (found != data_.collisions.contacts.cend() && ids(*found) < ids(contact)) ++found;
-                if (found == data_.collisions.contacts.cend() || ids(*found) != ids(contact)) add<R, false>(response, contact);
+                if (found == data_.collisions.contacts.cend() || ids(*found) != ids(contact))
+                    add<R, false>(response, contact);
             }
         }
         if (pushes.pushes.empty()) return;
         pushes.arrange();
-        response.answer(pushes, dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, [&](const auto& push) {
-            const auto of = [&](std::uint32_t n) { return pull_at(pushes.bodies[n].slot, pushes.bodies[n].weight > Scalar(0)); };
-            return dot(of(push.a) - of(push.b), push.normal);
-        });
+        response.answer(pushes, dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts,
+                        [&](const auto& push) {
+                            const auto of = [&](std::uint32_t n) {
+                                return pull_at(pushes.bodies[n].slot, pushes.bodies[n].weight > Scalar(0));
+                            };
+                            return dot(of(push.a) - of(push.b), push.normal);
+                        });
         for (const auto& body : pushes.bodies) {
             if (!(body.weight > Scalar(0)) || body.u == body.was) continue;
             if constexpr (moves) displace(body.slot, S::Position::from_value(body.u));
@@ -125,15 +137,18 @@ private:
     template <class R, bool Touches> void add(const detail::Bound<R, S>& response, const auto& contact) {
         constexpr bool moves = detail::contains<Position, writes_of<R>>;
         if (data_.collisions.is_sensor(contact.first.id) || data_.collisions.is_sensor(contact.second.id)) return;
-        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id), slot_b = data_.bodies.slot_of_id(contact.second.id);
-        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake, free_b = data_.bodies.motion(slot_b) == Motion::awake;
+        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id),
+                   slot_b = data_.bodies.slot_of_id(contact.second.id);
+        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake,
+                   free_b = data_.bodies.motion(slot_b) == Motion::awake;
         const auto a = load<R>(slot_a, free_a), b = load<R>(slot_b, free_b);
         const auto weight = [](const auto& body) { return body.template get<InverseMass>().value(); };
         if (!(weight(a) + weight(b) > Scalar(0))) return;
         auto now = contact;
         if constexpr (moves && C::template responses<Level::positions>::size > 1) // another one may have moved them
-            if (!C::Narrowphase::template collide_bodies<S>(data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a), contact.second.id,
-                                                            data_.lanes.template get<Position>(slot_b), now))
+            if (!C::Narrowphase::template collide_bodies<S>(
+                    data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a),
+                    contact.second.id, data_.lanes.template get<Position>(slot_b), now))
                 return;
         auto& pushes = data_.collisions.pushes();
         using Pushes = std::remove_cvref_t<decltype(pushes)>;
@@ -154,18 +169,23 @@ private:
     }
 
     template <class R> void answer(const detail::Bound<R, S>& response, const auto& contact) {
-        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id), slot_b = data_.bodies.slot_of_id(contact.second.id);
-        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake, free_b = data_.bodies.motion(slot_b) == Motion::awake;
+        const Slot slot_a = data_.bodies.slot_of_id(contact.first.id),
+                   slot_b = data_.bodies.slot_of_id(contact.second.id);
+        const bool free_a = data_.bodies.motion(slot_a) == Motion::awake,
+                   free_b = data_.bodies.motion(slot_b) == Motion::awake;
         if (!free_a && !free_b) return;
         auto now = contact;
         if constexpr (detail::contains<Position, writes_of<R>>) // others may have moved them since they were found
-            if (!C::Narrowphase::template collide_bodies<S>(data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a), contact.second.id,
-                                                            data_.lanes.template get<Position>(slot_b), now))
+            if (!C::Narrowphase::template collide_bodies<S>(
+                    data_.collisions.shapes, contact.first.id, data_.lanes.template get<Position>(slot_a),
+                    contact.second.id, data_.lanes.template get<Position>(slot_b), now))
                 return;
         auto a = load<R>(slot_a, free_a), b = load<R>(slot_b, free_b);
         const auto was_a = a, was_b = b;
         const auto pull = [&] { return dot(pull_at(slot_a, free_a) - pull_at(slot_b, free_b), now.normal); };
-        response.respond(now, a, b, ContactContext<S, decltype(pull)>{dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, pull});
+        response.respond(now, a, b,
+                         ContactContext<S, decltype(pull)>{
+                             dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, pull});
         if (free_a) store<R>(slot_a, was_a, a);
         if (free_b) store<R>(slot_b, was_b, b);
     }
@@ -176,7 +196,9 @@ private:
 
     template <class R> Body<R> load(Slot slot, bool is_free) const {
         Body<R> row;
-        [&]<class... Column>(Columns<Column...>) { ((row.template get<Column>() = value<Column>(slot)), ...); }(typename Body<R>::columns{});
+        [&]<class... Column>(Columns<Column...>) {
+            ((row.template get<Column>() = value<Column>(slot)), ...);
+        }(typename Body<R>::columns{});
         if (!is_free) row.template get<InverseMass>() = typename S::InverseMass();
         return row;
     }
@@ -184,21 +206,18 @@ private:
         if constexpr (C::history && std::same_as<Column, Velocity>) {
             auto row = data_.load(slot, dt_);
             if (!data_.waiting(slot) && data_.bodies.motion(slot) == Motion::awake)
-                row.template get<Velocity>() = C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), dt_);
+                row.template get<Velocity>() =
+                    C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), dt_);
             return row.template get<Velocity>();
-        } else
-            return data_.lanes.template get<Column>(slot);
+        } else return data_.lanes.template get<Column>(slot);
     }
     template <class R> void store(Slot slot, const Body<R>& was, const Body<R>& is) {
         auto one = [&]<class Column>(Columns<Column>) {
             const auto& to = is.template get<Column>();
             if (to == was.template get<Column>()) return;
-            if constexpr (std::same_as<Column, Velocity>)
-                data_.set_velocity(slot, to);
-            else if constexpr (std::same_as<Column, Position>)
-                displace(slot, to - was.template get<Position>());
-            else
-                data_.lanes.template set<Column>(slot, to);
+            if constexpr (std::same_as<Column, Velocity>) data_.set_velocity(slot, to);
+            else if constexpr (std::same_as<Column, Position>) displace(slot, to - was.template get<Position>());
+            else data_.lanes.template set<Column>(slot, to);
         };
         [&]<class... Column>(Columns<Column...>) { (one(Columns<Column>{}), ...); }(writes_of<R>{});
     }
@@ -206,7 +225,8 @@ private:
     void displace(Slot slot, const typename S::Position& by) {
         data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) + by);
         if constexpr (C::history)
-            if (!data_.waiting(slot)) data_.lanes.template set<PreviousPosition>(slot, data_.lanes.template get<PreviousPosition>(slot) + by);
+            if (!data_.waiting(slot))
+                data_.lanes.template set<PreviousPosition>(slot, data_.lanes.template get<PreviousPosition>(slot) + by);
     }
 
     Data& data_;

@@ -33,8 +33,9 @@ public:
 
     /// The simulated time at this evaluation (between the beginning and the end of the step for a later stage).
     const typename S::ClockTime& time() const {
-        static_assert(KnowsTime, "Ansatz: a policy asks for the time that it did not declare; add Clock to its columns, "
-                                 "e.g. `using reads = Columns<Clock>;`");
+        static_assert(KnowsTime,
+                      "Ansatz: a policy asks for the time that it did not declare; add Clock to its columns, "
+                      "e.g. `using reads = Columns<Clock>;`");
         return time_;
     }
 

@@ -4,10 +4,10 @@
 /// \file
 /// `CoupledSystem`: all bodies of a world as one system of equations, for integrators that advance them together.
 ///
-/// Where forces couple bodies, an integrator that solves (ImplicitEuler, Odeint) cannot take one body at a time. It sees the
-/// world as vectors x, v and a, with one row for each component of each body, by the body's id: rows stay where they are
-/// while bodies sleep, wake and change slots. Bodies that do not take part (resting, moving, fixed, removed) keep their rows;
-/// nothing acts on them.
+/// Where forces couple bodies, an integrator that solves (ImplicitEuler, Odeint) cannot take one body at a time. It
+/// sees the world as vectors x, v and a, with one row for each component of each body, by the body's id: rows stay
+/// where they are while bodies sleep, wake and change slots. Bodies that do not take part (resting, moving, fixed,
+/// removed) keep their rows; nothing acts on them.
 
 #include <ansatz/world/coupling.hpp>
 
@@ -23,9 +23,9 @@ template <class C, class Policies> class CoupledSystem {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
+    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;         ///< a number for each row
     using Block = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< how one body acts on another
-    static constexpr int dimension = S::dimension; ///< rows of a body
+    static constexpr int dimension = S::dimension;                   ///< rows of a body
 
     /// The world at the beginning of its step.
     CoupledSystem(WorldData<C>& data, const Policies& policies, const typename C::Laws& laws, const Context<S>& context)
@@ -59,7 +59,8 @@ public:
             }
         });
     }
-    /// What all forces do to the bodies as they stand, `fraction` of the step on; m/s^2, zero for those that nothing moves.
+    /// What all forces do to the bodies as they stand, `fraction` of the step on; m/s^2, zero for those that nothing
+    /// moves.
     void accelerations(double fraction, Column& a) {
         const auto now = context_.later(fraction);
         place_platforms(data_, fraction, context_.dt());
@@ -71,7 +72,8 @@ public:
             for (int k = 0; k < dimension; ++k) a[row + k] = own.value()[k];
         });
     }
-    /// Calls `f(i, j)` for each two bodies, by their numbers, that a force couples now or may couple without being added.
+    /// Calls `f(i, j)` for each two bodies, by their numbers, that a force couples now or may couple without being
+    /// added.
     template <class F> void joined(F&& f) const {
         each_coupling([&]<class Q>(const auto& force, const auto& view) {
             force.stiffnesses(view, [&](std::size_t a, std::size_t b, const auto&, const auto&) {
@@ -86,14 +88,16 @@ public:
         const auto now = context_.later(fraction);
         const auto awake = data_.bodies.end(Motion::awake);
         each_coupling([&]<class Q>(const auto& force, const auto& view) {
-            force.jacobian(view, now.template restricted<detail::reads_clock<Q>>(), [&](std::size_t a, std::size_t b, const Block& by_x, const Block& by_v) {
-                if (a < awake) on_itself(Eigen::Index(view.id(a)), by_x, by_v);
-                if (b < awake) on_itself(Eigen::Index(view.id(b)), by_x, by_v);
-                if (a < awake && b < awake) {
-                    on_other(Eigen::Index(view.id(a)), Eigen::Index(view.id(b)), -by_x, -by_v);
-                    on_other(Eigen::Index(view.id(b)), Eigen::Index(view.id(a)), -by_x.transpose(), -by_v.transpose());
-                }
-            });
+            force.jacobian(view, now.template restricted<detail::reads_clock<Q>>(),
+                           [&](std::size_t a, std::size_t b, const Block& by_x, const Block& by_v) {
+                               if (a < awake) on_itself(Eigen::Index(view.id(a)), by_x, by_v);
+                               if (b < awake) on_itself(Eigen::Index(view.id(b)), by_x, by_v);
+                               if (a < awake && b < awake) {
+                                   on_other(Eigen::Index(view.id(a)), Eigen::Index(view.id(b)), -by_x, -by_v);
+                                   on_other(Eigen::Index(view.id(b)), Eigen::Index(view.id(a)), -by_x.transpose(),
+                                            -by_v.transpose());
+                               }
+                           });
         });
         if constexpr (C::laws::size > 0)
             each_awake([&](std::size_t slot, Eigen::Index row) {
@@ -105,12 +109,15 @@ public:
 
 private:
     template <class F> void each_awake(F&& f) const {
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) f(slot, Eigen::Index(data_.bodies.id(slot)) * dimension);
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
+            f(slot, Eigen::Index(data_.bodies.id(slot)) * dimension);
     }
     template <class F> void each_coupling(F&& f) const {
         [&]<class... Q>(Types<Q...>) {
             (f.template operator()<Q>(detail::Bound<Q, S>(std::get<Q>(policies_)),
-                                      ObserverView<S, Q>(data_.lanes, data_.bodies, std::as_const(data_).template state<Q>(), data_.clock.now(), data_.clock.tick())),
+                                      ObserverView<S, Q>(data_.lanes, data_.bodies,
+                                                         std::as_const(data_).template state<Q>(), data_.clock.now(),
+                                                         data_.clock.tick())),
              ...);
         }(typename C::couplings{});
     }

@@ -19,7 +19,8 @@ namespace ansatz {
 
 /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
 /// \param last the length of the last step, from which the velocity is derived
-template <class C> void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+template <class C>
+void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
     if constexpr (C::history && C::template stores<Velocity>)
         for (std::size_t slot = 0; slot < data.bodies.size(); ++slot)
             data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
@@ -35,25 +36,30 @@ template <class C> void remember_platforms([[maybe_unused]] WorldData<C>& data) 
         const auto begin = data.bodies.begin(Motion::moving), n = data.bodies.count(Motion::moving);
         data.coupled.platforms.resize(n * std::size_t(C::S::dimension));
         for (int k = 0; k < C::S::dimension; ++k)
-            std::copy_n(data.lanes.template lane<Position>(k) + begin, n, data.coupled.platforms.begin() + std::ptrdiff_t(n) * k);
+            std::copy_n(data.lanes.template lane<Position>(k) + begin, n,
+                        data.coupled.platforms.begin() + std::ptrdiff_t(n) * k);
     }
 }
 /// Where they are a fraction of the step later.
-template <class C> void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] double fraction, [[maybe_unused]] const typename C::S::Time& dt) {
+template <class C>
+void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] double fraction,
+                     [[maybe_unused]] const typename C::S::Time& dt) {
     if constexpr (C::coupled && C::template stores<Velocity>) {
         const auto begin = data.bodies.begin(Motion::moving), n = data.bodies.count(Motion::moving);
         const typename C::S::Scalar later = typename C::S::Scalar(fraction) * dt.value();
         for (int k = 0; k < C::S::dimension; ++k)
             for (std::size_t i = 0; i < n; ++i) {
                 const auto& start = data.coupled.platforms[std::size_t(k) * n + i];
-                data.lanes.template lane<Position>(k)[begin + i] = fraction == 0 ? start : start + later * data.lanes.template lane<Velocity>(k)[begin + i];
+                data.lanes.template lane<Position>(k)[begin + i] =
+                    fraction == 0 ? start : start + later * data.lanes.template lane<Velocity>(k)[begin + i];
             }
     }
 }
 /// @}
 
 namespace detail {
-template <class Q, class C, class Policies> void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
+template <class Q, class C, class Policies>
+void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
     if constexpr (keeps_state<Q, typename C::S>) data.template state<Q>().arrange(data.bodies, data.states.layout);
     CouplingView<typename C::S, Q> view(data.lanes, data.bodies, std::as_const(data).template state<Q>());
     Bound<Q, typename C::S> force(std::get<Q>(policies));
@@ -65,13 +71,16 @@ template <class Q, class C, class Policies> void couple_one(WorldData<C>& data, 
 
 /// Asks every force between bodies, at `context`; derived velocities stand in their lane already.
 template <class C, class Policies>
-void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies, [[maybe_unused]] const Context<typename C::S>& context) {
+void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
+                 [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
         for (int k = 0; k < C::S::dimension; ++k) {
             auto* lane = data.lanes.template lane<CoupledForce>(k);
             std::fill(lane, lane + data.bodies.size(), typename C::S::Scalar(0));
         }
-        [&]<class... Q>(Types<Q...>) { (detail::couple_one<Q>(data, policies, context), ...); }(typename C::couplings{});
+        [&]<class... Q>(Types<Q...>) {
+            (detail::couple_one<Q>(data, policies, context), ...);
+        }(typename C::couplings{});
     }
 }
 
@@ -80,7 +89,8 @@ namespace detail {
 /// that was removed, a mass that is another) would be a push. The history takes it up: by exactly nothing where the
 /// acceleration is what it was.
 /// \return whether a history is another now
-template <class C> bool make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+template <class C>
+bool make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
     bool changed = false;
     if constexpr (C::history && C::coupled) {
         using S = typename C::S;
@@ -89,13 +99,15 @@ template <class C> bool make_good([[maybe_unused]] WorldData<C>& data, [[maybe_u
             if (data.waiting(Bodies::Slot(slot))) continue;
             auto change = data.lanes.template get<CoupledForce>(slot);
             auto value = change.value();
-            for (int k = 0; k < S::dimension; ++k) value[k] -= data.coupled.before[slot * std::size_t(S::dimension) + std::size_t(k)];
+            for (int k = 0; k < S::dimension; ++k)
+                value[k] -= data.coupled.before[slot * std::size_t(S::dimension) + std::size_t(k)];
             change = decltype(change)::from_value(value);
             if (change == S::template zero_vector<unit::Force>()) continue;
             const auto x = S::template zero_vector<unit::Length>();
             const auto v = S::template zero_vector<unit::Velocity>();
             const auto a = data.lanes.template get<InverseMass>(slot) * change;
-            data.lanes.template set<PreviousPosition>(slot, data.lanes.template get<PreviousPosition>(slot) + C::Integrator::history(x, v, a, last));
+            data.lanes.template set<PreviousPosition>(slot, data.lanes.template get<PreviousPosition>(slot) +
+                                                                C::Integrator::history(x, v, a, last));
             changed = true;
         }
     }
@@ -106,10 +118,11 @@ template <class C> void remember_sums(WorldData<C>& data) {
     before.resize(data.bodies.size() * std::size_t(C::S::dimension));
     for (std::size_t slot = 0; slot < data.bodies.size(); ++slot)
         for (int k = 0; k < C::S::dimension; ++k)
-            before[slot * std::size_t(C::S::dimension) + std::size_t(k)] = data.lanes.template lane<CoupledForce>(k)[slot];
+            before[slot * std::size_t(C::S::dimension) + std::size_t(k)] =
+                data.lanes.template lane<CoupledForce>(k)[slot];
 }
-/// Where the sums cannot be finished (a force throws, there is no memory), the column holds again what was before the change
-/// that waits to be made good; without one, it is summed anew whenever it is asked for.
+/// Where the sums cannot be finished (a force throws, there is no memory), the column holds again what was before the
+/// change that waits to be made good; without one, it is summed anew whenever it is asked for.
 template <class C> struct KeepSums {
     WorldData<C>* data;
     ~KeepSums() {
@@ -117,14 +130,16 @@ template <class C> struct KeepSums {
         const auto& before = data->coupled.before;
         for (std::size_t slot = 0; slot < data->bodies.size(); ++slot)
             for (int k = 0; k < C::S::dimension; ++k)
-                data->lanes.template lane<CoupledForce>(k)[slot] = before[slot * std::size_t(C::S::dimension) + std::size_t(k)];
+                data->lanes.template lane<CoupledForce>(k)[slot] =
+                    before[slot * std::size_t(C::S::dimension) + std::size_t(k)];
     }
 };
 } // namespace detail
 
 /// Sums the forces between bodies for the state as it stands, unless they are known already.
 template <class C, class Policies>
-void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies, [[maybe_unused]] const Context<typename C::S>& context) {
+void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
+                     [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
         if (data.coupled.known_for(context.dt())) return;
         auto sum = [&] {
@@ -136,8 +151,8 @@ void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const
             keep.data = nullptr;
         };
         sum();
-        // Where a force reads the velocity that a history holds, a history made good changes the force, though less each
-        // time. The sums that are left follow from the histories that are left: a loaded world finds the same.
+        // Where a force reads the velocity that a history holds, a history made good changes the force, though less
+        // each time. The sums that are left follow from the histories that are left: a loaded world finds the same.
         constexpr int most = C::template couplings_read<Velocity> ? 8 : 1;
         for (int i = 0; data.coupled.changed && i < most && detail::make_good(data, context.dt().previous); ++i)
             if constexpr (most > 1) sum();

@@ -23,8 +23,9 @@ namespace ansatz {
 
 /// What could go wrong inside a step and does not stop it; poll it with World::status.
 struct Status {
-    bool lost = false; ///< a step was broken off by an exception: the world is half of it, and takes nothing but another world
-    std::uint64_t unsolved = 0;  ///< body steps whose equation an implicit integrator could not solve, so far
+    bool lost =
+        false; ///< a step was broken off by an exception: the world is half of it, and takes nothing but another world
+    std::uint64_t unsolved = 0;   ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
     /// Nothing went wrong.
@@ -36,7 +37,7 @@ namespace detail {
 /// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
 struct Starts {
     enum State : std::uint8_t { begun, waits, forgotten };
-    std::vector<State> state; // by id
+    std::vector<State> state;        // by id
     std::vector<std::uint32_t> list; // ids that wait or are forgotten, each once
 
     void reserve(std::size_t n) {
@@ -59,8 +60,8 @@ struct Starts {
     }
 };
 
-/// Whether the column CoupledForce holds the forces between bodies of the present state, as a step of these lengths asks
-/// for them. A cache: neither hashed nor saved, and a step comes to the same bits without it.
+/// Whether the column CoupledForce holds the forces between bodies of the present state, as a step of these lengths
+/// asks for them. A cache: neither hashed nor saved, and a step comes to the same bits without it.
 template <class S> struct CoupledSums {
     bool current = false;
     bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
@@ -68,7 +69,9 @@ template <class S> struct CoupledSums {
     std::vector<typename S::Scalar> platforms{}; ///< where they were when the step began
     typename S::Time dt{}, previous{};
 
-    bool known_for(const TimeStep<S>& step) const { return current && dt.value() == step.value() && previous.value() == step.previous.value(); }
+    bool known_for(const TimeStep<S>& step) const {
+        return current && dt.value() == step.value() && previous.value() == step.previous.value();
+    }
     void make_room_for(const CoupledSums& other) {
         before.reserve(other.before.size());
         platforms.reserve(other.platforms.size());
@@ -85,21 +88,27 @@ template <class S, class... P> struct States<S, Types<P...>> {
     std::tuple<state_of<P, S>...> each;
     std::uint64_t layout = 0; ///< counts the exchanges of slots, so that a state may remember where bodies are
 
-    template <class F> void for_each(F&& f) { std::apply([&](auto&... state) { (f(state), ...); }, each); }
-    template <class F> void for_each(F&& f) const { std::apply([&](const auto&... state) { (f(state), ...); }, each); }
+    template <class F> void for_each(F&& f) {
+        std::apply([&](auto&... state) { (f(state), ...); }, each);
+    }
+    template <class F> void for_each(F&& f) const {
+        std::apply([&](const auto&... state) { (f(state), ...); }, each);
+    }
 };
 template <class S> struct States<S, Types<>> {
     static void for_each(auto&&) {}
 };
 inline constexpr Absent absent{};
 
-/// Whether assigning what a policy keeps cannot fail once there is room: it says so, or owns nothing, for what owns memory has a
-/// destructor.
+/// Whether assigning what a policy keeps cannot fail once there is room: it says so, or owns nothing, for what owns
+/// memory has a destructor.
 template <class T> inline constexpr bool makes_room = requires(T& to, const T& from) { to.make_room_for(from); };
 template <class List> inline constexpr bool all_make_room = true;
-template <class... T> inline constexpr bool all_make_room<std::tuple<T...>> = ((makes_room<T> || std::is_trivially_destructible_v<T>) && ...);
+template <class... T>
+inline constexpr bool all_make_room<std::tuple<T...>> = ((makes_room<T> || std::is_trivially_destructible_v<T>)&&...);
 template <class S, class List> inline constexpr bool states_make_room = true;
-template <class S, class... P> inline constexpr bool states_make_room<S, Types<P...>> = all_make_room<std::tuple<state_of<P, S>...>>;
+template <class S, class... P>
+inline constexpr bool states_make_room<S, Types<P...>> = all_make_room<std::tuple<state_of<P, S>...>>;
 template <class T> constexpr bool assigns_in_place() {
     if constexpr (requires { T::assigns_in_place; }) return T::assigns_in_place;
     return true;
@@ -143,8 +152,8 @@ template <class C> struct WorldData {
     using Body = Row<S, AllColumns>; ///< one body's values
 
     Lanes<S, typename C::stored> lanes; ///< the columns
-    Bodies bodies; ///< who is where
-    StepClock<S> clock; ///< tick and time
+    Bodies bodies;                      ///< who is where
+    StepClock<S> clock;                 ///< tick and time
     /// What waits for the next step, because dt or the acceleration is not known before.
     [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
     /// Who fell asleep and woke in the last step.
@@ -165,13 +174,12 @@ template <class C> struct WorldData {
 
     /// What policy `P` keeps; nothing, where it keeps nothing.
     template <class P> const auto& state() const {
-        if constexpr (detail::keeps_state<P, S>)
-            return std::get<detail::place_of<P, typename C::keepers>>(states.each);
-        else
-            return detail::absent;
+        if constexpr (detail::keeps_state<P, S>) return std::get<detail::place_of<P, typename C::keepers>>(states.each);
+        else return detail::absent;
     }
     /// The same, to change it.
-    template <class P> auto& state()
+    template <class P>
+    auto& state()
         requires detail::keeps_state<P, S>
     {
         return std::get<detail::place_of<P, typename C::keepers>>(states.each);
@@ -185,8 +193,9 @@ template <class C> struct WorldData {
         reserve_notes(n);
     }
     /// Whether a copy can be assigned in the room that is there: nothing in it owns memory that is not asked for here.
-    static constexpr bool assigns_in_place = std::is_trivially_destructible_v<Scalar> && detail::states_make_room<S, typename C::keepers> &&
-                                             detail::assigns_in_place<typename detail::CollisionsOf<C, C::collides>::type>();
+    static constexpr bool assigns_in_place =
+        std::is_trivially_destructible_v<Scalar> && detail::states_make_room<S, typename C::keepers> &&
+        detail::assigns_in_place<typename detail::CollisionsOf<C, C::collides>::type>();
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const WorldData& other) {
         lanes.reserve(other.lanes.size());
@@ -195,10 +204,12 @@ template <class C> struct WorldData {
         detail::make_room_for(events, other.events);
         detail::make_room_for(coupled, other.coupled);
         detail::make_room_for(collisions, other.collisions);
-        [&]<class... P>(Types<P...>) { (detail::make_room_for(state<P>(), other.template state<P>()), ...); }(typename C::keepers{});
+        [&]<class... P>(Types<P...>) {
+            (detail::make_room_for(state<P>(), other.template state<P>()), ...);
+        }(typename C::keepers{});
     }
-    /// Room for what a step, or anything that is done to the world between steps, may note about each body. A copied vector has
-    /// no more room than it needs, so the first of them makes it, and no later one.
+    /// Room for what a step, or anything that is done to the world between steps, may note about each body. A copied
+    /// vector has no more room than it needs, so the first of them makes it, and no later one.
     void reserve_notes([[maybe_unused]] std::size_t n) {
         bodies.reserve_notes();
         if constexpr (C::history) starts.reserve(n);
@@ -209,7 +220,8 @@ template <class C> struct WorldData {
         states.for_each([](auto& state) { state.reserve_notes(); });
     }
 
-    /// Room for what only a step notes, such as what breaks in it: who reads those of the last step may do what he likes meanwhile.
+    /// Room for what only a step notes, such as what breaks in it: who reads those of the last step may do what he
+    /// likes meanwhile.
     void reserve_notes_of_step() {
         states.for_each([](auto& state) {
             if constexpr (requires { state.reserve_notes_of_step(); }) state.reserve_notes_of_step();
@@ -242,8 +254,7 @@ template <class C> struct WorldData {
     typename S::Time last_dt() const {
         if constexpr (C::substeps && C::history)
             return S::Time::from_value(Scalar(clock.last().value()) / Scalar(collisions.parts)); // of the last part
-        else
-            return S::Time::from_value(Scalar(clock.last().value()));
+        else return S::Time::from_value(Scalar(clock.last().value()));
     }
 
     /// Whether something waits for this body.
@@ -259,8 +270,7 @@ template <class C> struct WorldData {
         Body row;
         load_columns(row, slot, typename C::stored{}, AllColumns{});
         if constexpr (C::history) {
-            if (waiting(slot))
-                row.template get<Velocity>() = raw_velocity(slot);
+            if (waiting(slot)) row.template get<Velocity>() = raw_velocity(slot);
             else if (last.value() > Scalar(0)) // before the first step what does not wait stands still
                 detail::derive_velocity<Integrator>(row, last);
         }
@@ -279,19 +289,18 @@ template <class C> struct WorldData {
         if constexpr (C::history) {
             lanes.template set<PreviousPosition>(slot, S::Position::from_value(v.value()));
             starts.wait(bodies.id(slot));
-        } else
-            lanes.template set<Velocity>(slot, v);
+        } else lanes.template set<Velocity>(slot, v);
     }
 
     /// Stops a body exactly.
     void stop(Slot slot) {
         // Drawn where it lies from now on: the step no longer looks at it, and it may wake at any time.
-        if constexpr (C::template stores<DrawnPosition>) lanes.template set<DrawnPosition>(slot, lanes.template get<Position>(slot));
+        if constexpr (C::template stores<DrawnPosition>)
+            lanes.template set<DrawnPosition>(slot, lanes.template get<Position>(slot));
         if constexpr (C::history) {
             starts.forget(bodies.id(slot));
             lanes.template set<PreviousPosition>(slot, lanes.template get<Position>(slot));
-        } else
-            lanes.template set<Velocity>(slot, S::template zero_vector<unit::Velocity>());
+        } else lanes.template set<Velocity>(slot, S::template zero_vector<unit::Velocity>());
     }
 
     /// A resting body that wakes: its history begins anew, or waking would be a push of half a step of acceleration.
@@ -307,7 +316,8 @@ private:
     template <class... Stored, class... All>
     void load_columns(Body& row, Slot slot, Columns<Stored...>, Columns<All...>) const {
         auto one = [&]<class Which>(Columns<Which>) {
-            if constexpr (detail::contains<Which, Columns<Stored...>>) row.template get<Which>() = lanes.template get<Which>(slot);
+            if constexpr (detail::contains<Which, Columns<Stored...>>)
+                row.template get<Which>() = lanes.template get<Which>(slot);
         };
         (one(Columns<All>{}), ...);
     }

@@ -54,15 +54,14 @@ template <class... P> void World<P...>::wake_pierced([[maybe_unused]] std::uint3
         if (data_.bodies.motion(data_.bodies.slot_of_id(id)) == Motion::awake || data_.collisions.is_sensor(id)) return;
         for (std::size_t slot = data_.bodies.begin(Motion::resting); slot < data_.bodies.end(Motion::resting); ++slot) {
             const auto sleeper = data_.bodies.id(slot);
-            if (sleeper == id || data_.collisions.is_sensor(sleeper) || !data_.collisions.intersect(data_, id, sleeper)) continue;
+            if (sleeper == id || data_.collisions.is_sensor(sleeper) || !data_.collisions.intersect(data_, id, sleeper))
+                continue;
             wake_slot(Slot(slot)); // the first of the sleepers, who was looked at, takes this place
         }
     }
 }
 
-template <class... P>
-template <class... Property>
-Handle World<P...>::add(const Property&... property) {
+template <class... P> template <class... Property> Handle World<P...>::add(const Property&... property) {
     using Facts = detail::AddFacts<composition, Datum, Property...>;
     static_assert(sizeof(detail::CheckAdd<Facts>) > 0);
     Handle body;
@@ -80,7 +79,8 @@ Handle World<P...>::add(const Property&... property) {
         data_.make_room(id, Facts::is_moving);
         forces_change();
         if constexpr (has_datum) user_.at(id) = std::move(datum);
-        if constexpr (composition::collides && ShapeDescription<std::decay_t<decltype(description)>>) data_.collisions.shapes.set(id, description, shape);
+        if constexpr (composition::collides && ShapeDescription<std::decay_t<decltype(description)>>)
+            data_.collisions.shapes.set(id, description, shape);
         // From here on nothing fails.
         Slot slot = Slot(size());
         data_.lanes.push_back();
@@ -94,19 +94,16 @@ Handle World<P...>::add(const Property&... property) {
                                 : Facts::is_moving  ? Motion::moving
                                 : Facts::is_resting ? Motion::resting
                                                     : Motion::awake);
-        if constexpr (Facts::is_fixed || Facts::is_resting)
-            data_.stop(slot);
-        else
-            data_.set_velocity(slot, row.template get<ansatz::Velocity>());
-        if constexpr (composition::collides) data_.collisions.set_sensor(body.id, (std::same_as<Property, Sensor> || ...));
+        if constexpr (Facts::is_fixed || Facts::is_resting) data_.stop(slot);
+        else data_.set_velocity(slot, row.template get<ansatz::Velocity>());
+        if constexpr (composition::collides)
+            data_.collisions.set_sensor(body.id, (std::same_as<Property, Sensor> || ...));
         if constexpr (Facts::is_fixed || Facts::is_moving) wake_pierced(body.id);
     }
     return body;
 }
 
-template <class... P>
-template <class Q>
-void World<P...>::set_position(Handle body, const Q& x) {
+template <class... P> template <class Q> void World<P...>::set_position(Handle body, const Q& x) {
     auto slot = data_.bodies.slot(body, "World::set_position");
     get_ready("World::set_position");
     const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
@@ -118,19 +115,15 @@ void World<P...>::set_position(Handle body, const Q& x) {
     slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
     data_.lanes.template set<ansatz::Position>(slot, where);
     if constexpr (composition::history) {
-        if (kind == Motion::fixed || kind == Motion::resting)
-            data_.stop(slot);
-        else
-            data_.set_velocity(slot, v);
+        if (kind == Motion::fixed || kind == Motion::resting) data_.stop(slot);
+        else data_.set_velocity(slot, v);
     }
     if constexpr (composition::template stores<DrawnPosition>) data_.lanes.template set<DrawnPosition>(slot, where);
     wake_slot(slot);
     wake_pierced(body.id);
 }
 
-template <class... P>
-template <class Q>
-void World<P...>::set_velocity(Handle body, const Q& v) {
+template <class... P> template <class Q> void World<P...>::set_velocity(Handle body, const Q& v) {
     const auto slot = data_.bodies.slot(body, "World::set_velocity");
     get_ready("World::set_velocity");
     const auto value = detail::finite_vector<S, unit::Velocity>("World::set_velocity", "velocity", v);
@@ -141,28 +134,24 @@ void World<P...>::set_velocity(Handle body, const Q& v) {
     wake_slot(slot);
 }
 
-template <class... P>
-template <class Q>
-void World<P...>::set_mass(Handle body, const Q& m) {
+template <class... P> template <class Q> void World<P...>::set_mass(Handle body, const Q& m) {
     need_mass();
     const auto slot = data_.bodies.slot(body, "World::set_mass");
     get_ready("World::set_mass");
     const auto inverse = detail::inverse_of_mass<S>("World::set_mass", m);
     const auto kind = data_.bodies.motion(slot);
     if (kind == Motion::fixed || kind == Motion::moving)
-        refuse_value("World::set_mass", "the body", name_of(kind), "its mass is infinite; add a body that forces move instead");
+        refuse_value("World::set_mass", "the body", name_of(kind),
+                     "its mass is infinite; add a body that forces move instead");
     hold_velocity(slot);
     if constexpr (composition::history)
         column_changes<ansatz::Velocity, ansatz::InverseMass>(); // forces see the velocity that is held now
-    else
-        column_changes<ansatz::InverseMass>();
+    else column_changes<ansatz::InverseMass>();
     data_.lanes.template set<ansatz::InverseMass>(slot, inverse);
     wake_slot(slot);
 }
 
-template <class... P>
-template <class Q>
-void World<P...>::apply_impulse(Handle body, const Q& j) {
+template <class... P> template <class Q> void World<P...>::apply_impulse(Handle body, const Q& j) {
     need_mass();
     const auto slot = data_.bodies.slot(body, "World::apply_impulse");
     get_ready("World::apply_impulse");
@@ -177,9 +166,7 @@ void World<P...>::apply_impulse(Handle body, const Q& j) {
     wake_slot(slot);
 }
 
-template <class... P>
-template <class Q>
-void World<P...>::apply_force(Handle body, const Q& f) {
+template <class... P> template <class Q> void World<P...>::apply_force(Handle body, const Q& f) {
     static_assert(composition::template stores<AppliedForce>,
                   "Ansatz: this world takes no forces from outside; add AppliedForces{} to its policies");
     const auto slot = data_.bodies.slot(body, "World::apply_force");
@@ -187,7 +174,8 @@ void World<P...>::apply_force(Handle body, const Q& f) {
     const auto force = detail::finite_vector<S, unit::Force>("World::apply_force", "force", f);
     if (!(data_.lanes.template get<ansatz::InverseMass>(slot).value() > Scalar(0))) return;
     const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
-    if (!is_finite(total)) refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
+    if (!is_finite(total))
+        refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
     // The velocity now is what it was before the force; the history begins anew with both.
     hold_velocity(slot);
     if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
@@ -196,15 +184,18 @@ void World<P...>::apply_force(Handle body, const Q& f) {
     wake_slot(slot);
 }
 
-template <class... P>
-template <class C, class Q>
-void World<P...>::write(Handle body, const Q& value) {
+template <class... P> template <class C, class Q> void World<P...>::write(Handle body, const Q& value) {
     need_column<C>();
-    static_assert(!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity> && !std::same_as<C, PreviousPosition>,
-                  "Ansatz: position and velocity are changed by set_position and set_velocity, because the integrator owns what they mean");
-    static_assert(!std::same_as<C, ansatz::InverseMass>, "Ansatz: a mass is changed by set_mass, which holds it to be positive");
-    static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> && !std::same_as<C, DrawnPosition>,
-                  "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place by set_position");
+    static_assert(!std::same_as<C, ansatz::Position> && !std::same_as<C, ansatz::Velocity> &&
+                      !std::same_as<C, PreviousPosition>,
+                  "Ansatz: position and velocity are changed by set_position and set_velocity, because the integrator "
+                  "owns what they mean");
+    static_assert(!std::same_as<C, ansatz::InverseMass>,
+                  "Ansatz: a mass is changed by set_mass, which holds it to be positive");
+    static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> &&
+                      !std::same_as<C, DrawnPosition>,
+                  "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place "
+                  "by set_position");
     auto slot = data_.bodies.slot(body, "World::write");
     get_ready("World::write");
     const auto checked_value = detail::value_for<S, C>("World::write", value);
@@ -214,16 +205,15 @@ void World<P...>::write(Handle body, const Q& value) {
         if constexpr (composition::history) column_changes<ansatz::Velocity>();
     }
     column_changes<C>();
-    if constexpr (composition::template collisions_read<C>) wake_contacts(body.id); // who lies on it may fall, or bounce
+    if constexpr (composition::template collisions_read<C>)
+        wake_contacts(body.id);              // who lies on it may fall, or bounce
     slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
     data_.lanes.template set<C>(slot, checked_value);
     wake_slot(slot);
     if constexpr (composition::template collisions_read<C>) wake_pierced(body.id);
 }
 
-template <class... P>
-template <class Policy>
-void World<P...>::set(const Policy& policy) {
+template <class... P> template <class Policy> void World<P...>::set(const Policy& policy) {
     constexpr bool there = (std::same_as<Policy, P> || ...);
     static_assert(there, "Ansatz: set: this world has no such policy; see the list in its type");
     if constexpr (there) {
@@ -240,33 +230,36 @@ void World<P...>::set(const Policy& policy) {
         bound_ = std::move(bound);
         if constexpr (PlaysRole<Policy, roles::Broadphase>) data_.collisions.new_broadphase();
         if constexpr (PlaysRole<Policy, roles::Filter>) data_.collisions.make_stale();
-        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect> || PlaysRole<Policy, roles::Response> || PlaysRole<Policy, roles::Filter>) wake_all();
+        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect> ||
+                      PlaysRole<Policy, roles::Response> || PlaysRole<Policy, roles::Filter>)
+            wake_all();
     }
 }
 
-template <class... P>
-auto World<P...>::query() const {
+template <class... P> auto World<P...>::query() const {
     need_collisions();
     if constexpr (composition::collides) {
         using Asked = typename composition::Narrowphase::template Query<composition, Policies>;
         constexpr bool defined = requires { sizeof(Asked); };
-        static_assert(defined, "Ansatz: query: what answers it is not included; write #include <ansatz/collision/queries_in_world.hpp>, or "
+        static_assert(defined, "Ansatz: query: what answers it is not included; write #include "
+                               "<ansatz/collision/queries_in_world.hpp>, or "
                                "<ansatz/collision.hpp> for all of collision");
         if constexpr (defined) return Asked(data_, policies_);
     }
 }
 
-template <class... P>
-template <class T>
-void World<P...>::step(const T& dt) {
+template <class... P> template <class T> void World<P...>::step(const T& dt) {
     detail::refuse_whole_numbers<T>();
     const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
     if constexpr (detail::fits_scalar<unit::Time, T>) {
-        if (h.value() < Scalar(0)) refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
+        if (h.value() < Scalar(0))
+            refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
         if (!is_finite(data_.clock.now() + scalar_cast<typename S::ClockScalar>(dt)))
             refuse_value("World::step", "dt", describe(dt), "the time after the step is finite");
         if (h.value() == Scalar(0)) {
-            if (!(dt.value() == 0)) refuse_value("World::step", "dt", describe(dt), "a time step is 0 or one that the world's scalar can hold");
+            if (!(dt.value() == 0))
+                refuse_value("World::step", "dt", describe(dt),
+                             "a time step is 0 or one that the world's scalar can hold");
             return;
         }
         get_ready("World::step");
@@ -280,15 +273,16 @@ void World<P...>::step(const T& dt) {
         const auto whole = scalar_cast<typename S::ClockScalar>(dt);
         if constexpr (composition::controlled) {
             constexpr bool understood = StepControlFor<std::decay_t<decltype(control())>, World>;
-            static_assert(understood, "Ansatz: a policy that decides how a step is taken, with a wrong signature; it needs `struct Kept` and "
-                                      "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
+            static_assert(
+                understood,
+                "Ansatz: a policy that decides how a step is taken, with a wrong signature; it needs `struct Kept` and "
+                "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
             if constexpr (understood) {
                 const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
                 lost_ = true; // until it is taken
                 Step<composition, Policies>::begin(data_);
                 const auto part = whole / typename S::ClockScalar(parts);
-                if (parts == 1)
-                    take_step<typename composition::transient>(part);
+                if (parts == 1) take_step<typename composition::transient>(part);
                 else {
                     take_step<Columns<>>(part);
                     for (int i = 2; i < parts; ++i) take_step<Columns<>, true>(part);
@@ -308,9 +302,7 @@ template <class... P> auto World<P...>::step_of(const typename S::Time& dt) {
     return Step<composition, Policies>(data_, policies_, bound_, TimeStep<S>(dt, tick() == 0 ? dt : data_.last_dt()));
 }
 
-template <class... P>
-template <class Transient, bool Later>
-void World<P...>::take_step(const ClockTime& dt) {
+template <class... P> template <class Transient, bool Later> void World<P...>::take_step(const ClockTime& dt) {
     step_of(S::Time::from_value(Scalar(dt.value()))).template run<Transient, Later>(dt);
 }
 
@@ -340,7 +332,8 @@ template <class... P> std::uint64_t World<P...>::hash() const {
             auto column = [&]<class One>(Columns<One>) {
                 StateHash values;
                 for (const char letter : std::string_view(One::name)) values.add(std::uint64_t(letter));
-                for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) values.add_number(data_.lanes.template lane<One>(int(k))[slot]);
+                for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k)
+                    values.add_number(data_.lanes.template lane<One>(int(k))[slot]);
                 columns += values.value();
             };
             (column(Columns<C>{}), ...);

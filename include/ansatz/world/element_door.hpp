@@ -10,8 +10,10 @@
 
 namespace ansatz {
 
-template <class... P> void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
-    if constexpr (composition::rests) state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
+template <class... P>
+void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
+    if constexpr (composition::rests)
+        state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
 }
 
 template <class... P>
@@ -51,9 +53,7 @@ void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... opti
     }
 }
 
-template <class... P>
-template <class E>
-void World<P...>::remove(ElementHandle<E> which) {
+template <class... P> template <class E> void World<P...>::remove(ElementHandle<E> which) {
     need_element<E>();
     using Keeper = typename detail::KeeperOf<E, P...>::type;
     if constexpr (!std::is_void_v<Keeper>) {

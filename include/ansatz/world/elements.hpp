@@ -5,9 +5,9 @@
 /// Elements: what a policy keeps beside the bodies, such as the springs between them, added and removed at run time.
 ///
 /// A policy says what its elements are (`using Element = Spring;`) and where they are kept (`template <class S> class
-/// State`). The world holds that state as a part of its value: copied, hashed and saved with the bodies; what is tied to a
-/// body goes with it. `world.add(Spring{...})` gives out a handle that survives the removal of others, works in every copy,
-/// and is known as stale when its element is gone. A world whose policies keep nothing has none of this.
+/// State`). The world holds that state as a part of its value: copied, hashed and saved with the bodies; what is tied
+/// to a body goes with it. `world.add(Spring{...})` gives out a handle that survives the removal of others, works in
+/// every copy, and is known as stale when its element is gone. A world whose policies keep nothing has none of this.
 
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/columns.hpp>
@@ -59,7 +59,8 @@ public:
         alive_.reserve(n);
         free_.reserve(n);
     }
-    /// Room for every id to be given back, so that `give_back` cannot fail; a copied vector has no more room than it needs.
+    /// Room for every id to be given back, so that `give_back` cannot fail; a copied vector has no more room than it
+    /// needs.
     void reserve_notes() { free_.reserve(generation_.size()); }
     /// The id that `take` gives out next.
     std::uint32_t next() const { return free_.empty() ? std::uint32_t(generation_.size()) : free_.back(); }
@@ -85,7 +86,8 @@ public:
     /// Adds to a hash which elements there are, and which handles the next will get.
     template <class Hash> void add_to(Hash& hash) const {
         hash.add(generation_.size());
-        for (std::size_t id = 0; id < generation_.size(); ++id) hash.add(std::uint64_t(generation_[id]) << 1 | alive_[id]);
+        for (std::size_t id = 0; id < generation_.size(); ++id)
+            hash.add(std::uint64_t(generation_[id]) << 1 | alive_[id]);
         for (const auto id : free_) hash.add(id);
     }
 

@@ -37,8 +37,8 @@ enum class Refusal { invalid_argument, out_of_range };
 #endif
 
 /// The library's one form of a sentence about a value: "<where>: <what> is <value>; <accepted>".
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_value(std::string_view where, std::string_view what, std::string_view value,
-                                                                std::string_view accepted) {
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_value(std::string_view where, std::string_view what,
+                                                                std::string_view value, std::string_view accepted) {
     std::string sentence;
     sentence.append(where).append(": ").append(what).append(" is ").append(value).append("; ").append(accepted);
     refuse(Refusal::invalid_argument, sentence);

@@ -16,8 +16,8 @@ namespace ansatz {
 struct Event {
     /// What can happen.
     enum class Kind : std::uint8_t { slept, woke };
-    Kind kind;   ///< what happened
-    Handle body; ///< to whom
+    Kind kind;                                                    ///< what happened
+    Handle body;                                                  ///< to whom
     friend bool operator==(const Event&, const Event&) = default; ///< the same thing to the same body
 };
 
@@ -27,8 +27,8 @@ public:
     /// Those of the last step, and of calls since.
     std::span<const Event> now() const { return now_; }
 
-    /// Between two steps a body can wake once; within a step it can wake and fall asleep. Those that were removed since have
-    /// left their events.
+    /// Between two steps a body can wake once; within a step it can wake and fall asleep. Those that were removed since
+    /// have left their events.
     void reserve(std::size_t bodies) {
         now_.reserve(3 * bodies);
         next_.reserve(3 * bodies);

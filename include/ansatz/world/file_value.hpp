@@ -36,12 +36,14 @@ struct FileValue {
     }
     static bool deeper_than(const Json& json, int levels) {
         if (!json.is_structured()) return false;
-        return levels == 0 || std::any_of(json.begin(), json.end(), [&](const Json& part) { return deeper_than(part, levels - 1); });
+        return levels == 0 ||
+               std::any_of(json.begin(), json.end(), [&](const Json& part) { return deeper_than(part, levels - 1); });
     }
     FileValue at(const char* key) const {
         if (!json.is_object()) refuse_here(std::string("an object with \"") + key + "\"");
         const auto found = json.find(key);
-        if (found == json.end()) refuse(Refusal::invalid_argument, place + ": expected \"" + key + "\", but there is none");
+        if (found == json.end())
+            refuse(Refusal::invalid_argument, place + ": expected \"" + key + "\", but there is none");
         return {*found, place + (root ? ": " : ".") + key};
     }
     FileValue at(std::size_t i) const { return {json[i], place + "[" + std::to_string(i) + "]"}; }
@@ -53,7 +55,8 @@ struct FileValue {
         if (size(of) != n) refuse_here("a list of " + std::to_string(n) + " " + of);
     }
     std::uint64_t whole(std::uint64_t most) const {
-        if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most) refuse_here("a whole number from 0 to " + std::to_string(most));
+        if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
+            refuse_here("a whole number from 0 to " + std::to_string(most));
         return json.get<std::uint64_t>();
     }
     bool yes() const {
@@ -86,8 +89,7 @@ template <class T> Json number_to_file(const T& x) {
     if constexpr (std::is_floating_point_v<T>) {
         if (is_finite(x)) return double(x);
         return x != x ? "nan" : x > 0 ? "inf" : "-inf"; // for a person to read; load refuses it
-    } else
-        return x.str(std::numeric_limits<T>::max_digits10, std::ios_base::scientific);
+    } else return x.str(std::numeric_limits<T>::max_digits10, std::ios_base::scientific);
 }
 
 } // namespace detail

@@ -4,8 +4,9 @@
 /// \file
 /// What the hash of a world holds of its shapes and contacts: a part of `World::hash`.
 ///
-/// The same numbers as are written to a file (save_collisions.hpp), because a world goes on from them: a contact that had begun
-/// does not begin again, the impulses along and across it act in the next step, and bodies are looked at by their shapes.
+/// The same numbers as are written to a file (save_collisions.hpp), because a world goes on from them: a contact that
+/// had begun does not begin again, the impulses along and across it act in the next step, and bodies are looked at by
+/// their shapes.
 
 #include <ansatz/world/hash.hpp>
 #include <ansatz/world/held_parameters.hpp>
@@ -20,17 +21,15 @@ namespace ansatz::detail {
 template <class P> void add_parameters_to(StateHash& hash, const P& description) {
     for (const char letter : std::string_view(P::name)) hash.add(std::uint64_t(letter));
     if constexpr (!NamesParameters<P>) return; // nor does a file know them
-    else P::parameters(description, [&](std::string_view, const auto& value) {
-        using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_integral_v<Value>)
-            hash.add(std::uint64_t(value));
-        else if constexpr (std::is_floating_point_v<Value>)
-            hash.add_number(value);
-        else if constexpr (requires { value.value().size(); })
-            for (int i = 0; i < value.value().size(); ++i) hash.add_number(value.value()[i]);
-        else
-            hash.add_number(value.value());
-    });
+    else
+        P::parameters(description, [&](std::string_view, const auto& value) {
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_integral_v<Value>) hash.add(std::uint64_t(value));
+            else if constexpr (std::is_floating_point_v<Value>) hash.add_number(value);
+            else if constexpr (requires { value.value().size(); })
+                for (int i = 0; i < value.value().size(); ++i) hash.add_number(value.value()[i]);
+            else hash.add_number(value.value());
+        });
 }
 
 /// Shapes by body, contacts by their two bodies, and what responses keep of them.

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// Whether a world's scalar can hold the parameters of a policy or a shape, whose numbers are doubles: asked at the door, for all that
-/// name their parameters (`name` and `parameters`, see Gravity). What a step converts is what was accepted here.
+/// Whether a world's scalar can hold the parameters of a policy or a shape, whose numbers are doubles: asked at the
+/// door, for all that name their parameters (`name` and `parameters`, see Gravity). What a step converts is what was
+/// accepted here.
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/error.hpp>
@@ -18,20 +19,28 @@
 namespace ansatz::detail {
 
 /// Whether a scalar has numbers of a smaller size than double has.
-template <class Scalar> inline constexpr bool narrower_than_double = std::numeric_limits<Scalar>::max_exponent < std::numeric_limits<double>::max_exponent;
+template <class Scalar>
+inline constexpr bool narrower_than_double =
+    std::numeric_limits<Scalar>::max_exponent < std::numeric_limits<double>::max_exponent;
 
-template <class P> concept NamesParameters = requires(P& p) {
+template <class P>
+concept NamesParameters = requires(P& p) {
     { P::name } -> std::convertible_to<std::string_view>;
     P::parameters(p, [](std::string_view, auto&) {});
 };
 
-template <class Scalar> [[noreturn, gnu::cold, gnu::noinline]] void refuse_not_held(std::string_view where, std::string_view what, const std::string& value) {
-    refuse_value(where, what, value, "the world's scalar holds numbers up to " + describe(double(std::numeric_limits<Scalar>::max())));
+template <class Scalar>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_not_held(std::string_view where, std::string_view what,
+                                                            const std::string& value) {
+    refuse_value(where, what, value,
+                 "the world's scalar holds numbers up to " + describe(double(std::numeric_limits<Scalar>::max())));
 }
 /// \throws std::invalid_argument for a finite number that is none in the world's scalar
-template <class S, class Unit, class Value> void require_held(std::string_view where, std::string_view what, const boost::units::quantity<Unit, Value>& q) {
+template <class S, class Unit, class Value>
+void require_held(std::string_view where, std::string_view what, const boost::units::quantity<Unit, Value>& q) {
     if constexpr (narrower_than_double<typename S::Scalar>)
-        if (is_finite(q) && !is_finite(scalar_cast<typename S::Scalar>(q))) refuse_not_held<typename S::Scalar>(where, what, describe(q));
+        if (is_finite(q) && !is_finite(scalar_cast<typename S::Scalar>(q)))
+            refuse_not_held<typename S::Scalar>(where, what, describe(q));
 }
 
 /// Asks a policy or a shape about its parameters: as they were given, and as the world's scalar has them.

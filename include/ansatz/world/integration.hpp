@@ -32,8 +32,8 @@ enum class Place {
 enum class Level {
     substeps,      ///< the whole step: it runs forces and integrator several times
     accelerations, ///< in the next step, as forces between the bodies (penalty)
-    velocities, ///< at once (impulse)
-    positions   ///< at once, when velocities have been changed (projection)
+    velocities,    ///< at once (impulse)
+    positions      ///< at once, when velocities have been changed (projection)
 };
 
 namespace detail {
@@ -76,13 +76,15 @@ template <class I, int K, class R, class... W, class... X, class A, class Dt>
 /// The velocity of a body whose integrator derives it, into the row's Velocity: the mean over the last step.
 template <class I, class R, class T> [[gnu::always_inline]] inline void derive_velocity(R& row, const T& over) {
     if constexpr (derives_velocity<I>)
-        row.template get<Velocity>() = I::mean_velocity(row.template get<Position>(), row.template get<PreviousPosition>(), over);
+        row.template get<Velocity>() =
+            I::mean_velocity(row.template get<Position>(), row.template get<PreviousPosition>(), over);
 }
 
 /// A force from outside ends with its step. Where velocity is derived from history, the next step would see half of its
 /// impulse only, since each step contributes half of the acceleration at its beginning and half of that at its end; the
 /// history takes the other half before the force is gone.
-template <class I, class Transient, class R, class T> [[gnu::always_inline]] inline void release_applied_force(R& row, const T& dt) {
+template <class I, class Transient, class R, class T>
+[[gnu::always_inline]] inline void release_applied_force(R& row, const T& dt) {
     if constexpr (derives_velocity<I> && contains<AppliedForce, Transient>) {
         auto& previous = row.template get<PreviousPosition>();
         using X = std::remove_cvref_t<decltype(previous)>;
@@ -117,14 +119,16 @@ public:
         [[maybe_unused]] auto one = [](auto& effect, const auto& limited) {
             if constexpr (requires { effect.prepare(limited); }) effect.prepare(limited);
         };
-        (one(std::get<detail::place_of<E, List>>(effects_), context.template restricted<detail::reads_clock<E>>()), ...);
+        (one(std::get<detail::place_of<E, List>>(effects_), context.template restricted<detail::reads_clock<E>>()),
+         ...);
     }
 
     /// Acts on one body. What an effect does to the velocity or the position of a body goes through the integrator:
     /// where velocity is derived from history, a body that was only moved must not gain speed, and one that was only
     /// slowed must not jump.
     /// \param over the time between the body's previous and present position
-    template <class I, class R> [[gnu::always_inline]] void apply(R& row, const Context<S>& context, const typename S::Time& over) const {
+    template <class I, class R>
+    [[gnu::always_inline]] void apply(R& row, const Context<S>& context, const typename S::Time& over) const {
         if constexpr (!empty) {
             constexpr bool history = detail::derives_velocity<I>;
             constexpr bool velocity = detail::contains<Velocity, writes>;
@@ -147,7 +151,9 @@ private:
     using List = std::tuple<E...>;
 
     // A component that no effect changed keeps its history to the bit: a null effect must be the same as none.
-    template <class R> [[gnu::always_inline]] static void keep_or_kick(R& row, const typename S::Velocity& old, const typename S::Time& over) {
+    template <class R>
+    [[gnu::always_inline]] static void keep_or_kick(R& row, const typename S::Velocity& old,
+                                                    const typename S::Time& over) {
         const auto& x = row.template get<Position>().value();
         const auto& v = row.template get<Velocity>().value();
         auto previous = row.template get<PreviousPosition>().value();
@@ -164,10 +170,12 @@ private:
 template <class S, class LawsT, class R> class LawsOfBody {
 public:
     /// The laws, the body and the step.
-    LawsOfBody(const LawsT& laws, const R& row, const Context<S>& context) : laws_(laws), row_(row), context_(context) {}
+    LawsOfBody(const LawsT& laws, const R& row, const Context<S>& context)
+        : laws_(laws), row_(row), context_(context) {}
 
     /// The acceleration at another state, `fraction` of the step on.
-    typename S::Acceleration operator()(const typename S::Position& x, const typename S::Velocity& v, double fraction) const {
+    typename S::Acceleration operator()(const typename S::Position& x, const typename S::Velocity& v,
+                                        double fraction) const {
         return laws_.acceleration(at(x, v), context_.later(fraction));
     }
     /// Its derivatives there.
@@ -193,10 +201,10 @@ template <class S, class I, class LawsT, class Before, class After, class Transi
     static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
     static constexpr bool inlines = detail::is_staged<I>; ///< it is one kernel: the loop inlines it
 
-    LawsT laws; ///< the sum of the forces
-    Before before; ///< the effects before the integrator
-    After after; ///< those after it
-    Context<S> context; ///< time and step
+    LawsT laws;              ///< the sum of the forces
+    Before before;           ///< the effects before the integrator
+    After after;             ///< those after it
+    Context<S> context;      ///< time and step
     std::uint64_t* unsolved; ///< counts the bodies whose equation an implicit integrator could not solve
 
     /// One body's whole step.
@@ -204,9 +212,9 @@ template <class S, class I, class LawsT, class Before, class After, class Transi
         before.template apply<I>(row, context, context.dt().previous);
         detail::derive_velocity<I>(row, context.dt().previous);
         if constexpr (detail::is_staged<I>)
-            stages(row, std::make_integer_sequence<int, detail::stage_count<I>() - detail::first_stage<I>(velocity_read)>{});
-        else
-            solve(row);
+            stages(row,
+                   std::make_integer_sequence<int, detail::stage_count<I>() - detail::first_stage<I>(velocity_read)>{});
+        else solve(row);
         detail::release_applied_force<I, Transient>(row, context.dt());
         after.template apply<I>(row, context, context.dt());
         clear(row, Transient{});
@@ -236,7 +244,7 @@ template <class S, class I, int K, class LawsT> struct OneStage {
     /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
-    LawsT laws; ///< the sum of the laws of one body
+    LawsT laws;         ///< the sum of the laws of one body
     Context<S> context; ///< time and step
 
     /// One body's stage.
@@ -252,8 +260,8 @@ template <class S, class I, class EffectsT, class Transient> struct EffectsOnly 
     /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
-    EffectsT effects; ///< the effects
-    Context<S> context; ///< time and step
+    EffectsT effects;      ///< the effects
+    Context<S> context;    ///< time and step
     typename S::Time over; ///< the time over which they act, s
 
     /// One body's effects.

@@ -4,9 +4,9 @@
 /// \file
 /// `Interpolation`: remembers where each body was before the last step, so that a renderer can draw it in between.
 ///
-/// Use it with FixedStep when pictures are drawn more often, or at other times, than steps are taken. A body that was put
-/// somewhere else with `set_position` is drawn there at once, never on the way. Do not compute with the interpolated
-/// position; it is up to one step old.
+/// Use it with FixedStep when pictures are drawn more often, or at other times, than steps are taken. A body that was
+/// put somewhere else with `set_position` is drawn there at once, never on the way. Do not compute with the
+/// interpolated position; it is up to one step old.
 
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/integration.hpp>
@@ -21,11 +21,15 @@ struct Interpolation {
     using writes = Columns<DrawnPosition>;
     static constexpr Place place = Place::before_forces;
     static constexpr bool on_platforms = true; ///< bodies that are `moving` are drawn in between as well
-    static constexpr bool once_a_step = true;  ///< a step that is taken in parts (StepLimit) is drawn as the one that it is
+    static constexpr bool once_a_step =
+        true; ///< a step that is taken in parts (StepLimit) is drawn as the one that it is
 
     template <class S> struct In {
         explicit In(const Interpolation&) {}
-        [[gnu::always_inline]] void apply(typename S::Position& drawn, const typename S::Position& x, const auto&) const { drawn = x; }
+        [[gnu::always_inline]] void apply(typename S::Position& drawn, const typename S::Position& x,
+                                          const auto&) const {
+            drawn = x;
+        }
     };
 };
 

@@ -2,10 +2,11 @@
 #pragma once
 
 /// \file
-/// `Islands`: which bodies hang together, by contacts or springs, so that they fall asleep and wake together (notes 1.8).
+/// `Islands`: which bodies hang together, by contacts or springs, so that they fall asleep and wake together
+/// (notes 1.8).
 ///
-/// A pile of which one body sleeps and the next does not would wake it again and again. What is fixed joins nothing: two
-/// piles on one ground are two islands.
+/// A pile of which one body sleeps and the next does not would wake it again and again. What is fixed joins nothing:
+/// two piles on one ground are two islands.
 ///
 /// `SleepScratch` is what a world keeps to find out who falls asleep (sleep.hpp).
 ///
@@ -48,13 +49,15 @@ private:
 
 /// What is kept, from step to step, for the question who falls asleep (sleep.hpp).
 template <class S> struct SleepScratch {
-    Islands islands;                              ///< of the awake bodies, by slot
-    std::vector<typename S::Acceleration> pulls;  ///< by slot: what pulls at a body at rest, with what its contacts push where that is known
-    std::vector<decltype(norm(typename S::Acceleration()))> trembles; ///< by slot: how much of it may remain where contacts carry
-    std::vector<std::uint8_t> held;               ///< by slot: whether something holds the body
-    std::vector<std::uint8_t> goes_along;         ///< by slot: whether it touches a platform that moves, or hangs on one
-    std::vector<std::uint8_t> restless;           ///< whether an island stays awake, by who stands for it
-    std::vector<std::uint32_t> sleepers;          ///< by id
+    Islands islands; ///< of the awake bodies, by slot
+    std::vector<typename S::Acceleration>
+        pulls; ///< by slot: what pulls at a body at rest, with what its contacts push where that is known
+    std::vector<decltype(norm(typename S::Acceleration()))>
+        trembles;                         ///< by slot: how much of it may remain where contacts carry
+    std::vector<std::uint8_t> held;       ///< by slot: whether something holds the body
+    std::vector<std::uint8_t> goes_along; ///< by slot: whether it touches a platform that moves, or hangs on one
+    std::vector<std::uint8_t> restless;   ///< whether an island stays awake, by who stands for it
+    std::vector<std::uint32_t> sleepers;  ///< by id
 
     /// Room for so many bodies.
     void reserve(std::size_t n) {

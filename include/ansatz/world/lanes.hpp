@@ -62,7 +62,8 @@ template <class S, class... L, class... W, class... T> struct Sweep<S, Columns<L
     }();
 
     template <class Kernel, std::size_t... K, class... Lane>
-    [[gnu::always_inline]] static void one_body(std::size_t i, const Kernel& kernel, std::index_sequence<K...>, Lane*... lane) {
+    [[gnu::always_inline]] static void one_body(std::size_t i, const Kernel& kernel, std::index_sequence<K...>,
+                                                Lane*... lane) {
         Scalar raw[width + 1] = {lane[i]...};
         Row<S, Columns<L..., T...>> row;
         ((row.template get<L>() = load<L, S>(raw + offset_in<L>(Columns<L...>{}, S::dimension))), ...);
@@ -73,14 +74,15 @@ template <class S, class... L, class... W, class... T> struct Sweep<S, Columns<L
 
     /// With everything inlined, also a policy's own functions: what a vector loop needs.
     template <class Kernel, std::size_t... K, class... Lane>
-    [[gnu::flatten, gnu::noinline]] static void run_inlined(std::size_t begin, std::size_t end, const Kernel& given, std::index_sequence<K...> lanes,
-                                             Lane* __restrict... lane) {
+    [[gnu::flatten, gnu::noinline]] static void run_inlined(std::size_t begin, std::size_t end, const Kernel& given,
+                                                            std::index_sequence<K...> lanes, Lane* __restrict... lane) {
         const Kernel kernel = given;
         for (std::size_t i = begin; i < end; ++i) one_body(i, kernel, lanes, lane...);
     }
     /// As the compiler sees fit: solvers do not vectorise, and a class scalar inlined whole takes minutes to compile.
     template <class Kernel, std::size_t... K, class... Lane>
-    static void run(std::size_t begin, std::size_t end, const Kernel& given, std::index_sequence<K...> lanes, Lane* __restrict... lane) {
+    static void run(std::size_t begin, std::size_t end, const Kernel& given, std::index_sequence<K...> lanes,
+                    Lane* __restrict... lane) {
         const Kernel kernel = given;
         for (std::size_t i = begin; i < end; ++i) one_body(i, kernel, lanes, lane...);
     }
@@ -99,8 +101,7 @@ void sweep(const std::array<typename S::Scalar*, N>& lane, std::size_t begin, st
     [&]<std::size_t... K>(std::index_sequence<K...> lanes) {
         if constexpr (std::is_floating_point_v<typename S::Scalar> && requires { requires Kernel::inlines; })
             Loop::run_inlined(begin, end, kernel, lanes, lane[K]...);
-        else
-            Loop::run(begin, end, kernel, lanes, lane[K]...);
+        else Loop::run(begin, end, kernel, lanes, lane[K]...);
     }(std::make_index_sequence<N>{});
 }
 
@@ -114,17 +115,18 @@ template <class S, class List> class Lanes;
 template <class S, class... C> class Lanes<S, Columns<C...>> {
 public:
     using Scalar = typename S::Scalar;
-    using columns = Columns<C...>; ///< the columns that it stores
-    static constexpr int dimension = S::dimension; ///< components of a vector
+    using columns = Columns<C...>;                                                    ///< the columns that it stores
+    static constexpr int dimension = S::dimension;                                    ///< components of a vector
     static constexpr std::size_t width = detail::lane_count(columns{}, S::dimension); ///< lanes in all
-    static constexpr std::size_t bytes_per_body = width * sizeof(Scalar); ///< what a body takes
+    static constexpr std::size_t bytes_per_body = width * sizeof(Scalar);             ///< what a body takes
 
     Lanes() = default;
     /// Copies the values; the room is the copy's own.
     Lanes(const Lanes& other) { *this = other; }
     /// Takes the values; the other is empty.
     Lanes(Lanes&& other) noexcept { *this = std::move(other); }
-    /// Copies the bodies; allocates only where they do not fit into what is there already, and before anything is changed.
+    /// Copies the bodies; allocates only where they do not fit into what is there already, and before anything is
+    /// changed.
     Lanes& operator=(const Lanes& other) {
         if (this == &other) return *this;
         reserve(other.size_);
@@ -149,7 +151,8 @@ public:
     void reserve(std::size_t n) {
         if (n <= stride_) return;
         if (n > std::numeric_limits<std::size_t>::max() / (2 * bytes_per_body + 64) - 4096)
-            refuse(Refusal::invalid_argument, "Lanes::reserve: n is " + std::to_string(n) + "; so many bodies cannot be addressed");
+            refuse(Refusal::invalid_argument,
+                   "Lanes::reserve: n is " + std::to_string(n) + "; so many bodies cannot be addressed");
         const std::size_t stride = stride_for(n);
         Block grown(width * stride);
         for (std::size_t k = 0; k < width; ++k) std::copy_n(lane_at(k), size_, grown.data() + k * stride);
@@ -197,7 +200,9 @@ public:
     /// One lane: the raw SI scalars of one component of a column.
     template <class Which> Scalar* lane(int component = 0) { return lane_at(offset<Which>() + std::size_t(component)); }
     /// The raw numbers of one component of a column.
-    template <class Which> const Scalar* lane(int component = 0) const { return lane_at(offset<Which>() + std::size_t(component)); }
+    template <class Which> const Scalar* lane(int component = 0) const {
+        return lane_at(offset<Which>() + std::size_t(component));
+    }
     /// A lane by its number.
     Scalar* lane_at(std::size_t index) { return block_.data() + index * stride_; }
     /// A lane by its number.
@@ -222,13 +227,12 @@ private:
         return detail::offset_in<Which>(columns{}, S::dimension);
     }
 
-    /// From one lane to the next, in scalars: room for `n`, whole cache lines, and from a page on so that the lanes' first
-    /// places are spread over a page.
+    /// From one lane to the next, in scalars: room for `n`, whole cache lines, and from a page on so that the lanes'
+    /// first places are spread over a page.
     static constexpr std::size_t stride_for(std::size_t n) {
         constexpr std::size_t line = 64, page = 4096;
         constexpr std::size_t apart = std::max(page / width / line, std::size_t(1)) * line;
-        if constexpr (line % sizeof(Scalar) != 0)
-            return n; // a class scalar
+        if constexpr (line % sizeof(Scalar) != 0) return n; // a class scalar
         else {
             std::size_t bytes = (n * sizeof(Scalar) + line - 1) / line * line;
             if (bytes >= page) bytes += (page + apart - bytes % page) % page;

@@ -31,7 +31,8 @@ template <class P, class S> using Bound = typename P::template In<S>;
 template <class P> inline constexpr bool reads_clock = contains<Clock, reads_of<P>>;
 
 template <class L, class R, class Ctx, class... C>
-concept AnswersAcceleration = requires(const L& law, R& row, const Ctx& c) { law.acceleration(row.template get<C>()..., c); };
+concept AnswersAcceleration =
+    requires(const L& law, R& row, const Ctx& c) { law.acceleration(row.template get<C>()..., c); };
 template <class L, class R, class Ctx, class... C>
 concept AnswersForce = requires(const L& law, R& row, const Ctx& c) { law.force(row.template get<C>()..., c); };
 
@@ -41,8 +42,7 @@ template <class P, class S, class R, class... C>
     const auto limited = context.template restricted<reads_clock<P>>();
     if constexpr (AnswersAcceleration<Bound<P, S>, const R, decltype(limited), C...>)
         return law.acceleration(row.template get<C>()..., limited);
-    else
-        return row.template get<InverseMass>() * law.force(row.template get<C>()..., limited);
+    else return row.template get<InverseMass>() * law.force(row.template get<C>()..., limited);
 }
 
 template <class P, class S, class R, class... C>
@@ -51,7 +51,8 @@ auto ask_jacobian(const Bound<P, S>& law, const R& row, Columns<C...>, const Con
 }
 
 /// A law whose answer does not depend on the state that an integrator solves for needs no Jacobian: it is zero.
-template <class P> inline constexpr bool depends_on_motion = contains<Position, reads_of<P>> || contains<Velocity, reads_of<P>>;
+template <class P>
+inline constexpr bool depends_on_motion = contains<Position, reads_of<P>> || contains<Velocity, reads_of<P>>;
 
 template <class P> using without_clock = difference_of<reads_of<P>, Columns<Clock>>;
 
@@ -75,7 +76,7 @@ template <class S, class... P> class Laws {
 public:
     /// The columns that they declared, and all that evaluating them needs (the mass, where one is a force).
     using reads = union_of<reads_of<P>...>;
-    using needs = union_of<detail::needs_of_law<P, S>...>; ///< the columns that the laws read
+    using needs = union_of<detail::needs_of_law<P, S>...>;                  ///< the columns that the laws read
     static constexpr bool time_dependent = (detail::reads_clock<P> || ...); ///< whether one of them asks for the time
 
     /// Binds them to the space.
@@ -83,17 +84,15 @@ public:
 
     /// Lets laws that compute something once a step do it.
     void prepare([[maybe_unused]] const Context<S>& context) {
-        (prepare_one(std::get<detail::place_of<P, List>>(laws_), context.template restricted<detail::reads_clock<P>>()), ...);
+        (prepare_one(std::get<detail::place_of<P, List>>(laws_), context.template restricted<detail::reads_clock<P>>()),
+         ...);
     }
 
-    /// The sum of the accelerations, as listed; without any law a zero that the compiler knows, so that no instruction and
-    /// no lane is spent on it.
-    /// \param row a `Row` with at least the columns of `reads`
+    /// The sum of the accelerations, as listed; without any law a zero that the compiler knows, so that no instruction
+    /// and no lane is spent on it. \param row a `Row` with at least the columns of `reads`
     template <class R> [[gnu::always_inline]] auto acceleration(const R& row, const Context<S>& context) const {
-        if constexpr (sizeof...(P) == 0)
-            return Zero<typename S::Acceleration>();
-        else
-            return sum<R, P...>(row, context);
+        if constexpr (sizeof...(P) == 0) return Zero<typename S::Acceleration>();
+        else return sum<R, P...>(row, context);
     }
 
     /// The sum of the Jacobians, as accelerations.
@@ -104,10 +103,13 @@ public:
     }
 
     /// One of them.
-    template <class Policy> const detail::Bound<Policy, S>& get() const { return std::get<detail::place_of<Policy, List>>(laws_); }
+    template <class Policy> const detail::Bound<Policy, S>& get() const {
+        return std::get<detail::place_of<Policy, List>>(laws_);
+    }
 
 private:
-    using List = std::tuple<P...>; // by place, because two policies may be bound by one In, as a force and one derived from it
+    using List =
+        std::tuple<P...>; // by place, because two policies may be bound by one In, as a force and one derived from it
 
     template <class L> static void prepare_one([[maybe_unused]] L& law, [[maybe_unused]] const auto& context) {
         if constexpr (requires { law.prepare(context); }) law.prepare(context);
@@ -123,9 +125,11 @@ private:
         ((total += one<Rest>(row, context)), ...);
         return total;
     }
-    template <class Policy, class R> void add_jacobian(Jacobian<S>& total, const R& row, const Context<S>& context) const {
+    template <class Policy, class R>
+    void add_jacobian(Jacobian<S>& total, const R& row, const Context<S>& context) const {
         if constexpr (detail::depends_on_motion<Policy>) {
-            const auto part = detail::ask_jacobian<Policy, S>(get<Policy>(), row, detail::without_clock<Policy>{}, context);
+            const auto part =
+                detail::ask_jacobian<Policy, S>(get<Policy>(), row, detail::without_clock<Policy>{}, context);
             if constexpr (requires { total.position += part.position; }) {
                 total.position += part.position;
                 total.velocity += part.velocity;

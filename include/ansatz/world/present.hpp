@@ -3,9 +3,10 @@
 
 /// \file
 /// What a body's acceleration and velocity are at the present time, what keeps the velocity when the forces change, and
-/// whether something went wrong: members of `World`. Where the integrator stores a velocity, most of this is nothing. Where it keeps the history of
-/// positions (Verlet), the velocity is the mean of the last step and half a step of the present acceleration, so that
-/// whatever changes a force would change the velocity as well, were it not held here. Included by world.hpp.
+/// whether something went wrong: members of `World`. Where the integrator stores a velocity, most of this is nothing.
+/// Where it keeps the history of positions (Verlet), the velocity is the mean of the last step and half a step of the
+/// present acceleration, so that whatever changes a force would change the velocity as well, were it not held here.
+/// Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
 
 #include <ansatz/world/coupling.hpp>
@@ -13,11 +14,9 @@
 
 namespace ansatz {
 
-/// Calls `f` with the data in which the forces between bodies are those of the present: a copy where they are not known,
-/// because the sums belong to all bodies at once, and a query changes nothing.
-template <class... P>
-template <class F>
-auto World<P...>::at_present(F&& f) const {
+/// Calls `f` with the data in which the forces between bodies are those of the present: a copy where they are not
+/// known, because the sums belong to all bodies at once, and a query changes nothing.
+template <class... P> template <class F> auto World<P...>::at_present(F&& f) const {
     if constexpr (composition::coupled)
         if (!data_.coupled.current) {
             Data present = data_;
@@ -28,7 +27,9 @@ auto World<P...>::at_present(F&& f) const {
 }
 
 /// The acceleration of a body whose velocity stands in the row.
-template <class... P> typename World<P...>::Acceleration World<P...>::acceleration_of(const Data& data, Slot slot, const typename Data::Body& row) const {
+template <class... P>
+typename World<P...>::Acceleration World<P...>::acceleration_of(const Data& data, Slot slot,
+                                                                const typename Data::Body& row) const {
     if (data.bodies.motion(slot) == Motion::moving || data.bodies.motion(slot) == Motion::fixed) return Acceleration();
     Acceleration a = bound_.laws.acceleration(row, context());
     if constexpr (composition::coupled)
@@ -57,9 +58,10 @@ template <class... P> typename World<P...>::Velocity World<P...>::velocity_in(co
             auto& v = row.template get<ansatz::Velocity>();
             const Velocity mean = v;
             v = Integrator::velocity_now(mean, acceleration_of(data, slot, row), data.last_dt());
-            // A force of velocity was asked at the velocity of half a step ago: an error of first order in what it says,
-            // and, where velocities are read and given back in every step, in the motion.
-            if constexpr (composition::velocity_read) v = Integrator::velocity_now(mean, acceleration_of(data, slot, row), data.last_dt());
+            // A force of velocity was asked at the velocity of half a step ago: an error of first order in what it
+            // says, and, where velocities are read and given back in every step, in the motion.
+            if constexpr (composition::velocity_read)
+                v = Integrator::velocity_now(mean, acceleration_of(data, slot, row), data.last_dt());
         }
     return row.template get<ansatz::Velocity>();
 }
@@ -86,8 +88,8 @@ template <class... P> void World<P...>::hold_velocities() {
     }
 }
 
-/// Before something changes what the forces between bodies see. Their sums are stale then; and where velocity is derived
-/// from history, the change is made good when they are summed anew.
+/// Before something changes what the forces between bodies see. Their sums are stale then; and where velocity is
+/// derived from history, the change is made good when they are summed anew.
 template <class... P> void World<P...>::forces_change() {
     if constexpr (composition::collides) data_.collisions.make_stale();
     if constexpr (composition::coupled) {
@@ -107,7 +109,9 @@ template <class... P> Status World<P...>::status() const {
     for_each([&](Handle h) {
         const auto body = row(h);
         bool finite = true;
-        [&]<class... C>(Columns<C...>) { ((finite = finite && is_finite(body.template get<C>())), ...); }(typename Data::AllColumns{});
+        [&]<class... C>(Columns<C...>) {
+            ((finite = finite && is_finite(body.template get<C>())), ...);
+        }(typename Data::AllColumns{});
         if (finite) return;
         if (s.not_finite++ == 0) s.first_not_finite = h;
     });

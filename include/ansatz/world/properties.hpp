@@ -31,12 +31,13 @@ inline constexpr Moving moving{}; ///< fixed, but with a velocity of its own: a 
 struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
 
-/// The description of a shape, e.g. `Sphere{0.5 * metre}`; see collision/shapes.hpp. A world with a Narrowphase takes one for
-/// each body; a body without one meets nothing.
+/// The description of a shape, e.g. `Sphere{0.5 * metre}`; see collision/shapes.hpp. A world with a Narrowphase takes
+/// one for each body; a body without one meets nothing.
 template <class T>
 concept ShapeDescription = std::same_as<typename T::shape, T>;
 
-/// A body that others meet without being pushed, and that is pushed by none: its contacts are reported, and that is all.
+/// A body that others meet without being pushed, and that is pushed by none: its contacts are reported, and that is
+/// all.
 struct Sensor {};
 inline constexpr Sensor sensor{}; ///< notices who enters, and pushes nobody
 
@@ -94,14 +95,16 @@ template <class Q> auto position(const Q& x) {
 template <class... Number>
     requires(sizeof...(Number) > 1)
 auto position(const Number&...) {
-    static_assert(detail::never<Number...>, "Ansatz: position takes one vector of lengths; write e.g. position(metres(0, 10, 0))");
+    static_assert(detail::never<Number...>,
+                  "Ansatz: position takes one vector of lengths; write e.g. position(metres(0, 10, 0))");
     return Given<Position, VectorQuantity<unit::Length, 3>>{};
 }
 /// Plain numbers.
 template <class... Number>
     requires(sizeof...(Number) > 1)
 auto velocity(const Number&...) {
-    static_assert(detail::never<Number...>, "Ansatz: velocity takes one vector of velocities; write e.g. velocity(metres_per_second(1, 0, 0))");
+    static_assert(detail::never<Number...>,
+                  "Ansatz: velocity takes one vector of velocities; write e.g. velocity(metres_per_second(1, 0, 0))");
     return Given<Velocity, VectorQuantity<unit::Velocity, 3>>{};
 }
 
@@ -125,7 +128,8 @@ template <class Q> auto mass(const Q& m) {
 template <class C, class Q> auto with(const Q& value) {
     static_assert(Column<C>, "Ansatz: with<C> names a column: a type with Unit, shape and name; see columns.hpp");
     using Given_ = detail::stripped<Q>;
-    static_assert(detail::has_unit<typename C::Unit, Given_> && detail::vector_valued<Given_> == (C::shape == Shape::vector),
+    static_assert(detail::has_unit<typename C::Unit, Given_> &&
+                      detail::vector_valued<Given_> == (C::shape == Shape::vector),
                   "Ansatz: the value given to with<C> has not the unit or the shape of column C");
     return Given<C, Given_>{value};
 }

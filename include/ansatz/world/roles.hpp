@@ -6,7 +6,8 @@
 ///
 /// A policy says what it is with one line, `using role = ansatz::roles::Force;`. The order in which policies are listed
 /// never matters: the world finds each by its role. Use these tags when you write a policy of your own; a reader of a
-/// program never needs them. A new *kind* of policy would be a new role, and that is the one thing that touches `world/`.
+/// program never needs them. A new *kind* of policy would be a new role, and that is the one thing that touches
+/// `world/`.
 
 #include <ansatz/core/compiler_flags.hpp>
 
@@ -41,8 +42,9 @@ struct RoleOf<P> {
 template <class R, class... Known> inline constexpr bool one_of = (std::same_as<R, Known> || ...);
 
 template <class R>
-inline constexpr bool known_role = one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase,
-                                   roles::Filter, roles::Narrowphase, roles::Response, roles::StepControl, roles::Observer>;
+inline constexpr bool known_role =
+    one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase, roles::Filter,
+           roles::Narrowphase, roles::Response, roles::StepControl, roles::Observer>;
 
 } // namespace detail
 

@@ -38,7 +38,8 @@ template <class T> constexpr const char* scalar_name() {
     return "class";
 }
 
-template <class P> concept Named = requires(P& p) {
+template <class P>
+concept Named = requires(P& p) {
     { P::name } -> std::convertible_to<std::string_view>;
     P::parameters(p, [](std::string_view, auto&) {});
 };
@@ -71,7 +72,9 @@ struct Archive {
         (write_policy(file["policies"], std::get<P>(world.policies_)), ...);
         if constexpr (C::element_keepers::size > 0) {
             auto& elements = file["elements"] = detail::Json::object();
-            [&]<class... K>(Types<K...>) { (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...); }(typename C::element_keepers{});
+            [&]<class... K>(Types<K...>) {
+                (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...);
+            }(typename C::element_keepers{});
         }
         if constexpr (C::collides) CollisionArchive::write<C>(file["collisions"] = detail::Json::object(), data);
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
@@ -121,13 +124,16 @@ struct Archive {
         if constexpr (C::element_keepers::size > 0) {
             const auto elements = file.at("elements");
             [&]<class... K>(Types<K...>) {
-                (ElementArchive::read<C>(data.template state<K>(), data.bodies, elements.at(std::string(K::name).c_str())), ...);
+                (ElementArchive::read<C>(data.template state<K>(), data.bodies,
+                                         elements.at(std::string(K::name).c_str())),
+                 ...);
             }(typename C::element_keepers{});
         }
 
         if constexpr (C::collides) CollisionArchive::read<C>(data, file.at("collisions"));
 
-        // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a new one.
+        // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a
+        // new one.
         decltype(world.user_) user;
         if constexpr (W::has_datum) user.by_id.resize(data.bodies.ids());
         const auto room = std::max<std::size_t>(data.bodies.ids(), world.capacity_);
@@ -155,12 +161,14 @@ private:
 
     /// The order of the columns follows from that of the policies, which means nothing.
     static void same_columns(const FileValue& file, const detail::Json& expected) {
-        const bool same = file.size("columns") == expected.size() && std::is_permutation(expected.begin(), expected.end(), file.json.begin());
+        const bool same = file.size("columns") == expected.size() &&
+                          std::is_permutation(expected.begin(), expected.end(), file.json.begin());
         if (!same) file.refuse_here(expected.dump() + ", the columns of this world, in any order");
     }
 
     template <class P> static void write_policy(detail::Json& policies, const P& policy) {
-        if constexpr (detail::Named<P>) detail::write_parameters(policies[std::string(P::name)] = detail::Json::object(), policy);
+        if constexpr (detail::Named<P>)
+            detail::write_parameters(policies[std::string(P::name)] = detail::Json::object(), policy);
     }
     template <class P> static void read_policy(P& policy, const FileValue& policies) {
         if constexpr (detail::Named<P>) detail::read_parameters(policy, policies.at(std::string(P::name).c_str()));
@@ -206,17 +214,20 @@ private:
         for (std::size_t slot = 0; slot < count; ++slot) {
             const auto body = bodies.at(slot);
             const auto id = body.at("id").whole(ids == 0 ? 0 : ids - 1);
-            if (id >= ids || data.bodies.slot_of_[id] != Bodies::none) body.at("id").refuse_here("an id that no other body has");
+            if (id >= ids || data.bodies.slot_of_[id] != Bodies::none)
+                body.at("id").refuse_here("an id that no other body has");
             const auto motion = motion_from(body.at("motion"));
             if (motion < kind) body.at("motion").refuse_here("bodies in the order awake, resting, moving, fixed");
-            if (motion == Motion::resting && !C::rests) body.at("motion").refuse_here("another state; this world puts no bodies to rest");
+            if (motion == Motion::resting && !C::rests)
+                body.at("motion").refuse_here("another state; this world puts no bodies to rest");
             kind = motion;
             data.bodies.slot_of_[id] = Bodies::Slot(slot);
             data.bodies.id_at_.push_back(std::uint32_t(id));
             for (auto m = std::size_t(motion); m < 4; ++m) data.bodies.end_[m] = slot + 1;
             data.lanes.push_back();
             read_columns(data.lanes, body, slot, typename C::state{});
-            if constexpr (C::has_mass) check_mass(data.lanes.template get<InverseMass>(slot).value(), motion, body.at("inverse mass"));
+            if constexpr (C::has_mass)
+                check_mass(data.lanes.template get<InverseMass>(slot).value(), motion, body.at("inverse mass"));
             if (motion == Motion::resting || motion == Motion::fixed) check_still<C>(data.lanes, slot, body);
             if constexpr (C::history)
                 if (body.at("waiting").yes()) data.starts.wait(std::uint32_t(id));
@@ -239,7 +250,8 @@ private:
     }
 
     /// A body that is fixed or at rest has no velocity.
-    template <class C, class LanesT> static void check_still(const LanesT& lanes, std::size_t slot, const FileValue& body) {
+    template <class C, class LanesT>
+    static void check_still(const LanesT& lanes, std::size_t slot, const FileValue& body) {
         if constexpr (C::history) {
             if (!(lanes.template get<Position>(slot) == lanes.template get<PreviousPosition>(slot)))
                 body.at("previous position").refuse_here("the body's position, because it stands still");
@@ -256,17 +268,20 @@ private:
         if (!immovable && !is_finite(Scalar(Scalar(1) / inverse))) json.refuse_here("the inverse of a finite mass");
     }
 
-    template <class LanesT, class... Col> static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {
+    template <class LanesT, class... Col>
+    static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {
         auto one = [&]<class Which>(Columns<Which>) {
             auto& json = body[std::string(Which::name)];
             if constexpr (Which::shape == Shape::scalar)
                 json = detail::number_to_file(lanes.template lane<Which>()[slot]);
             else
-                for (int k = 0; k < LanesT::dimension; ++k) json.push_back(detail::number_to_file(lanes.template lane<Which>(k)[slot]));
+                for (int k = 0; k < LanesT::dimension; ++k)
+                    json.push_back(detail::number_to_file(lanes.template lane<Which>(k)[slot]));
         };
         (one(Columns<Col>{}), ...);
     }
-    template <class LanesT, class... Col> static void read_columns(LanesT& lanes, const FileValue& body, std::size_t slot, Columns<Col...>) {
+    template <class LanesT, class... Col>
+    static void read_columns(LanesT& lanes, const FileValue& body, std::size_t slot, Columns<Col...>) {
         auto one = [&]<class Which>(Columns<Which>) {
             const auto json = body.at(std::string(Which::name).c_str());
             using Scalar = typename LanesT::Scalar;
@@ -276,7 +291,8 @@ private:
                 lanes.template lane<Which>()[slot] = value;
             } else {
                 json.size_is(std::size_t(LanesT::dimension), "numbers");
-                for (int k = 0; k < LanesT::dimension; ++k) lanes.template lane<Which>(k)[slot] = json.at(std::size_t(k)).template number<Scalar>();
+                for (int k = 0; k < LanesT::dimension; ++k)
+                    lanes.template lane<Which>(k)[slot] = json.at(std::size_t(k)).template number<Scalar>();
             }
         };
         (one(Columns<Col>{}), ...);
@@ -309,7 +325,8 @@ template <class... P> void load(World<P...>& world, std::istream& in, const std:
     } catch (const detail::Json::exception& e) {
         const std::string what = e.what(); // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
         const auto sentence = what.find("] ");
-        refuse(Refusal::invalid_argument, name + ": " + (sentence == std::string::npos ? what : what.substr(sentence + 2)));
+        refuse(Refusal::invalid_argument,
+               name + ": " + (sentence == std::string::npos ? what : what.substr(sentence + 2)));
     } catch (const std::ios_base::failure&) {
         refuse(Refusal::invalid_argument, name + " cannot be read; is it a file?");
     }

@@ -36,13 +36,17 @@ struct CollisionArchive {
                 detail::write_parameters(shape[std::string(Kind::name)] = detail::Json::object(), description);
             });
             if constexpr (C::rests)
-                for (int k = 0; k < C::S::dimension; ++k) shape["pull"].push_back(detail::number_to_file(collisions.pulls_[id].value()[k]));
+                for (int k = 0; k < C::S::dimension; ++k)
+                    shape["pull"].push_back(detail::number_to_file(collisions.pulls_[id].value()[k]));
             shapes.push_back(std::move(shape));
         }
         auto& contacts = file["contacts"] = detail::Json::array();
         for (const auto& c : collisions.contacts) {
             if (!collisions.lasts(data.bodies, c)) continue;
-            detail::Json one{{"first", c.first.id}, {"second", c.second.id}, {"steps", c.steps}, {"depth", detail::number_to_file(c.depth.value())}};
+            detail::Json one{{"first", c.first.id},
+                             {"second", c.second.id},
+                             {"steps", c.steps},
+                             {"depth", detail::number_to_file(c.depth.value())}};
             for (int k = 0; k < C::S::dimension; ++k) {
                 one["point"].push_back(detail::number_to_file(c.point.value()[k]));
                 one["normal"].push_back(detail::number_to_file(c.normal[k]));
@@ -78,7 +82,8 @@ struct CollisionArchive {
             const auto json = contacts.at(i);
             Contact_<C> contact;
             const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
-            if (a >= b || (i > 0 && std::pair(a, b) <= last)) json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
+            if (a >= b || (i > 0 && std::pair(a, b) <= last))
+                json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
             last = {a, b};
             const auto sa = data.bodies.slot_of_id(a), sb = data.bodies.slot_of_id(b);
             auto point = contact.point.value();
@@ -88,7 +93,8 @@ struct CollisionArchive {
                 point[k] = json.at("point").at(std::size_t(k)).template number<typename C::S::Scalar>();
                 contact.normal[k] = json.at("normal").at(std::size_t(k)).template number<typename C::S::Scalar>();
             }
-            if (!(abs(contact.normal.squaredNorm() - typename C::S::Scalar(1)) < typename C::S::Scalar(0.001))) json.at("normal").refuse_here("a unit vector");
+            if (!(abs(contact.normal.squaredNorm() - typename C::S::Scalar(1)) < typename C::S::Scalar(0.001)))
+                json.at("normal").refuse_here("a unit vector");
             contact.point = C::S::Position::from_value(point);
             contact.depth = C::S::Length::from_value(json.at("depth").template number<typename C::S::Scalar>());
             contact.first = data.bodies.handle(sa);
@@ -107,18 +113,22 @@ struct CollisionArchive {
     }
 
 private:
-    template <class C> using Contact_ = typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
+    template <class C>
+    using Contact_ =
+        typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
 
     template <class Data> static std::uint32_t body(const Data& data, const detail::FileValue& json) {
         const auto id = json.whole(data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1);
-        if (id >= data.bodies.ids() || !data.bodies.alive(std::uint32_t(id))) json.refuse_here("the id of a body that is in the file");
+        if (id >= data.bodies.ids() || !data.bodies.alive(std::uint32_t(id)))
+            json.refuse_here("the id of a body that is in the file");
         return std::uint32_t(id);
     }
     template <class C, class Data> static void read_shape(Data& data, const detail::FileValue& json) {
         using S = typename C::S;
         auto& collisions = data.collisions;
         const auto id = body(data, json.at("body"));
-        if (collisions.shapes.has(id) || collisions.is_sensor(id)) json.at("body").refuse_here("a body that has no shape yet");
+        if (collisions.shapes.has(id) || collisions.is_sensor(id))
+            json.at("body").refuse_here("a body that has no shape yet");
         collisions.set_sensor(id, json.at("sensor").yes());
         bool known = false;
         C::Narrowphase::for_each_kind([&]<class Kind>() {
@@ -140,23 +150,28 @@ private:
             const auto pull = json.at("pull");
             pull.size_is(std::size_t(S::dimension), "numbers");
             auto value = collisions.pulls_[id].value();
-            for (int k = 0; k < S::dimension; ++k) value[k] = pull.at(std::size_t(k)).template number<typename S::Scalar>();
+            for (int k = 0; k < S::dimension; ++k)
+                value[k] = pull.at(std::size_t(k)).template number<typename S::Scalar>();
             collisions.pulls_[id] = S::Acceleration::from_value(value);
         }
     }
-    template <class C, class Data, class State> static void read_acting(const Data& data, State& state, const detail::FileValue& file) {
+    template <class C, class Data, class State>
+    static void read_acting(const Data& data, State& state, const detail::FileValue& file) {
         const auto count = file.size("contacts");
         std::pair<std::uint32_t, std::uint32_t> last{};
         for (std::size_t i = 0; i < count; ++i) {
             const auto json = file.at(i);
             const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
-            if (a >= b || (i > 0 && std::pair(a, b) <= last)) json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
+            if (a >= b || (i > 0 && std::pair(a, b) <= last))
+                json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
             last = {a, b};
             const auto numbers = json.at("numbers");
             numbers.size_is(std::size_t(State::numbers_each), "numbers");
             std::vector<typename C::S::Scalar> all;
-            for (int k = 0; k < State::numbers_each; ++k) all.push_back(numbers.at(std::size_t(k)).template number<typename C::S::Scalar>());
-            if (const auto wrong = state.load(a, b, all)) numbers.at(std::size_t(wrong->first)).refuse_here(wrong->second);
+            for (int k = 0; k < State::numbers_each; ++k)
+                all.push_back(numbers.at(std::size_t(k)).template number<typename C::S::Scalar>());
+            if (const auto wrong = state.load(a, b, all))
+                numbers.at(std::size_t(wrong->first)).refuse_here(wrong->second);
         }
     }
 };

@@ -26,15 +26,18 @@ struct ElementArchive {
             detail::Json element;
             element["id"] = id;
             element["first"] = link.a;
-            if (link.b != State::no_body)
-                element["second"] = link.b;
+            if (link.b != State::no_body) element["second"] = link.b;
             else
-                for (int k = 0; k < C::S::dimension; ++k) element["point"].push_back(detail::number_to_file(state.anchors_[id].value()[k]));
-            State::numbers(state, id, [&](const char* name, const auto& number, NumberIn) { element[name] = detail::number_to_file(number); });
+                for (int k = 0; k < C::S::dimension; ++k)
+                    element["point"].push_back(detail::number_to_file(state.anchors_[id].value()[k]));
+            State::numbers(state, id, [&](const char* name, const auto& number, NumberIn) {
+                element[name] = detail::number_to_file(number);
+            });
             list.push_back(std::move(element));
         });
     }
-    template <class C, class State> static void read(State& state, const Bodies& bodies, const detail::FileValue& file) {
+    template <class C, class State>
+    static void read(State& state, const Bodies& bodies, const detail::FileValue& file) {
         using Scalar = typename C::S::Scalar;
         const auto generations = file.at("generations");
         const auto ids = generations.size("generations");
@@ -43,7 +46,8 @@ struct ElementArchive {
         for (std::size_t id = 0; id < ids; ++id) state.insert(none);
         auto body = [&](const detail::FileValue& id) {
             const auto n = id.whole(bodies.ids() == 0 ? 0 : bodies.ids() - 1);
-            if (n >= bodies.ids() || !bodies.alive(std::uint32_t(n))) id.refuse_here("the id of a body that is in the file");
+            if (n >= bodies.ids() || !bodies.alive(std::uint32_t(n)))
+                id.refuse_here("the id of a body that is in the file");
             return std::uint32_t(n);
         };
         std::vector<char> listed(ids);
@@ -75,7 +79,8 @@ struct ElementArchive {
                 }
                 number = given.template number<Scalar>();
                 if (accepted == NumberIn::not_negative ? number < Scalar(0) : !(number > Scalar(0)))
-                    given.refuse_here(accepted == NumberIn::not_negative ? "a number that is not negative" : "a number greater than 0, or \"inf\"");
+                    given.refuse_here(accepted == NumberIn::not_negative ? "a number that is not negative"
+                                                                         : "a number greater than 0, or \"inf\"");
             });
         }
         const auto free = file.at("free");
@@ -86,7 +91,8 @@ struct ElementArchive {
             listed[id] = 1;
             state.erase(id);
         }
-        for (std::size_t id = 0; id < ids; ++id) state.ids_.generation_[id] = std::uint32_t(generations.at(id).whole(0xffffffffu));
+        for (std::size_t id = 0; id < ids; ++id)
+            state.ids_.generation_[id] = std::uint32_t(generations.at(id).whole(0xffffffffu));
     }
 };
 

@@ -21,14 +21,11 @@ template <class P> void write_parameters(Json& json, const P& description) {
     P::parameters(description, [&](std::string_view what, const auto& value) {
         auto& number = json[std::string(what)];
         using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_integral_v<Value>)
-            number = value;
-        else if constexpr (std::is_floating_point_v<Value>)
-            number = number_to_file(value);
+        if constexpr (std::is_integral_v<Value>) number = value;
+        else if constexpr (std::is_floating_point_v<Value>) number = number_to_file(value);
         else if constexpr (vector_valued<stripped<Value>>)
             for (int i = 0; i < value.value().size(); ++i) number.push_back(number_to_file(value.value()[i]));
-        else
-            number = number_to_file(value.value());
+        else number = number_to_file(value.value());
     });
 }
 /// \throws std::invalid_argument naming the place in the file
@@ -38,8 +35,7 @@ template <class P> void read_parameters(P& description, const FileValue& json) {
         const auto given = json.at(std::string(what).c_str());
         if constexpr (std::is_integral_v<Value>)
             value = Value(given.whole(std::uint64_t(std::numeric_limits<Value>::max())));
-        else if constexpr (std::is_floating_point_v<Value>)
-            value = given.template number<Value>();
+        else if constexpr (std::is_floating_point_v<Value>) value = given.template number<Value>();
         else {
             using Q = stripped<Value>;
             if constexpr (vector_valued<Q>) {
@@ -47,8 +43,7 @@ template <class P> void read_parameters(P& description, const FileValue& json) {
                 given.size_is(std::size_t(v.size()), "numbers");
                 for (int i = 0; i < v.size(); ++i) v[i] = given.at(std::size_t(i)).template number<double>();
                 value = Q::from_value(v);
-            } else
-                value = Q::from_value(given.template number<double>());
+            } else value = Q::from_value(given.template number<double>());
         }
     });
 }

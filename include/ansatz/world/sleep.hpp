@@ -2,17 +2,17 @@
 #pragma once
 
 /// \file
-/// Who falls asleep and who wakes where bodies touch each other or hang together: islands of bodies that have all been slow for
-/// long enough and are all held.
+/// Who falls asleep and who wakes where bodies touch each other or hang together: islands of bodies that have all been
+/// slow for long enough and are all held.
 ///
-/// A body is held where the acceleration that remains to it is next to nothing: what pulls at it at rest, and what its contacts
-/// push, friction included, where their response knows that (SoftSubsteps keeps it, Penalty's is one of the forces). A pile
-/// trembles while it settles: a hundredth of what its contacts carry may remain. The impulses of other responses are not kept;
-/// there a body is held where one of its contacts pushes against what pulls.
+/// A body is held where the acceleration that remains to it is next to nothing: what pulls at it at rest, and what its
+/// contacts push, friction included, where their response knows that (SoftSubsteps keeps it, Penalty's is one of the
+/// forces). A pile trembles while it settles: a hundredth of what its contacts carry may remain. The impulses of other
+/// responses are not kept; there a body is held where one of its contacts pushes against what pulls.
 ///
-/// At the top of its flight a ball is slow, but nothing holds it; nor does a body beside it that falls as well. What is held by a
-/// body that is not held itself is in one island with it, and stays awake with it; so does what touches a platform that moves,
-/// or hangs on it.
+/// At the top of its flight a ball is slow, but nothing holds it; nor does a body beside it that falls as well. What is
+/// held by a body that is not held itself is in one island with it, and stays awake with it; so does what touches a
+/// platform that moves, or hangs on it.
 
 #include <ansatz/world/data.hpp>
 #include <ansatz/world/islands.hpp>
@@ -27,7 +27,8 @@ template <class C> bool goes(const WorldData<C>& data, Bodies::Slot slot) {
     return data.bodies.motion(slot) == Motion::moving &&
            !(data.load(slot).template get<Velocity>() == C::S::template zero_vector<unit::Velocity>());
 }
-/// Calls `f(state, id)` for each element of a world that acts on its bodies where they are; a rope that hangs slack holds nobody.
+/// Calls `f(state, id)` for each element of a world that acts on its bodies where they are; a rope that hangs slack
+/// holds nobody.
 template <class C, class F> void for_each_element(const WorldData<C>& data, F&& f) {
     const auto at = [&](std::uint32_t body) { return data.lanes.template get<Position>(data.bodies.slot_of_id(body)); };
     data.states.for_each([&](const auto& state) {
@@ -74,7 +75,8 @@ template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<
         if (slot >= awake) return;
         if constexpr (push_unknown) {
             const auto& a = scratch.pulls[slot];
-            if (dot(a, outwards) < typename S::Scalar(-0.01) * norm(a)) scratch.held[slot] = 1; // a wall that it slides down is not enough
+            if (dot(a, outwards) < typename S::Scalar(-0.01) * norm(a))
+                scratch.held[slot] = 1; // a wall that it slides down is not enough
         }
         if (other < awake) scratch.islands.unite(slot, other);
         else if (goes(data, other)) scratch.goes_along[slot] = 1;
@@ -109,11 +111,11 @@ template <class C> void join_by_elements(const WorldData<C>& data, SleepScratch<
 /// Finds the ids of the bodies that fall asleep now.
 /// \param slow_long whether the body of a slot has been slow for long enough
 /// \param pull      the acceleration that the body of a slot would have at rest
-/// \param push      `push(add)` calls `add(slot, acceleration)` with what each contact does to each of its bodies, where contacts know it
-/// \param balanced  whether an acceleration is next to nothing
+/// \param push      `push(add)` calls `add(slot, acceleration)` with what each contact does to each of its bodies,
+/// where contacts know it \param balanced  whether an acceleration is next to nothing
 template <class C, class SlowLong, class Pull, class Push, class Balanced>
-void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratch, const SlowLong& slow_long, const Pull& pull,
-                   const Push& push, const Balanced& balanced) {
+void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratch, const SlowLong& slow_long,
+                   const Pull& pull, const Push& push, const Balanced& balanced) {
     const auto awake = data.bodies.end(Motion::awake);
     scratch.sleepers.clear();
     bool any = false;
@@ -141,7 +143,8 @@ void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratc
         if (!scratch.held[slot] || scratch.goes_along[slot] || !slow_long(slot))
             scratch.restless[scratch.islands.of(std::uint32_t(slot))] = 1;
     for (std::size_t slot = 0; slot < awake; ++slot)
-        if (!scratch.restless[scratch.islands.of(std::uint32_t(slot))]) scratch.sleepers.push_back(data.bodies.id(slot));
+        if (!scratch.restless[scratch.islands.of(std::uint32_t(slot))])
+            scratch.sleepers.push_back(data.bodies.id(slot));
 }
 
 } // namespace ansatz

@@ -4,14 +4,16 @@
 /// \file
 /// How short a time step may be: `World::step` asks before it touches anything.
 ///
-/// Two things go wrong in a step that is too short. Integrators and responses divide by it, and where 1/dt is no number, nothing
-/// after it is: no world takes a step below `smallest_step`. And an integrator that keeps the last position in place of the velocity
-/// (Verlet) has the velocity as a difference of two positions: where v dt is less than the rounding of x, the body stands still from
-/// then on. How short a step that is depends on where the bodies are, so they are asked, but only where dt^2 is below a
-/// hundredth of the scalar's epsilon (1.5 ns in double, 35 microseconds in float): above that it is the price which Verlet names.
+/// Two things go wrong in a step that is too short. Integrators and responses divide by it, and where 1/dt is no
+/// number, nothing after it is: no world takes a step below `smallest_step`. And an integrator that keeps the last
+/// position in place of the velocity (Verlet) has the velocity as a difference of two positions: where v dt is less
+/// than the rounding of x, the body stands still from then on. How short a step that is depends on where the bodies
+/// are, so they are asked, but only where dt^2 is below a hundredth of the scalar's epsilon (1.5 ns in double, 35
+/// microseconds in float): above that it is the price which Verlet names.
 ///
-/// A step in which x + v dt rounds to x is right for every other integrator: the velocity is kept, and the next step is longer. What
-/// a history loses besides in such steps are accelerations: a dt^2 of each, where it is below the rounding of x.
+/// A step in which x + v dt rounds to x is right for every other integrator: the velocity is kept, and the next step is
+/// longer. What a history loses besides in such steps are accelerations: a dt^2 of each, where it is below the rounding
+/// of x.
 
 #include <ansatz/world/concepts.hpp>
 #include <ansatz/world/data.hpp>
@@ -23,8 +25,8 @@
 
 namespace ansatz::detail {
 
-/// The shortest step that a world of this scalar takes, s: 1e-292 in double, 1e-31 in float. What a response makes of it, a
-/// hundredth of it or its square root, still has all digits, and an inverse.
+/// The shortest step that a world of this scalar takes, s: 1e-292 in double, 1e-31 in float. What a response makes of
+/// it, a hundredth of it or its square root, still has all digits, and an inverse.
 template <class Scalar> Scalar smallest_step() {
     return Scalar(std::numeric_limits<Scalar>::min() / std::numeric_limits<Scalar>::epsilon());
 }
@@ -34,7 +36,8 @@ inline constexpr double lost_share = 1e-3, slowest_kept = 1e-3;
 
 /// The shortest step with which the history of every body holds its velocity, s; zero, where this one is long enough.
 /// \param dt s, the step of the integrator: a part of the world's where a response divides it
-template <class C> typename C::S::Scalar shortest_that_keeps_velocities(const WorldData<C>& data, const typename C::S::Scalar& dt) {
+template <class C>
+typename C::S::Scalar shortest_that_keeps_velocities(const WorldData<C>& data, const typename C::S::Scalar& dt) {
     using std::abs;
     using Scalar = typename C::S::Scalar;
     const auto epsilon = std::numeric_limits<Scalar>::epsilon();
@@ -46,12 +49,14 @@ template <class C> typename C::S::Scalar shortest_that_keeps_velocities(const Wo
         const auto row = data.load(Bodies::Slot(slot));
         Scalar farthest(0), fastest(slowest_kept), lost(0);
         for (int k = 0; k < C::S::dimension; ++k) {
-            const Scalar x = row.template get<Position>().value()[k], v = row.template get<Velocity>().value()[k], before = x - v * dt;
+            const Scalar x = row.template get<Position>().value()[k], v = row.template get<Velocity>().value()[k],
+                         before = x - v * dt;
             farthest = std::max(farthest, Scalar(abs(x)));
             fastest = std::max(fastest, Scalar(abs(v)));
             lost = std::max(lost, Scalar(abs((x - before) / dt - v)));
         }
-        if (lost > Scalar(lost_share) * fastest) shortest = std::max(shortest, Scalar(farthest * epsilon / (Scalar(lost_share) * fastest)));
+        if (lost > Scalar(lost_share) * fastest)
+            shortest = std::max(shortest, Scalar(farthest * epsilon / (Scalar(lost_share) * fastest)));
     }
     return shortest;
 }
@@ -59,8 +64,9 @@ template <class C> typename C::S::Scalar shortest_that_keeps_velocities(const Wo
 /// \param h     the step, greater than zero
 /// \param given the same as it was given
 /// \throws std::invalid_argument for a step that is too short, with one that is not
-template <class C, class Policies> void refuse_short_step([[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] const Policies& policies,
-                                                          const typename C::S::Time& h, const auto& given) {
+template <class C, class Policies>
+void refuse_short_step([[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] const Policies& policies,
+                       const typename C::S::Time& h, const auto& given) {
     using Scalar = typename C::S::Scalar;
     auto is_at_least = [&](const char* why, const Scalar& least) {
         refuse_value("World::step", "dt", describe(given), why + describe(C::S::Time::from_value(least)));
@@ -73,7 +79,8 @@ template <class C, class Policies> void refuse_short_step([[maybe_unused]] const
         }
         const Scalar enough = shortest_that_keeps_velocities(data, Scalar(h.value() / parts));
         if (enough > Scalar(0))
-            is_at_least("an integrator that keeps the last position would lose the velocity of a body in the rounding of its position; "
+            is_at_least("an integrator that keeps the last position would lose the velocity of a body in the rounding "
+                        "of its position; "
                         "take one that keeps velocities, e.g. VelocityVerlet, or a step of at least ",
                         Scalar(enough * parts));
     }

@@ -24,9 +24,11 @@ namespace ansatz {
 ///                 templates)
 /// \tparam Dim     2 or 3
 template <class ScalarT = double, int Dim = 3> struct Space {
-    static_assert(Dim == 2 || Dim == 3, "Ansatz: a Space has 2 or 3 dimensions, e.g. Space<double, 3> or Space<float, 2>");
-    static_assert(!std::is_integral_v<ScalarT>,
-                  "Ansatz: the scalar of a Space is a real number type, e.g. Space<double, 3>; integers cannot integrate");
+    static_assert(Dim == 2 || Dim == 3,
+                  "Ansatz: a Space has 2 or 3 dimensions, e.g. Space<double, 3> or Space<float, 2>");
+    static_assert(
+        !std::is_integral_v<ScalarT>,
+        "Ansatz: the scalar of a Space is a real number type, e.g. Space<double, 3>; integers cannot integrate");
 
     using role = roles::Space;
     using Scalar = ScalarT;
@@ -42,27 +44,30 @@ template <class ScalarT = double, int Dim = 3> struct Space {
     template <class Unit> using MatrixOf = MatrixQuantity<Unit, Dim, Scalar>;
 
     using Length = ScalarOf<unit::Length>; ///< m
-    using Time = ScalarOf<unit::Time>; ///< s
+    using Time = ScalarOf<unit::Time>;     ///< s
     /// s, with the digits that a long run needs: at least double's.
     using ClockTime = ansatz::Quantity<unit::Time, ClockScalar>;
-    using Mass = ScalarOf<unit::Mass>; ///< kg
-    using InverseMass = ScalarOf<unit::InverseMass>; ///< 1/kg
-    using Speed = ScalarOf<unit::Velocity>; ///< m/s
-    using Energy = ScalarOf<unit::Energy>; ///< J
-    using Position = VectorOf<unit::Length>; ///< m
-    using Velocity = VectorOf<unit::Velocity>; ///< m/s
+    using Mass = ScalarOf<unit::Mass>;                 ///< kg
+    using InverseMass = ScalarOf<unit::InverseMass>;   ///< 1/kg
+    using Speed = ScalarOf<unit::Velocity>;            ///< m/s
+    using Energy = ScalarOf<unit::Energy>;             ///< J
+    using Position = VectorOf<unit::Length>;           ///< m
+    using Velocity = VectorOf<unit::Velocity>;         ///< m/s
     using Acceleration = VectorOf<unit::Acceleration>; ///< m/s^2
-    using Force = VectorOf<unit::Force>; ///< N
-    using Momentum = VectorOf<unit::Momentum>; ///< kg m/s
+    using Force = VectorOf<unit::Force>;               ///< N
+    using Momentum = VectorOf<unit::Momentum>;         ///< kg m/s
 
     /// A scalar parameter of a policy, in this space's number type.
-    template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
+    template <class Unit, detail::ScalarValue From>
+    static constexpr ScalarOf<Unit> convert(const ansatz::Quantity<Unit, From>& q) {
         return convert("a parameter", q);
     }
     /// \param what the parameter's name for the sentence
-    template <class Unit, detail::ScalarValue From> static constexpr ScalarOf<Unit> convert(std::string_view what, const ansatz::Quantity<Unit, From>& q) {
+    template <class Unit, detail::ScalarValue From>
+    static constexpr ScalarOf<Unit> convert(std::string_view what, const ansatz::Quantity<Unit, From>& q) {
         const auto converted = ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
-        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, describe(q), "the world's scalar can hold it");
+        if (is_finite(q) && !is_finite(converted))
+            refuse_value("World", what, describe(q), "the world's scalar can hold it");
         return converted;
     }
 
@@ -73,11 +78,13 @@ template <class ScalarT = double, int Dim = 3> struct Space {
     static VectorOf<Unit> convert(std::string_view what, const VectorQuantity<Unit, 3, From>& q) {
         if constexpr (Dim == 2)
             if (!(q.value()[2] == From(0)))
-                refuse_value("World", what, describe(q), "this world has two dimensions, so its third component must be 0");
+                refuse_value("World", what, describe(q),
+                             "this world has two dimensions, so its third component must be 0");
         Vector<Scalar, Dim> v;
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
         const auto converted = VectorOf<Unit>::from_value(v);
-        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, describe(q), "the world's scalar can hold it");
+        if (is_finite(q) && !is_finite(converted))
+            refuse_value("World", what, describe(q), "the world's scalar can hold it");
         return converted;
     }
     /// A vector in the scalar of the space.

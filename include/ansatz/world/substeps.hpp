@@ -4,9 +4,9 @@
 /// \file
 /// Between a world's columns and the bodies of a response that owns substeps: velocities in, velocities out.
 ///
-/// A solver wants the velocity that counts at its moment: before a substep the mean over it, behind a substep the mean over
-/// the one that is done, at the end the velocity now. Each is v + f a h for the integrator's own v. Out go differences, so that a body
-/// which no contact touched keeps its velocity to the bit.
+/// A solver wants the velocity that counts at its moment: before a substep the mean over it, behind a substep the mean
+/// over the one that is done, at the end the velocity now. Each is v + f a h for the integrator's own v. Out go
+/// differences, so that a body which no contact touched keeps its velocity to the bit.
 
 #include <ansatz/world/contact_step.hpp>
 #include <ansatz/world/data.hpp>
@@ -20,7 +20,7 @@ template <class C, class Acceleration> class SubstepBodies {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Slot = Bodies::Slot; ///< a body's place in the lanes
+    using Slot = Bodies::Slot;     ///< a body's place in the lanes
     using Time = typename S::Time; ///< s
 
     /// Of a world.
@@ -33,13 +33,17 @@ public:
         for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
             bodies[slot].position = data_.lanes.template get<Position>(slot).value();
             bodies[slot].u = S::template zero_vector<unit::Velocity>().value();
-            bodies[slot].weight = slot < data_.bodies.end(Motion::awake) ? data_.lanes.template get<InverseMass>(slot).value() : Scalar(0);
+            bodies[slot].weight = slot < data_.bodies.end(Motion::awake)
+                                      ? data_.lanes.template get<InverseMass>(slot).value()
+                                      : Scalar(0);
         }
     }
     /// v + factor a h and the position, for all that move.
     /// \param last  the length of the substep before, from which a history's velocity is derived
     /// \param kicks a h of those that are awake, if asked for
-    template <class Body> void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h, const Time& last, std::vector<typename Body::Raw>* kicks = nullptr) const {
+    template <class Body>
+    void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h,
+                const Time& last, std::vector<typename Body::Raw>* kicks = nullptr) const {
         before.resize(bodies.size());
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
             auto& body = bodies[slot];
@@ -57,10 +61,11 @@ public:
             bodies[slot].u = velocity(Slot(slot), last).value();
         }
     }
-    /// What impacts have changed. Who was struck within the substep has moved, or will have, with his new velocity for what was left
-    /// of it, and not for all of it.
-    /// \param factor 1/s, of what he comes late
-    template <class Body> void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts, const Scalar& factor, const Time& last) {
+    /// What impacts have changed. Who was struck within the substep has moved, or will have, with his new velocity for
+    /// what was left of it, and not for all of it. \param factor 1/s, of what he comes late
+    template <class Body>
+    void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts,
+                      const Scalar& factor, const Time& last) {
         const std::size_t awake = data_.bodies.end(Motion::awake);
         for (std::size_t slot = 0; slot < awake; ++slot) bodies[slot].u += factor * impacts.late(slot);
         scatter(bodies, before, last);
@@ -71,7 +76,9 @@ public:
     }
     /// What the contacts have changed, to the awake bodies.
     /// \param pushed by how much, if asked for
-    template <class Body> void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
+    template <class Body>
+    void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last,
+                 std::vector<typename Body::Raw>* pushed = nullptr) {
         if (pushed) pushed->resize(bodies.size());
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
             const typename Body::Raw by = bodies[slot].u - before[slot];
@@ -87,7 +94,8 @@ private:
         auto row = data_.load(slot, last);
         if constexpr (C::history)
             if (data_.bodies.motion(slot) == Motion::awake && !data_.waiting(slot))
-                row.template get<Velocity>() = C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), last);
+                row.template get<Velocity>() =
+                    C::Integrator::velocity_now(row.template get<Velocity>(), acceleration_(slot, row), last);
         return row;
     }
     typename S::Velocity velocity(Slot slot, const Time& last) const {

@@ -38,7 +38,8 @@ template <> struct DataOfUser<void> {
 /// Never defined either.
 template <class T> const T& nowhere();
 
-/// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps what it has.
+/// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps
+/// what it has.
 struct Room {
     std::size_t bodies = 0;
     Room() = default;

@@ -19,12 +19,13 @@ namespace ansatz {
 template <class S, class P, class Declared> class ColumnsView {
 public:
     using Scalar = typename S::Scalar;
-    using Slot = Bodies::Slot; ///< a body's place in the lanes
+    using Slot = Bodies::Slot;                          ///< a body's place in the lanes
     using State = typename detail::StateOr<P, S>::type; ///< what the policy keeps beside the bodies
 
     /// The columns, the bodies, and what the policy keeps beside them.
     template <class LanesT>
-    ColumnsView(const LanesT& lanes, const Bodies& bodies, const State& state) : pointers_(collect(lanes, Declared{})), bodies_(&bodies), state_(&state) {}
+    ColumnsView(const LanesT& lanes, const Bodies& bodies, const State& state)
+        : pointers_(collect(lanes, Declared{})), bodies_(&bodies), state_(&state) {}
 
     /// All bodies stand in slots 0 to size(): first the awake ones, then resting, moving, fixed.
     std::size_t size() const { return bodies_->size(); }
@@ -48,8 +49,8 @@ public:
     /// Fixed, moving or resting.
     Motion motion(std::size_t slot) const { return bodies_->motion(slot); }
 
-    /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change. Sums that must be
-    /// the same to the bit are made in this order.
+    /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change. Sums that must
+    /// be the same to the bit are made in this order.
     template <class F> void for_each(F&& f) const {
         for (std::uint32_t id = 0; id < bodies_->ids(); ++id)
             if (bodies_->alive(id)) f(std::size_t(bodies_->slot_of_id(id)));
@@ -88,7 +89,8 @@ private:
         std::array<const Scalar*, width + 1> all{};
         [[maybe_unused]] std::size_t next = 0;
         [[maybe_unused]] auto take = [&]<class One>(Columns<One>) {
-            for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k) all[next++] = lanes.template lane<One>(int(k));
+            for (std::size_t k = 0; k < lanes_of<One>(S::dimension); ++k)
+                all[next++] = lanes.template lane<One>(int(k));
         };
         (take(Columns<C>{}), ...);
         return all;
@@ -105,7 +107,8 @@ template <class S, class P> class CouplingView : public ColumnsView<S, P, detail
 
 public:
     /// The columns, the bodies, and what the policy keeps.
-    template <class LanesT> CouplingView(LanesT& lanes, const Bodies& bodies, const typename Base::State& state) : Base(lanes, bodies, state) {
+    template <class LanesT>
+    CouplingView(LanesT& lanes, const Bodies& bodies, const typename Base::State& state) : Base(lanes, bodies, state) {
         for (int k = 0; k < S::dimension; ++k) force_[std::size_t(k)] = lanes.template lane<CoupledForce>(k);
     }
 
@@ -130,7 +133,8 @@ template <class S, class P> class ObserverView : public ColumnsView<S, P, detail
 public:
     /// The columns, the bodies, what the policy keeps, and when.
     template <class LanesT>
-    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename Base::State& state, const typename S::ClockTime& time, std::uint64_t tick)
+    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename Base::State& state,
+                 const typename S::ClockTime& time, std::uint64_t tick)
         : Base(lanes, bodies, state), time_(time), tick_(tick) {}
 
     /// The world's time, s.

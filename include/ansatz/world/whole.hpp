@@ -2,9 +2,10 @@
 #pragma once
 
 /// \file
-/// What keeps a world whole: members of `World`. A verb that fails, for lack of memory or because a type of yours throws, leaves the
-/// world as it was: whatever may fail is done before anything is changed. A step is not undone, which would cost a copy of the
-/// world for each; one that is broken off leaves a world that says that it is lost. Included by world.hpp.
+/// What keeps a world whole: members of `World`. A verb that fails, for lack of memory or because a type of yours
+/// throws, leaves the world as it was: whatever may fail is done before anything is changed. A step is not undone,
+/// which would cost a copy of the world for each; one that is broken off leaves a world that says that it is lost.
+/// Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
 
 #include <ansatz/world/world.hpp>
@@ -27,8 +28,7 @@ template <class... P> void World<P...>::remove(Handle body) {
         Datum nothing{}; // which may fail
         erase();
         user_.at(body.id) = std::move(nothing);
-    } else
-        erase();
+    } else erase();
 }
 
 template <class... P> void World<P...>::wake(Handle body) {
@@ -38,7 +38,9 @@ template <class... P> void World<P...>::wake(Handle body) {
 }
 
 template <class... P> void World<P...>::reserve(std::size_t n) {
-    if (n >= 0xffffffffu) refuse_value("World::reserve", "n", std::to_string(n), "it is below 4294967295, the number of bodies that handles can name");
+    if (n >= 0xffffffffu)
+        refuse_value("World::reserve", "n", std::to_string(n),
+                     "it is below 4294967295, the number of bodies that handles can name");
     data_.reserve(n);
     if constexpr (has_datum) user_.by_id.reserve(n);
     capacity_ = std::max<std::size_t>(capacity_, n); // last: where one table found no memory, it is asked for again
@@ -54,8 +56,8 @@ template <class... P> void World<P...>::get_ready(const char* where) {
     data_.reserve_notes(data_.bodies.ids());
 }
 
-/// What may fail, first. In the room that is there, where nothing in a world owns memory of its own kind: who rolls back in every
-/// frame allocates nothing. What a broken step left of caches is not kept.
+/// What may fail, first. In the room that is there, where nothing in a world owns memory of its own kind: who rolls
+/// back in every frame allocates nothing. What a broken step left of caches is not kept.
 template <class... P> void World<P...>::assign(const World& other) {
     if constexpr (Data::assigns_in_place && detail::DataOfUser<Datum>::assigns_in_place)
         if (!lost_) {
@@ -85,8 +87,9 @@ template <class... P> void World<P...>::assign(World&& other) {
 }
 
 template <class... P> void World<P...>::refuse_lost(const char* where) {
-    refuse(Refusal::invalid_argument, std::string(where) + ": this world is lost, because its last step was broken off by an exception; assign a "
-                                                           "copy that was made before, or load one");
+    refuse(Refusal::invalid_argument,
+           std::string(where) + ": this world is lost, because its last step was broken off by an exception; assign a "
+                                "copy that was made before, or load one");
 }
 
 } // namespace ansatz

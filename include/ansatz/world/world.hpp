@@ -36,22 +36,23 @@ template <class... P> class World {
 public:
     /// What follows from the list of policies.
     using composition = typename detail::ComposedOf<detail::is_world<P...>, P...>::type;
-    using S = typename composition::S; ///< the space
+    using S = typename composition::S;                   ///< the space
     using Integrator = typename composition::Integrator; ///< the integrator
     using Scalar = typename S::Scalar;
-    using Position = typename S::Position; ///< m
-    using Velocity = typename S::Velocity; ///< m/s
+    using Position = typename S::Position;         ///< m
+    using Velocity = typename S::Velocity;         ///< m/s
     using Acceleration = typename S::Acceleration; ///< m/s^2
-    using ClockTime = typename S::ClockTime; ///< s
+    using ClockTime = typename S::ClockTime;       ///< s
 
     /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 5, Rest's events 72.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
 
     /// \throws std::invalid_argument if a policy's parameter is not acceptable
-    explicit World(P... policies) : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
+    explicit World(P... policies)
+        : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
 
-    World(const World&) = default;            ///< a snapshot that continues bit-identically and takes the same handles
-    World(World&&) = default;                 ///< the other is left without bodies
+    World(const World&) = default; ///< a snapshot that continues bit-identically and takes the same handles
+    World(World&&) = default;      ///< the other is left without bodies
     /// A snapshot, as by copying. Where it fails, the world is as it was.
     World& operator=(const World& other)
         requires std::is_copy_assignable_v<std::tuple<P...>>
@@ -75,9 +76,9 @@ public:
     /// \throws std::invalid_argument if a value is not acceptable; the world is then as it was
     template <class... Property> Handle add(const Property&... property);
 
-    /// Removes a body. Other handles stay valid; this one becomes stale. What was polled (`contacts()`, `events()`, `handles()`)
-    /// stays as it was until the next step, so that a loop over it may remove bodies; ask `contains` before you use a handle of it.
-    /// \throws std::out_of_range for a stale handle
+    /// Removes a body. Other handles stay valid; this one becomes stale. What was polled (`contacts()`, `events()`,
+    /// `handles()`) stays as it was until the next step, so that a loop over it may remove bodies; ask `contains`
+    /// before you use a handle of it. \throws std::out_of_range for a stale handle
     void remove(Handle body);
     /// Whether the handle names a body that is in this world.
     bool contains(Handle body) const { return data_.bodies.contains(body); }
@@ -141,14 +142,16 @@ public:
     /// \name Contacts (notes 2.1.2)
     /// @{
 
-    /// Which bodies intersected where the last step left them, by their ids; one that `begins()` was none before it. Stays what it
-    /// is until the next step, in which those of a removed body end: `contains(contact.first)` tells whether it is there.
+    /// Which bodies intersected where the last step left them, by their ids; one that `begins()` was none before it.
+    /// Stays what it is until the next step, in which those of a removed body end: `contains(contact.first)` tells
+    /// whether it is there.
     auto contacts() const {
         need_collisions();
         if constexpr (composition::collides) return std::span(data_.collisions.contacts);
         else return std::span<const Handle>();
     }
-    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays until the next.
+    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays
+    /// until the next.
     auto contacts_ended() const {
         need_collisions();
         if constexpr (composition::collides) return std::span(data_.collisions.ended);
@@ -161,7 +164,8 @@ public:
         data_.bodies.slot(body, "World::visit_shape");
         if constexpr (composition::collides) data_.collisions.shapes.visit_description(body.id, f);
     }
-    /// Ray casts and overlaps, e.g. `world.query().closest(Ray{...})`: see collision/queries_in_world.hpp. Do not keep it.
+    /// Ray casts and overlaps, e.g. `world.query().closest(Ray{...})`: see collision/queries_in_world.hpp. Do not keep
+    /// it.
     auto query() const;
     /// @}
 
@@ -172,12 +176,14 @@ public:
     Position position(Handle body) const {
         return data_.lanes.template get<ansatz::Position>(data_.bodies.slot(body, "World::position"));
     }
-    /// The velocity at the present time. Where the integrator keeps history instead, it is derived: the mean velocity of
-    /// the last step belongs to half a step ago, and half a step of the present acceleration brings it here.
+    /// The velocity at the present time. Where the integrator keeps history instead, it is derived: the mean velocity
+    /// of the last step belongs to half a step ago, and half a step of the present acceleration brings it here.
     Velocity velocity(Handle body) const { return velocity_at(data_.bodies.slot(body, "World::velocity")); }
-    /// What all forces together do to the body now. Where bodies act on each other and something was changed since the last
-    /// step, this asks every force between bodies anew.
-    Acceleration acceleration(Handle body) const { return acceleration_at(data_.bodies.slot(body, "World::acceleration")); }
+    /// What all forces together do to the body now. Where bodies act on each other and something was changed since the
+    /// last step, this asks every force between bodies anew.
+    Acceleration acceleration(Handle body) const {
+        return acceleration_at(data_.bodies.slot(body, "World::acceleration"));
+    }
     /// In kg; infinite for a fixed or moving body.
     typename S::Mass mass(Handle body) const {
         need_mass();
@@ -213,15 +219,17 @@ public:
     template <class C> std::span<const Scalar> lane(int component = 0) const {
         need_column<C>();
         if (component < 0 || std::size_t(component) >= lanes_of<C>(S::dimension))
-            refuse(Refusal::out_of_range, std::string("World::lane: component ") + std::to_string(component) + " of " + std::string(C::name) +
-                                              ": it has " + std::to_string(lanes_of<C>(S::dimension)) + ", counted from 0");
+            refuse(Refusal::out_of_range, std::string("World::lane: component ") + std::to_string(component) + " of " +
+                                              std::string(C::name) + ": it has " +
+                                              std::to_string(lanes_of<C>(S::dimension)) + ", counted from 0");
         return {data_.lanes.template lane<C>(component), size()};
     }
     /// The body of a slot.
     /// \throws std::out_of_range for a slot that is not below size()
     Handle body_at(std::size_t slot) const {
         if (slot >= size())
-            refuse(Refusal::out_of_range, "World::body_at: slot " + std::to_string(slot) + ": there are " + std::to_string(size()) + ", counted from 0");
+            refuse(Refusal::out_of_range, "World::body_at: slot " + std::to_string(slot) + ": there are " +
+                                              std::to_string(size()) + ", counted from 0");
         return data_.bodies.handle(slot);
     }
     /// @}
@@ -255,10 +263,8 @@ public:
     template <class Policy> const Policy& get() const {
         constexpr bool there = (std::same_as<Policy, P> || ...);
         static_assert(there, "Ansatz: get: this world has no such policy; see the list in its type");
-        if constexpr (there)
-            return std::get<Policy>(policies_);
-        else
-            return detail::nowhere<Policy>();
+        if constexpr (there) return std::get<Policy>(policies_);
+        else return detail::nowhere<Policy>();
     }
     /// Replaces a policy's parameters. A force, effect, response or filter that changes wakes every resting body.
     /// \throws std::invalid_argument if a parameter is not acceptable; the world is then as it was
@@ -270,7 +276,8 @@ public:
 
     /// One step. A step of zero is exactly nothing.
     /// \param dt finite, not negative, and not so short that digits are lost (smallest_step.hpp)
-    /// \throws std::invalid_argument before anything is touched. What a policy throws within the step, or a lack of memory, leaves
+    /// \throws std::invalid_argument before anything is touched. What a policy throws within the step, or a lack of
+    /// memory, leaves
     ///         a world that is lost: it says so (`status()`, any change) until another is assigned to it or loaded
     template <class T> void step(const T& dt);
 
@@ -278,7 +285,8 @@ public:
     ClockTime time() const { return data_.clock.now(); }
     /// Steps taken.
     std::uint64_t tick() const { return data_.clock.tick(); }
-    /// Who slept and woke in the last step and between the step before and it; stays until the next. Some may be removed by then.
+    /// Who slept and woke in the last step and between the step before and it; stays until the next. Some may be
+    /// removed by then.
     std::span<const Event> events() const {
         if constexpr (composition::rests) return data_.events.now();
         return {};
@@ -287,8 +295,8 @@ public:
     Status status() const;
     /// @}
 
-    /// A number that differs, almost surely, when anything of the state differs; equal states have equal hashes in every
-    /// build. Policies' parameters are not part of it.
+    /// A number that differs, almost surely, when anything of the state differs; equal states have equal hashes in
+    /// every build. Policies' parameters are not part of it.
     std::uint64_t hash() const;
 
     /// The laws as they are bound, for queries such as potential energy.
@@ -316,24 +324,31 @@ private:
     }
 
     static constexpr void need_mass() {
-        static_assert(composition::has_mass, "Ansatz: this world stores no mass, because none of its policies needs it (gravity "
-                                             "accelerates every mass alike); add Keep<InverseMass>{} to its policies");
+        static_assert(composition::has_mass,
+                      "Ansatz: this world stores no mass, because none of its policies needs it (gravity "
+                      "accelerates every mass alike); add Keep<InverseMass>{} to its policies");
     }
-    static constexpr void need_datum() { static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies"); }
+    static constexpr void need_datum() {
+        static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    }
     template <class E> static constexpr void need_element() {
-        static_assert((detail::keeps_element<P, E> || ...), "Ansatz: none of this world's policies keeps such elements; a Spring needs Springs{} "
-                                                           "among them, a Rope needs Ropes{}");
+        static_assert((detail::keeps_element<P, E> || ...),
+                      "Ansatz: none of this world's policies keeps such elements; a Spring needs Springs{} "
+                      "among them, a Rope needs Ropes{}");
     }
     static constexpr void need_collisions() {
-        static_assert(composition::collides, "Ansatz: bodies of this world do not collide; add a broadphase, a narrowphase and a response to its "
-                                             "policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
+        static_assert(
+            composition::collides,
+            "Ansatz: bodies of this world do not collide; add a broadphase, a narrowphase and a response to its "
+            "policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
     }
     template <class C> static constexpr void need_column() {
         constexpr bool stored = composition::template stores<C>;
         if constexpr (requires { typename C::template Needs<stored>; }) // a column that knows which policy asks for it
             static_assert(sizeof(typename C::template Needs<stored>) > 0);
         else
-            static_assert(stored, "Ansatz: this world does not store that column, because none of its policies declares it; add Keep<Column>{} to its policies");
+            static_assert(stored, "Ansatz: this world does not store that column, because none of its policies "
+                                  "declares it; add Keep<Column>{} to its policies");
     }
 
     // What the velocity is now, and what keeps it when forces change: present.hpp.
@@ -347,7 +362,8 @@ private:
     void hold_velocities();
     void forces_change();
     template <class... C> void column_changes() {
-        if constexpr (composition::collides) data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
+        if constexpr (composition::collides)
+            data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
         if constexpr ((composition::template couplings_read<C> || ...)) forces_change();
     }
     // What keeps it whole: whole.hpp.
@@ -374,7 +390,9 @@ private:
 
     auto step_of(const typename S::Time& dt);
     template <class Transient, bool Later = false> void take_step(const ClockTime& dt);
-    const auto& control() const { return std::get<typename detail::FirstOf<typename composition::controls>::type>(policies_); }
+    const auto& control() const {
+        return std::get<typename detail::FirstOf<typename composition::controls>::type>(policies_);
+    }
 
     template <class Row_, class Property> static void take(Row_& row, const Property& property);
     void grow();

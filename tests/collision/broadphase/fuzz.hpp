@@ -2,9 +2,9 @@
 #pragma once
 
 /// \file
-/// The fuzz target of the broadphases: bytes become boxes, of any floats whatever. Boxes that are refused are told to be
-/// wrong and nothing more happens; of the others every policy must tell the same pairs. `find` itself, which does not check,
-/// may miss pairs of boxes that are none, but must neither crash nor tell what is not there.
+/// The fuzz target of the broadphases: bytes become boxes, of any floats whatever. Boxes that are refused are told to
+/// be wrong and nothing more happens; of the others every policy must tell the same pairs. `find` itself, which does
+/// not check, may miss pairs of boxes that are none, but must neither crash nor tell what is not there.
 ///
 /// In the tests a driver feeds it bytes of its own; with clang++ -fsanitize=fuzzer,address,undefined -DANSATZ_LIBFUZZER
 /// hostile.cpp becomes a libFuzzer program.
@@ -28,7 +28,8 @@ template <class S> std::string fuzz_in(const std::uint8_t* data, std::size_t siz
         std::array<Scalar, 6> numbers{};
         std::memcpy(numbers.data(), data + 1 + i * each, each);
         Vector<Scalar, S::dimension> low, high;
-        for (int k = 0; k < S::dimension; ++k) low[k] = numbers[2 * std::size_t(k)], high[k] = numbers[2 * std::size_t(k) + 1];
+        for (int k = 0; k < S::dimension; ++k)
+            low[k] = numbers[2 * std::size_t(k)], high[k] = numbers[2 * std::size_t(k) + 1];
         boxes.push_back(S::Position::from_value(low), S::Position::from_value(high));
     }
     boxes.set_active(n == 0 ? 0 : data[0] % (n + 1));

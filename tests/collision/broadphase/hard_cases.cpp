@@ -40,7 +40,8 @@ template <class Bound, class S> std::uint64_t hash_of(Bound& bound, const Boxes<
 TEST_CASE("G2: on both sides of the origin, cells are found by floor", "[broadphase][hard]") {
     Random random(2);
     std::vector<PlainBox> boxes;
-    for (int i = 0; i < 400; ++i) boxes.push_back(box_around({random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}, 0.5));
+    for (int i = 0; i < 400; ++i)
+        boxes.push_back(box_around({random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}, 0.5));
     check_everywhere(all_moving("400 in +-5", boxes));
     // Pairs that touch across the origin and across -1, cells of any width.
     std::vector<PlainBox> across;
@@ -57,7 +58,8 @@ TEST_CASE("G3: boxes that share a face, an edge or a corner touch, for every pol
     std::vector<PlainBox> lattice;
     for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
-            for (int z = -2; z <= 2; ++z) lattice.push_back(box_around({double(x), double(y), double(z)}, 0.5)); // exact in binary
+            for (int z = -2; z <= 2; ++z)
+                lattice.push_back(box_around({double(x), double(y), double(z)}, 0.5)); // exact in binary
     const Scene scene = all_moving("a lattice of cubes", lattice);
     // Each axis has 5 places: 5 of the same, 4 neighbours, so 13 ordered neighbours or same: (13^3 - 125) / 2 pairs.
     CHECK(oracle(boxes_of<Space<>>(scene)).size() == (13 * 13 * 13 - 125) / 2);
@@ -93,7 +95,8 @@ TEST_CASE("G4: 1000 bodies in one place are 499 500 pairs, soon", "[broadphase][
 TEST_CASE("G5: a body of 100 cells, one larger than the world, one outside of it", "[broadphase][hard]") {
     Random random(5);
     std::vector<PlainBox> boxes;
-    for (int i = 0; i < 300; ++i) boxes.push_back(box_around({random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)}, 0.5));
+    for (int i = 0; i < 300; ++i)
+        boxes.push_back(box_around({random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)}, 0.5));
     for (const double radius : {50.0, 500.0, 3.0, 12.0}) boxes.push_back(box_around({1, 2, 3}, radius));
     boxes.push_back(box_around({5000, 0, 0}, 0.5));
     boxes.push_back(box_around({-5000, 1, 1}, 4990));
@@ -148,7 +151,8 @@ TEST_CASE("G7: equal keys, and keys one bit apart, make the same pairs in the sa
     CHECK((kept.axis() == 0 && fresh.axis() == 0));
 }
 
-TEST_CASE("G10: a broadphase that is kept for 1000 steps of a random walk tells what a new one tells", "[broadphase][hard]") {
+TEST_CASE("G10: a broadphase that is kept for 1000 steps of a random walk tells what a new one tells",
+          "[broadphase][hard]") {
     each_policy([](const char* name, const auto& policy) {
         using Policy = std::remove_cvref_t<decltype(policy)>;
         typename Policy::template In<Space<>> kept(policy);
@@ -167,7 +171,8 @@ TEST_CASE("G10: a broadphase that is kept for 1000 steps of a random walk tells 
             typename Policy::template In<Space<>> fresh(policy);
             const std::string fault = fault_of(kept, boxes, oracle(boxes));
             if (!fault.empty()) FAIL_CHECK(name << ", step " << step << ": " << fault);
-            if (hash_of(kept, boxes) != hash_of(fresh, boxes)) FAIL_CHECK(name << ", step " << step << ": another order than a new one's");
+            if (hash_of(kept, boxes) != hash_of(fresh, boxes))
+                FAIL_CHECK(name << ", step " << step << ": another order than a new one's");
         }
     });
 }
@@ -234,8 +239,10 @@ TEST_CASE("G14: at 1e9 m and far beyond no cell overflows", "[broadphase][hard]"
         std::vector<PlainBox> boxes;
         const double step = std::max(std::abs(at) * 1e-15, 0.25);
         for (int i = 0; i < 60; ++i) boxes.push_back(box_around({at + i * step, -at, double(i)}, step));
-        for (int i = 0; i < 60; ++i) boxes.push_back(box_around({double(i) / 3, 0, double(i)}, 0.5)); // and some at home
-        for (int i = 0; i < 30; ++i) boxes.push_back(box_around({at * (i % 3), at * (i % 2), 0}, 0)); // of no size, so that no cell is too small
+        for (int i = 0; i < 60; ++i)
+            boxes.push_back(box_around({double(i) / 3, 0, double(i)}, 0.5)); // and some at home
+        for (int i = 0; i < 30; ++i)
+            boxes.push_back(box_around({at * (i % 3), at * (i % 2), 0}, 0)); // of no size, so that no cell is too small
         const Scene scene = all_moving("at " + std::to_string(at), boxes);
         INFO(scene.name);
         CHECK(fault_of_any<Space<double, 3>>(scene) == "");

@@ -70,7 +70,8 @@ TEST_CASE("G1: in 1000 scenes every broadphase tells each touching pair once and
     thousand_scenes<Space<float, 3>>();
 }
 
-TEST_CASE("G1: in 1000 scenes every broadphase tells each touching pair once and no other, in the plane", "[broadphase]") {
+TEST_CASE("G1: in 1000 scenes every broadphase tells each touching pair once and no other, in the plane",
+          "[broadphase]") {
     thousand_scenes<Space<double, 2>>();
     thousand_scenes<Space<float, 2>>();
 }
@@ -101,13 +102,21 @@ TEST_CASE("find_pairs is sorted, and refuses what is no box and what is no param
     CHECK(std::is_sorted(pairs.begin(), pairs.end()));
     CHECK(pairs == oracle(boxes));
     using ansatz::test::refusal;
-    CHECK(refusal([&] { find_pairs(UniformGrid{-1.0 * metre}, boxes); }) == "UniformGrid: cell is -1 m; it must be finite and not negative");
-    CHECK(refusal([&] { find_pairs(Octree<>{0, 3, {}}, boxes); }) == "Octree: threshold is 0; a cell holds at least 1 body");
+    CHECK(refusal([&] { find_pairs(UniformGrid{-1.0 * metre}, boxes); }) ==
+          "UniformGrid: cell is -1 m; it must be finite and not negative");
+    CHECK(refusal([&] {
+              find_pairs(Octree<>{0, 3, {}}, boxes);
+          }) == "Octree: threshold is 0; a cell holds at least 1 body");
     CHECK(refusal([&] { find_pairs(Octree<>{1, 65, {}}, boxes); }) == "Octree: depth is 65; it is 0 to 64 divisions");
-    CHECK(refusal([&] { find_pairs(BinarySplit<>{-3, 3, {}}, boxes); }) == "BinarySplit: threshold is -3; a cell holds at least 1 body");
-    CHECK(refusal([&] { find_pairs(BinarySplit<>{3, -1, {}}, boxes); }) == "BinarySplit: depth is -1; it is 0 to 64 divisions");
+    CHECK(refusal([&] {
+              find_pairs(BinarySplit<>{-3, 3, {}}, boxes);
+          }) == "BinarySplit: threshold is -3; a cell holds at least 1 body");
+    CHECK(refusal([&] {
+              find_pairs(BinarySplit<>{3, -1, {}}, boxes);
+          }) == "BinarySplit: depth is -1; it is 0 to 64 divisions");
     boxes.set(3, metres(2, 0, 0), metres(1, 1, 1));
-    CHECK(refusal([&] { find_pairs(Octree{}, boxes); }) == "find_pairs: box 3 on axis 0 is 2 m to 1 m; both ends are finite, and the lower is not above the upper");
+    CHECK(refusal([&] { find_pairs(Octree{}, boxes); }) ==
+          "find_pairs: box 3 on axis 0 is 2 m to 1 m; both ends are finite, and the lower is not above the upper");
 }
 
 TEST_CASE("what tests a cell may be a user's own", "[broadphase]") {

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What the tests of the broadphases share: seeded scenes, every policy by name, and an oracle that looks at numbers alone.
+/// What the tests of the broadphases share: seeded scenes, every policy by name, and an oracle that looks at numbers
+/// alone.
 
 #include <ansatz/collision/broadphase.hpp>
 
@@ -57,23 +58,25 @@ inline PlainBox box_around(const std::array<double, 3>& centre, double radius) {
 /// Scenes of five kinds and of 0, 1, 2, 17 and 400 bodies, some of which do not move.
 inline Scene seeded_scene(std::uint64_t seed) {
     static constexpr std::array<std::size_t, 5> sizes{0, 1, 2, 17, 400};
-    static constexpr std::array<const char*, 5> kinds{"uniform", "clustered", "column", "mixed radii 1:100", "touching lattice"};
+    static constexpr std::array<const char*, 5> kinds{"uniform", "clustered", "column", "mixed radii 1:100",
+                                                      "touching lattice"};
     const std::size_t n = sizes[seed % 5], kind = seed / 5 % 5;
     Random random(seed);
     Scene scene{std::string(kinds[kind]) + ", seed " + std::to_string(seed), {}, 0};
     const double side = std::max(2.0, std::cbrt(double(n)) * random.uniform(0.8, 3));
     std::vector<std::array<double, 3>> clusters(1 + n / 40);
-    for (auto& c : clusters) c = {random.uniform(-side, side) * 5, random.uniform(-side, side) * 5, random.uniform(-side, side) * 5};
+    for (auto& c : clusters)
+        c = {random.uniform(-side, side) * 5, random.uniform(-side, side) * 5, random.uniform(-side, side) * 5};
     for (std::size_t i = 0; i < n; ++i) {
         double radius = 0.5;
         std::array<double, 3> centre{};
         const auto& cluster = clusters[random.below(clusters.size())];
         for (std::size_t k = 0; k < 3; ++k) {
             switch (kind) {
-                case 1: centre[k] = cluster[k] + random.bell(); break;
-                case 2: centre[k] = k == 1 ? random.uniform(0, double(n)) : random.uniform(-1, 1); break;
-                case 4: centre[k] = double(random.below(8)) - 4; break; // closed boxes that share faces, edges, corners
-                default: centre[k] = random.uniform(-side, side); break;
+            case 1: centre[k] = cluster[k] + random.bell(); break;
+            case 2: centre[k] = k == 1 ? random.uniform(0, double(n)) : random.uniform(-1, 1); break;
+            case 4: centre[k] = double(random.below(8)) - 4; break; // closed boxes that share faces, edges, corners
+            default: centre[k] = random.uniform(-side, side); break;
             }
         }
         if (kind == 3) radius = 0.05 * std::pow(100.0, random.uniform(0, 1));
@@ -88,7 +91,9 @@ template <class S> Boxes<S> boxes_of(const Scene& scene) {
     Boxes<S> boxes;
     for (const PlainBox& plain : scene.boxes) {
         Vector<typename S::Scalar, S::dimension> low, high;
-        for (int k = 0; k < S::dimension; ++k) low[k] = typename S::Scalar(plain.lower[std::size_t(k)]), high[k] = typename S::Scalar(plain.upper[std::size_t(k)]);
+        for (int k = 0; k < S::dimension; ++k)
+            low[k] = typename S::Scalar(plain.lower[std::size_t(k)]),
+            high[k] = typename S::Scalar(plain.upper[std::size_t(k)]);
         boxes.push_back(S::Position::from_value(low), S::Position::from_value(high));
     }
     boxes.set_active(scene.active);
@@ -101,7 +106,8 @@ template <class S> Pairs oracle(const Boxes<S>& boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
             bool apart = i >= boxes.active();
-            for (int k = 0; k < S::dimension && !apart; ++k) apart = boxes.upper(k)[i] < boxes.lower(k)[j] || boxes.upper(k)[j] < boxes.lower(k)[i];
+            for (int k = 0; k < S::dimension && !apart; ++k)
+                apart = boxes.upper(k)[i] < boxes.lower(k)[j] || boxes.upper(k)[j] < boxes.lower(k)[i];
             if (!apart) pairs.emplace_back(i, j);
         }
     return pairs;
@@ -111,7 +117,9 @@ template <class S> Pairs oracle(const Boxes<S>& boxes) {
 template <class Bound, class S> std::string fault_of(Bound& bound, const Boxes<S>& boxes, const Pairs& right) {
     Pairs told;
     bound.find(boxes, [&](std::size_t i, std::size_t j) { told.emplace_back(i, j); });
-    const auto shown = [](const IndexPair& p) { return "(" + std::to_string(p.first) + ", " + std::to_string(p.second) + ")"; };
+    const auto shown = [](const IndexPair& p) {
+        return "(" + std::to_string(p.first) + ", " + std::to_string(p.second) + ")";
+    };
     for (const IndexPair& p : told) {
         if (p.first >= p.second) return "self, or not in order: " + shown(p);
         if (p.first >= boxes.active()) return "neither moves: " + shown(p);

@@ -22,7 +22,8 @@ template <class S> auto x3(double x, double y = 0, double z = 0) { return vector
 constexpr auto half = 0.5 * metre;
 
 /// What must hold for every contact: a unit normal, a positive depth, and the mirror image for the exchanged order.
-template <class S, class A, class B> void check_swap(const A& a, const typename S::Position& xa, const B& b, const typename S::Position& xb) {
+template <class S, class A, class B>
+void check_swap(const A& a, const typename S::Position& xa, const B& b, const typename S::Position& xb) {
     const auto one = contact(a, xa, b, xb), other = contact(b, xb, a, xa);
     REQUIRE(one.has_value() == other.has_value());
     if (!one) return;
@@ -34,7 +35,8 @@ template <class S, class A, class B> void check_swap(const A& a, const typename 
 }
 } // namespace
 
-TEST_CASE("two spheres: depth, normal from the second to the first, the point between the surfaces", "[collision][narrowphase]") {
+TEST_CASE("two spheres: depth, normal from the second to the first, the point between the surfaces",
+          "[collision][narrowphase]") {
     for_each_type(AllSpaces{}, []<class S>() {
         for (const double d : {0.5, 0.8, 0.99}) {
             const auto touch = contact(Sphere{half}, x3<S>(0), Sphere{half}, x3<S>(d));
@@ -47,7 +49,8 @@ TEST_CASE("two spheres: depth, normal from the second to the first, the point be
     });
 }
 
-TEST_CASE("C11: spheres with one centre part along the second axis, as deep as both radii", "[collision][narrowphase]") {
+TEST_CASE("C11: spheres with one centre part along the second axis, as deep as both radii",
+          "[collision][narrowphase]") {
     for_each_type(AllSpaces{}, []<class S>() {
         const auto touch = contact(Sphere{half}, x3<S>(1, 2), Sphere{0.25 * metre}, x3<S>(1, 2));
         REQUIRE(touch);
@@ -64,7 +67,9 @@ TEST_CASE("C12: what only touches does not intersect, whichever comes first", "[
         const Scalar less = std::nextafter(Scalar(1), Scalar(0)), more = std::nextafter(Scalar(1), Scalar(2));
         for (const bool swap : {false, true}) {
             auto there = [&](Scalar d) {
-                return (swap ? contact(Sphere{half}, at_distance(d), Sphere{half}, x3<S>(0)) : contact(Sphere{half}, x3<S>(0), Sphere{half}, at_distance(d))).has_value();
+                return (swap ? contact(Sphere{half}, at_distance(d), Sphere{half}, x3<S>(0))
+                             : contact(Sphere{half}, x3<S>(0), Sphere{half}, at_distance(d)))
+                    .has_value();
             };
             CHECK(there(less));
             CHECK_FALSE(there(1));
@@ -91,11 +96,14 @@ TEST_CASE("C14: exchanged, the normal turns round and everything else stays, to 
         std::mt19937_64 engine(14);
         auto number = [&](double from, double to) { return from + (to - from) * double(engine() >> 11) * 0x1p-53; };
         for (int i = 0; i < 2000; ++i) {
-            const auto xa = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1)), xb = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1));
+            const auto xa = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1)),
+                       xb = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1));
             const Sphere sphere{number(0.1, 1) * metre}, other{number(0.1, 1) * metre};
-            const Box box{S::dimension == 2 ? metres(number(0.1, 1), number(0.1, 1), 0) : metres(number(0.1, 1), number(0.1, 1), number(0.1, 1))};
+            const Box box{S::dimension == 2 ? metres(number(0.1, 1), number(0.1, 1), 0)
+                                            : metres(number(0.1, 1), number(0.1, 1), number(0.1, 1))};
             const Box crate{S::dimension == 2 ? metres(0.3, 0.4, 0) : metres(0.3, 0.4, 0.5)};
-            const Plane plane{Eigen::Vector3d(number(-1, 1), number(-1, 1), S::dimension == 2 ? 0 : number(-1, 1)), number(-1, 1) * metre};
+            const Plane plane{Eigen::Vector3d(number(-1, 1), number(-1, 1), S::dimension == 2 ? 0 : number(-1, 1)),
+                              number(-1, 1) * metre};
             check_swap<S>(sphere, xa, other, xb);
             check_swap<S>(sphere, xa, box, xb);
             check_swap<S>(box, xa, crate, xb);
@@ -105,21 +113,25 @@ TEST_CASE("C14: exchanged, the normal turns round and everything else stays, to 
     });
 }
 
-TEST_CASE("C15: far from the origin a float knows a depth as well as its positions, and no better", "[collision][narrowphase]") {
+TEST_CASE("C15: far from the origin a float knows a depth as well as its positions, and no better",
+          "[collision][narrowphase]") {
     using S = Space<float, 2>;
     for (const float away : {1e2f, 1e4f, 1e5f}) {
-        const auto touch = contact(Sphere{half}, S::Position::from_value({away, 0}), Sphere{half}, S::Position::from_value({away + 0.99f, 0}));
+        const auto touch = contact(Sphere{half}, S::Position::from_value({away, 0}), Sphere{half},
+                                   S::Position::from_value({away + 0.99f, 0}));
         const float ulp = std::nextafter(away, 2 * away) - away;
         REQUIRE(touch);
         CHECK(std::abs(touch->depth.value() - 0.01f) <= ulp);
     }
     using D = Space<double, 2>;
-    const auto touch = contact(Sphere{half}, D::Position::from_value({1e7, 0}), Sphere{half}, D::Position::from_value({1e7 + 0.99, 0}));
+    const auto touch = contact(Sphere{half}, D::Position::from_value({1e7, 0}), Sphere{half},
+                               D::Position::from_value({1e7 + 0.99, 0}));
     REQUIRE(touch);
     CHECK(std::abs(touch->depth.value() - 0.01) <= 1e-8);
 }
 
-TEST_CASE("C17: the offset of a plane is where its surface lies, wherever the world has its origin", "[collision][narrowphase]") {
+TEST_CASE("C17: the offset of a plane is where its surface lies, wherever the world has its origin",
+          "[collision][narrowphase]") {
     for_each_type(AllSpaces{}, []<class S>() {
         const double close = std::is_same_v<typename S::Scalar, float> ? 1e-3 : 1e-12;
         auto depth = [](double plane, double sphere, double r = 0.5) {
@@ -128,7 +140,7 @@ TEST_CASE("C17: the offset of a plane is where its surface lies, wherever the wo
         };
         CHECK(std::abs(depth(2, 2.4) - 0.1) <= close);
         CHECK(std::abs(depth(1002, 1002.4) - 0.1) <= 1000 * close);
-        CHECK(depth(2, 2) == 0.5);    // the centre on the surface
+        CHECK(depth(2, 2) == 0.5);     // the centre on the surface
         CHECK(depth(2, -98) == 100.5); // far below it: pushed out along N all the same
         CHECK(depth(2, 2.5) == 0);
         // A normal of any length is the same plane; the body's position moves it.
@@ -151,7 +163,7 @@ TEST_CASE("a sphere and a box: faces, edges, corners, and a centre inside", "[co
         CHECK(std::abs(double(touch->depth.value()) - (0.5 - 0.25 * std::sqrt(2.0))) <= rounding<S>(4));
         CHECK(std::abs(double(touch->normal[0]) - std::sqrt(0.5)) <= rounding<S>(4));
         CHECK_FALSE(contact(Sphere{half}, x3<S>(1.4, 2.4), box, x3<S>(0))); // the boxes touch there, the shapes do not
-        touch = contact(Sphere{half}, x3<S>(-0.75, 0.5), box, x3<S>(0)); // inside, nearest to the left
+        touch = contact(Sphere{half}, x3<S>(-0.75, 0.5), box, x3<S>(0));    // inside, nearest to the left
         REQUIRE(touch);
         CHECK((touch->normal[0] == -1 && double(touch->depth.value()) == 0.75));
         touch = contact(Sphere{half}, x3<S>(0), box, x3<S>(0)); // in the middle: the nearest face, upwards on its axis
@@ -175,7 +187,8 @@ TEST_CASE("moved by its depth along its normal, a pair only touches: every kind 
         CHECK(contact(a, nearly, b, xb));
     };
     for (int i = 0; i < 2000; ++i) {
-        const auto xa = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1)), xb = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1));
+        const auto xa = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1)),
+                   xb = x3<S>(number(-1, 1), number(-1, 1), number(-1, 1));
         const Sphere sphere{number(0.1, 1) * metre}, other{number(0.1, 1) * metre};
         const Box box{metres(number(0.1, 1), number(0.1, 1), number(0.1, 1))}, crate{metres(0.3, 0.4, 0.5)};
         const Plane plane{Eigen::Vector3d(number(-1, 1), number(-1, 1), number(-1, 1)), number(-1, 1) * metre};

@@ -34,7 +34,8 @@ template <class World_> double furthest(const World_& empty, Wall wall, double s
     for (int from = 0; from < 100; ++from) {
         auto world = empty;
         build(world, wall, origin);
-        const auto ball = world.add(Sphere{0.1 * metre}, at<S>(origin - 1 - from * speed * dt / 100), going<S>(speed), mass(1.0 * kilogram));
+        const auto ball = world.add(Sphere{0.1 * metre}, at<S>(origin - 1 - from * speed * dt / 100), going<S>(speed),
+                                    mass(1.0 * kilogram));
         for (int i = 0; i < 30; ++i) {
             world.step(dt * second);
             most = std::max(most, x_of(world, ball) - origin);
@@ -45,7 +46,8 @@ template <class World_> double furthest(const World_& empty, Wall wall, double s
 }
 } // namespace
 
-TEST_CASE("C18: without Swept a ball is stopped below the critical speed and may pass above it; with it nothing passes", "[collision][swept]") {
+TEST_CASE("C18: without Swept a ball is stopped below the critical speed and may pass above it; with it nothing passes",
+          "[collision][swept]") {
     const auto plain = discrete(SemiImplicitEuler{}, Impulse<>{});
     CHECK(furthest(plain, Wall::box, 8.9) < 0.05);
     CHECK(furthest(plain, Wall::box, 18.1) > 1); // some of a hundred are never seen
@@ -54,11 +56,14 @@ TEST_CASE("C18: without Swept a ball is stopped below the critical speed and may
         for (const auto wall : {Wall::box, Wall::ball, Wall::plane})
             for (const double speed : {17.9, 18.1, 200.0, 500.0}) {
                 INFO("wall " << int(wall) << ", " << speed << " m/s");
-                CHECK(furthest(swept(SemiImplicitEuler{}, S{}, Impulse<>{}, Projection{}), wall, speed) <= -0.1 + close + rounding<S>(16));
+                CHECK(furthest(swept(SemiImplicitEuler{}, S{}, Impulse<>{}, Projection{}), wall, speed) <=
+                      -0.1 + close + rounding<S>(16));
             }
     });
-    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}), Wall::box, 500) <= -0.1 + 0.025 + rounding<Space<>>(16)); // nothing parts them but Swept
-    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}, Projection{}), Wall::box, 200, 1e7) <= -0.1 + 0.025 + rounding<Space<>>(4e7));
+    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}), Wall::box, 500) <=
+          -0.1 + 0.025 + rounding<Space<>>(16)); // nothing parts them but Swept
+    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}, Projection{}), Wall::box, 200, 1e7) <=
+          -0.1 + 0.025 + rounding<Space<>>(4e7));
 }
 
 TEST_CASE("C18: with every integrator and every response", "[collision][swept]") {
@@ -78,7 +83,8 @@ TEST_CASE("C20: bullets that meet head on do, where and when they should", "[col
     for_each_type(AllSpaces{}, []<class S>() {
         auto world = swept(SemiImplicitEuler{}, S{}, Impulse<>{});
         const auto a = world.add(Sphere{0.05 * metre}, at<S>(-1), going<S>(100), mass(1.0 * kilogram), restitution(1));
-        const auto b = world.add(Sphere{0.05 * metre}, at<S>(1.3), going<S>(-100), mass(1.0 * kilogram), restitution(1));
+        const auto b =
+            world.add(Sphere{0.05 * metre}, at<S>(1.3), going<S>(-100), mass(1.0 * kilogram), restitution(1));
         world.step(dt * second);
         REQUIRE(world.contacts().size() == 1);
         CHECK(world.contacts()[0].begins());
@@ -96,9 +102,10 @@ TEST_CASE("C20: bullets that meet head on do, where and when they should", "[col
 
 TEST_CASE("a sphere that would pass beside the centre is turned as the tangent says", "[collision][swept]") {
     auto world = swept(SemiImplicitEuler{}, Impulse<>{});
-    const auto a = world.add(Sphere{0.5 * metre}, at<Space<>>(-2, 0.5), going<Space<>>(240), mass(1.0 * kilogram), restitution(1));
+    const auto a =
+        world.add(Sphere{0.5 * metre}, at<Space<>>(-2, 0.5), going<Space<>>(240), mass(1.0 * kilogram), restitution(1));
     world.add(Sphere{0.5 * metre}, at<Space<>>(0), fixed);
-    world.step(dt * second); // it would be at 2 m, on the other side
+    world.step(dt * second);          // it would be at 2 m, on the other side
     const double c = std::sqrt(0.75); // N = (-c, 0.5)
     CHECK(std::abs(x_of(world, a) + c) <= rounding<Space<>>(64));
     CHECK(std::abs(speed_along(world, a, 0) - (240 - 2 * 240 * c * c)) <= rounding<Space<>>(4e4));

@@ -25,13 +25,15 @@ template <class S> Box box(double x, double y, double z) {
 
 } // namespace
 
-TEST_CASE("a ball with e = 1 keeps its energy, whatever the integrator, through steps that are too large", "[collision][swept]") {
+TEST_CASE("a ball with e = 1 keeps its energy, whatever the integrator, through steps that are too large",
+          "[collision][swept]") {
     for_each_type(Staged{}, []<class I>() {
         // A ball between floor and ceiling, 4 m high, that moves by 2 m in a step.
         auto world = swept(I{}, Gravity{}, Impulse<>{}, Projection{});
         world.add(box<Space<>>(5, 0.05, 5), at<Space<>>(0, -0.05), fixed);
         world.add(box<Space<>>(5, 0.05, 5), at<Space<>>(0, 4.05), fixed);
-        const auto ball = world.add(Sphere{0.05 * metre}, at<Space<>>(0, 1), going<Space<>>(0, 120), mass(1.0 * kilogram), restitution(1));
+        const auto ball = world.add(Sphere{0.05 * metre}, at<Space<>>(0, 1), going<Space<>>(0, 120),
+                                    mass(1.0 * kilogram), restitution(1));
         const double v0 = 120 - detail::velocity_leads<I>() * 9.81 * dt, start = 0.5 * v0 * v0 + 9.81;
         int hits = 0;
         double worst = 0;
@@ -53,8 +55,11 @@ TEST_CASE("who lies, rolls or falls slowly moves as without Swept, to the bit", 
         auto scene = [](auto world) {
             world.add(Plane::ground(), fixed);
             world.add(box<S>(2, 0.25, 2), at<S>(4, 0.25), fixed);
-            for (int i = 0; i < 12; ++i) world.add(Sphere{0.5 * metre}, at<S>(0.9 * i - 1, 1.1 + 0.15 * i), mass((1.0 + i) * kilogram), restitution(0.1 * (i % 4)));
-            for (int i = 0; i < 4; ++i) world.add(box<S>(0.5, 0.5, 0.5), at<S>(-4, 0.6 + 1.1 * i), mass(1.0 * kilogram));
+            for (int i = 0; i < 12; ++i)
+                world.add(Sphere{0.5 * metre}, at<S>(0.9 * i - 1, 1.1 + 0.15 * i), mass((1.0 + i) * kilogram),
+                          restitution(0.1 * (i % 4)));
+            for (int i = 0; i < 4; ++i)
+                world.add(box<S>(0.5, 0.5, 0.5), at<S>(-4, 0.6 + 1.1 * i), mass(1.0 * kilogram));
             return world;
         };
         auto same = [&](auto with, auto without) {
@@ -63,14 +68,17 @@ TEST_CASE("who lies, rolls or falls slowly moves as without Swept, to the bit", 
                 REQUIRE(with.hash() == without.hash());
             }
         };
-        same(scene(swept(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, Impulse<>{}, Projection{})), scene(discrete(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, Impulse<>{}, Projection{})));
-        same(scene(swept(Verlet{}, S{}, Gravity{}, Rest{}, SoftSubsteps<>{})), scene(discrete(Verlet{}, S{}, Gravity{}, Rest{}, SoftSubsteps<>{})));
+        same(scene(swept(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, Impulse<>{}, Projection{})),
+             scene(discrete(SemiImplicitEuler{}, S{}, Gravity{}, Rest{}, Impulse<>{}, Projection{})));
+        same(scene(swept(Verlet{}, S{}, Gravity{}, Rest{}, SoftSubsteps<>{})),
+             scene(discrete(Verlet{}, S{}, Gravity{}, Rest{}, SoftSubsteps<>{})));
     });
 }
 
 TEST_CASE("a fast ball rolls over the seams of a floor, and off its edge", "[collision][swept]") {
     auto world = swept(SemiImplicitEuler{}, Gravity{}, Impulse<>{}, Projection{});
-    for (int i = 0; i < 20; ++i) world.add(box<Space<>>(0.5, 0.02, 1), at<Space<>>(0.5 + i, -0.02), fixed); // 4 cm thick
+    for (int i = 0; i < 20; ++i)
+        world.add(box<Space<>>(0.5, 0.02, 1), at<Space<>>(0.5 + i, -0.02), fixed); // 4 cm thick
     const auto ball = world.add(Sphere{0.1 * metre}, at<Space<>>(0.3, 0.1), going<Space<>>(60), mass(1.0 * kilogram));
     run(world, 18, dt);
     CHECK(std::abs(x_of(world, ball) - 18.3) <= rounding<Space<>>(400));
@@ -102,7 +110,8 @@ TEST_CASE("C19: of a swarm at 250 m/s in a box nobody escapes, and its energy st
         for (int i = 0; i < bodies; ++i) {
             const Eigen::Vector3d v = 250 * Eigen::Vector3d(number(), number(), number()).normalized();
             const double x = 49 * number(), y = 49 * number(), z = 49 * number();
-            swarm.push_back(world.add(Sphere{0.5 * metre}, at<Space<>>(x, y, z), going<Space<>>(v[0], v[1], v[2]), mass(1.0 * kilogram), restitution(1)));
+            swarm.push_back(world.add(Sphere{0.5 * metre}, at<Space<>>(x, y, z), going<Space<>>(v[0], v[1], v[2]),
+                                      mass(1.0 * kilogram), restitution(1)));
         }
         run(world, steps, dt);
         int escapes = 0;
@@ -123,7 +132,9 @@ TEST_CASE("many impacts in one step: a corner, a row of bullets, a crowd shot in
         world.add(box<S>(0.05, 50, 50), at<S>(0.05), fixed);
         world.add(box<S>(50, 0.05, 50), at<S>(0, 0.05), fixed);
         std::vector<Handle> all;
-        for (int i = 0; i < 40; ++i) all.push_back(world.add(Sphere{0.1 * metre}, at<S>(-1 - 0.25 * i, -1 - 0.25 * (i % 7)), going<S>(300, 300 + 10 * (i % 3)), mass((1.0 + i % 5) * kilogram)));
+        for (int i = 0; i < 40; ++i)
+            all.push_back(world.add(Sphere{0.1 * metre}, at<S>(-1 - 0.25 * i, -1 - 0.25 * (i % 7)),
+                                    going<S>(300, 300 + 10 * (i % 3)), mass((1.0 + i % 5) * kilogram)));
         run(world, 60, dt);
         for (const auto ball : all) CHECK((x_of(world, ball) < 0 && height_of(world, ball) < 0));
     });
@@ -133,7 +144,8 @@ TEST_CASE("sensors notice what flies through them, and stop nothing, and layers 
     World world{SemiImplicitEuler{}, Impulse<>{}, SortAndSweep{}, Swept<Shapes>{}, Layers{}};
     const auto gate = world.add(Box{metres(0.01, 1, 1)}, fixed, sensor);
     world.add(Box{metres(0.01, 1, 1)}, position(metres(0.5, 0, 0)), fixed, member_of(1));
-    const auto ghost = world.add(Sphere{0.1 * metre}, at<Space<>>(-1), going<Space<>>(150), mass(1.0 * kilogram), ignores(1));
+    const auto ghost =
+        world.add(Sphere{0.1 * metre}, at<Space<>>(-1), going<Space<>>(150), mass(1.0 * kilogram), ignores(1));
     world.step(dt * second);
     CHECK(x_of(world, ghost) == -1 + 150 * (1.0 * dt));
     REQUIRE(world.contacts().size() == 1);
@@ -154,7 +166,9 @@ TEST_CASE("a platform takes along what it runs into, and a hail does not hold up
 
     auto hail = swept(SemiImplicitEuler{}, Impulse<>{});
     const auto crate = hail.add(Box{metres(1, 1, 1)}, at<Space<>>(0), going<Space<>>(0, 1), mass(1e6 * kilogram));
-    for (int i = 0; i < 20; ++i) hail.add(Sphere{0.1 * metre}, at<Space<>>(-3 - 5 * i, 0.1 * (i % 5)), going<Space<>>(300), mass(1e-3 * kilogram));
+    for (int i = 0; i < 20; ++i)
+        hail.add(Sphere{0.1 * metre}, at<Space<>>(-3 - 5 * i, 0.1 * (i % 5)), going<Space<>>(300),
+                 mass(1e-3 * kilogram));
     run(hail, 20, dt);
     CHECK(std::abs(height_of(hail, crate) - 20 * dt) <= 1e-12);
 }
@@ -164,7 +178,9 @@ TEST_CASE("a copy and a saved world continue with the same bits through impacts"
         auto first = swept(I{}, Gravity{}, Impulse<>{}, Projection{});
         first.add(box<Space<>>(50, 0.05, 50), at<Space<>>(0, -0.05), fixed);
         first.add(box<Space<>>(50, 0.05, 50), at<Space<>>(0, 6), fixed);
-        for (int i = 0; i < 50; ++i) first.add(Sphere{0.1 * metre}, at<Space<>>(0.3 * i, 1 + 0.07 * i), going<Space<>>(20 * (i % 3 - 1), 100 + i), mass((1.0 + i % 3) * kilogram), restitution(0.9));
+        for (int i = 0; i < 50; ++i)
+            first.add(Sphere{0.1 * metre}, at<Space<>>(0.3 * i, 1 + 0.07 * i),
+                      going<Space<>>(20 * (i % 3 - 1), 100 + i), mass((1.0 + i % 3) * kilogram), restitution(0.9));
         run(first, 17, dt);
         auto copy = first;
         std::stringstream file;
@@ -182,7 +198,8 @@ TEST_CASE("a world without Swept holds nothing of it", "[collision][swept]") {
     using Without = decltype(discrete(SemiImplicitEuler{}, Impulse<>{}));
     using With = decltype(swept(SemiImplicitEuler{}, Impulse<>{}));
     static_assert(!Without::composition::sweeps && With::composition::sweeps);
-    static_assert(std::is_same_v<decltype(WorldData<Without::composition>::collisions), Collisions<Without::composition>>);
+    static_assert(
+        std::is_same_v<decltype(WorldData<Without::composition>::collisions), Collisions<Without::composition>>);
     static_assert(Without::bytes_per_body == With::bytes_per_body); // no column of its own
     SUCCEED();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Impulse and projection where many touch: columns (V8), energy from nothing (V3), rows of balls, and the order of insertion (R14).
+// Impulse and projection where many touch: columns (V8), energy from nothing (V3), rows of balls, and the order of
+// insertion (R14).
 
 #include "tests/collision/support.hpp"
 
@@ -26,19 +27,23 @@ struct Column {
     std::vector<double> masses{};
     double e = 0;
 };
-/// How deep two are in each other at most, over a radius, and how fast somebody is at most, in the last two of ten seconds.
+/// How deep two are in each other at most, over a radius, and how fast somebody is at most, in the last two of ten
+/// seconds.
 struct Settled {
     double depth = 0, speed = 0;
 };
 template <class World_> Settled settle(World_ world, const Column& column, double rate = 60) {
     using S = typename World_::S;
-    column.ground == Ground::plane ? world.add(Plane::ground(), fixed) : world.add(Box{vector_in<S, unit::Length>(3, 0.5, 3)}, at<S>(0, -0.5), fixed);
+    column.ground == Ground::plane ? world.add(Plane::ground(), fixed)
+                                   : world.add(Box{vector_in<S, unit::Length>(3, 0.5, 3)}, at<S>(0, -0.5), fixed);
     std::vector<Handle> bodies;
     for (int i = 0; i < column.n; ++i) {
-        const auto m = mass((column.masses.empty() ? 1.0 : column.masses[std::size_t(i) % column.masses.size()]) * kilogram);
+        const auto m =
+            mass((column.masses.empty() ? 1.0 : column.masses[std::size_t(i) % column.masses.size()]) * kilogram);
         const auto place = at<S>(0, 0.5 + column.gap + i * (1 + column.gap));
-        bodies.push_back(column.boxes ? world.add(Box{vector_in<S, unit::Length>(0.5, 0.5, 0.5)}, place, m, restitution(column.e))
-                                      : world.add(Sphere{0.5 * metre}, place, m, restitution(column.e)));
+        bodies.push_back(
+            column.boxes ? world.add(Box{vector_in<S, unit::Length>(0.5, 0.5, 0.5)}, place, m, restitution(column.e))
+                         : world.add(Sphere{0.5 * metre}, place, m, restitution(column.e)));
     }
     Settled settled;
     for (int i = 0; i < 10 * rate; ++i) {
@@ -54,7 +59,9 @@ template <class World_> Settled settle(World_ world, const Column& column, doubl
     }
     return settled;
 }
-template <class... P> auto pair_of(P... policies) { return world_of(policies..., Gravity{}, Impulse<>{}, Projection{}); }
+template <class... P> auto pair_of(P... policies) {
+    return world_of(policies..., Gravity{}, Impulse<>{}, Projection{});
+}
 /// V8
 void check_settled(const Settled& settled) {
     CHECK(settled.depth <= 0.05);
@@ -65,13 +72,15 @@ void check_settled(const Settled& settled) {
 template <class World_> double energy(const World_& world) { return double(kinetic_energy(world).value()); }
 
 /// Bodies apart from each other in a closed box of planes, at a speed of so many radii a step.
-template <class World_> void scatter(World_& world, int n, bool boxes, double radii_a_step, unsigned seed, double most_e = 1) {
+template <class World_>
+void scatter(World_& world, int n, bool boxes, double radii_a_step, unsigned seed, double most_e = 1) {
     using S = typename World_::S;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit_range(0, 1);
     const double r = 0.1, room = 0.25 * std::cbrt(double(n)) + 0.2; // m
     for (const double side : {-1.0, 1.0})
-        for (int k = 0; k < 3; ++k) world.add(Plane{Eigen::Vector3d(-side * Eigen::Vector3d::Unit(k)), -room * metre}, fixed, restitution(0));
+        for (int k = 0; k < 3; ++k)
+            world.add(Plane{Eigen::Vector3d(-side * Eigen::Vector3d::Unit(k)), -room * metre}, fixed, restitution(0));
     const int a_row = int(std::ceil(std::cbrt(double(n))));
     for (int i = 0; i < n; ++i) {
         const auto coordinate = [&](int k) { return ((k + 0.5) / a_row * 2 - 1) * (room - 0.12); };
@@ -87,7 +96,8 @@ template <class World_> void scatter(World_& world, int n, bool boxes, double ra
 }
 /// V3: no step has more kinetic energy than the one before.
 template <class World_> void check_energy(const World_& empty) {
-    for (const auto& [n, radii] : {std::pair(1, 10.0), std::pair(12, 0.01), std::pair(60, 0.3), std::pair(120, 10.0), std::pair(250, 1.0), std::pair(40, 50.0)})
+    for (const auto& [n, radii] : {std::pair(1, 10.0), std::pair(12, 0.01), std::pair(60, 0.3), std::pair(120, 10.0),
+                                   std::pair(250, 1.0), std::pair(40, 50.0)})
         for (const bool boxes : {false, true}) {
             INFO(n << " bodies, " << radii << " radii a step" << (boxes ? ", boxes" : ""));
             auto world = empty;
@@ -104,10 +114,13 @@ template <class World_> void check_energy(const World_& empty) {
 }
 
 /// Five balls in a row, the first of which come from the left at 1 m/s; their velocities at last, from the left.
-template <class World_> std::vector<double> cradle(World_ world, const std::vector<int>& order, int moving_ones, double gap) {
+template <class World_>
+std::vector<double> cradle(World_ world, const std::vector<int>& order, int moving_ones, double gap) {
     std::vector<Handle> balls(5);
     for (const int i : order)
-        balls[std::size_t(i)] = world.add(Sphere{0.5 * metre}, at<Space<>>(i * (1 + gap)), going<Space<>>(i < moving_ones ? 1 : 0), mass(1.0 * kilogram), restitution(1));
+        balls[std::size_t(i)] =
+            world.add(Sphere{0.5 * metre}, at<Space<>>(i * (1 + gap)), going<Space<>>(i < moving_ones ? 1 : 0),
+                      mass(1.0 * kilogram), restitution(1));
     run(world, 60, dt);
     std::vector<double> speeds;
     for (const auto ball : balls) speeds.push_back(speed_along(world, ball));
@@ -115,16 +128,19 @@ template <class World_> std::vector<double> cradle(World_ world, const std::vect
 }
 } // namespace
 
-TEST_CASE("V8: a column of eight stands, of spheres and of boxes, on a plane and on a box, dropped or set", "[collision][columns]") {
+TEST_CASE("V8: a column of eight stands, of spheres and of boxes, on a plane and on a box, dropped or set",
+          "[collision][columns]") {
     for (const bool boxes : {false, true})
         for (const auto ground : {Ground::plane, Ground::box})
             for (const double gap : {0.0, 0.01, 0.1}) {
-                INFO((boxes ? "boxes" : "spheres") << (ground == Ground::plane ? " on a plane" : " on a box") << ", gaps of " << gap << " m");
+                INFO((boxes ? "boxes" : "spheres")
+                     << (ground == Ground::plane ? " on a plane" : " on a box") << ", gaps of " << gap << " m");
                 check_settled(settle(pair_of(SemiImplicitEuler{}), {8, boxes, ground, gap}));
             }
 }
 
-TEST_CASE("V8: twelve stand, of one mass and of several, a heavy one on top, bouncing ones, at other steps", "[collision][columns]") {
+TEST_CASE("V8: twelve stand, of one mass and of several, a heavy one on top, bouncing ones, at other steps",
+          "[collision][columns]") {
     const auto world = pair_of(SemiImplicitEuler{});
     check_settled(settle(world, {12}));
     check_settled(settle(world, {12, true, Ground::plane, 0.02}));
@@ -134,7 +150,8 @@ TEST_CASE("V8: twelve stand, of one mass and of several, a heavy one on top, bou
     for (const double rate : {30.0, 240.0}) check_settled(settle(world, {8, false, Ground::plane, 0.01}, rate));
 }
 
-TEST_CASE("V8: a column of eight stands with other integrators, in float and in two dimensions", "[collision][columns]") {
+TEST_CASE("V8: a column of eight stands with other integrators, in float and in two dimensions",
+          "[collision][columns]") {
     check_settled(settle(pair_of(Verlet{}), {8, false, Ground::plane, 0.01}));
     check_settled(settle(pair_of(RungeKutta4{}), {8, true, Ground::plane, 0.01}));
     check_settled(settle(pair_of(SemiImplicitEuler{}, Space<float, 2>{}), {8, false, Ground::plane, 0.01}));
@@ -167,26 +184,33 @@ TEST_CASE("V3: impulse and projection make no energy, whatever meets and however
     check_energy(world_of(SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Impulse<>{}, Projection{}));
     auto projected = world_of(SemiImplicitEuler{}, Projection{}, Keep<InverseMass, Restitution>{});
     check_energy(projected);
-    check_energy(World{SemiImplicitEuler{}, BoundingBoxes{}, Swept<Narrowphase<Sphere, Plane, Box>>{}, Impulse<>{}, Projection{}});
+    check_energy(World{SemiImplicitEuler{}, BoundingBoxes{}, Swept<Narrowphase<Sphere, Plane, Box>>{}, Impulse<>{},
+                       Projection{}});
 }
 
-TEST_CASE("a row of balls hands a blow on, with its energy, in whatever order they were added", "[collision][columns]") {
+TEST_CASE("a row of balls hands a blow on, with its energy, in whatever order they were added",
+          "[collision][columns]") {
     const std::vector<std::vector<int>> orders{{0, 1, 2, 3, 4}, {4, 3, 2, 1, 0}, {2, 0, 4, 1, 3}};
-    for (const auto& world : {world_of(SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Impulse<>{}, Projection{})})
+    for (const auto& world :
+         {world_of(SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Impulse<>{}, Projection{})})
         for (const double gap : {0.0, -1e-3, 1e-3})
             for (const int coming : {1, 2, 3})
                 for (const auto& order : orders) {
                     const auto speeds = cradle(world, order, coming, gap);
                     INFO(coming << " come, gap " << gap);
-                    for (int i = 0; i < 5; ++i) CHECK(std::abs(speeds[std::size_t(i)] - (i < 5 - coming ? 0 : 1)) <= 1e-12);
+                    for (int i = 0; i < 5; ++i)
+                        CHECK(std::abs(speeds[std::size_t(i)] - (i < 5 - coming ? 0 : 1)) <= 1e-12);
                 }
 }
 
 TEST_CASE("one ball that hits two at once hits them alike, and keeps its energy", "[collision][columns]") {
     auto world = world_of(SemiImplicitEuler{}, Impulse<>{});
-    const auto ball = world.add(Sphere{0.5 * metre}, at<Space<>>(0), going<Space<>>(1), mass(1.0 * kilogram), restitution(1));
+    const auto ball =
+        world.add(Sphere{0.5 * metre}, at<Space<>>(0), going<Space<>>(1), mass(1.0 * kilogram), restitution(1));
     std::vector<Handle> two;
-    for (const double side : {-1.0, 1.0}) two.push_back(world.add(Sphere{0.5 * metre}, at<Space<>>(std::sqrt(0.75) - 1e-3, 0.5 * side), mass(1.0 * kilogram), restitution(1)));
+    for (const double side : {-1.0, 1.0})
+        two.push_back(world.add(Sphere{0.5 * metre}, at<Space<>>(std::sqrt(0.75) - 1e-3, 0.5 * side),
+                                mass(1.0 * kilogram), restitution(1)));
     world.step(1e-6 * second);
     CHECK(std::abs(speed_along(world, ball) + 0.2) <= 0.01); // along x: -1/5 and 3/5 each, were they only touching
     CHECK(std::abs(speed_along(world, two[0]) - speed_along(world, two[1])) <= 1e-15);
@@ -200,8 +224,10 @@ TEST_CASE("R14: where a heap comes to lie does not depend on the order of insert
         const int n = 30;
         std::vector<Handle> balls(n);
         auto add = [&](int i) {
-            balls[std::size_t(i)] = world.add(Sphere{0.5 * metre}, at<Space<>>(0.97 * (i % 3) + 0.01 * i, 0.6 + 1.05 * (i / 9), 0.97 * (i / 3 % 3) + 0.013 * (i % 7)),
-                                              mass((1 + i % 4) * kilogram), restitution(0.1 * (i % 5)));
+            balls[std::size_t(i)] = world.add(
+                Sphere{0.5 * metre},
+                at<Space<>>(0.97 * (i % 3) + 0.01 * i, 0.6 + 1.05 * (i / 9), 0.97 * (i / 3 % 3) + 0.013 * (i % 7)),
+                mass((1 + i % 4) * kilogram), restitution(0.1 * (i % 5)));
         };
         if (!reversed) world.add(Plane::ground(), fixed);
         for (int i = 0; i < n; ++i) add(reversed ? n - 1 - i : i);

@@ -16,10 +16,13 @@ using namespace collision_tests;
 namespace {
 constexpr double tiny_dt = 1e-9; // so that positions do not matter
 
-template <class S> double close(double size = 1) { return std::is_same_v<typename S::Scalar, float> ? 1e-5 * size : 1e-12 * size; }
+template <class S> double close(double size = 1) {
+    return std::is_same_v<typename S::Scalar, float> ? 1e-5 * size : 1e-12 * size;
+}
 } // namespace
 
-TEST_CASE("C1: two bodies part as restitution says, momentum stays, energy falls by mu (1 - e^2) v^2 / 2", "[collision][impulse]") {
+TEST_CASE("C1: two bodies part as restitution says, momentum stays, energy falls by mu (1 - e^2) v^2 / 2",
+          "[collision][impulse]") {
     for_each_type(AllSpaces{}, []<class S>() {
         for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
             auto world = world_of(SemiImplicitEuler{}, S{}, Impulse<>{});
@@ -52,7 +55,9 @@ TEST_CASE("C4: what goes across the contact stays as it is, to the bit", "[colli
         auto world = world_of(SemiImplicitEuler{}, S{}, Impulse<>{});
         const auto [a, b] = two_spheres(world, 2, -1, 1, 3, 0.5);
         world.set_velocity(a, vector_in<S, unit::Velocity>(2, 0.3, -0.7));
-        for (const auto body : {a, b}) world.set_position(body, vector_in<S, unit::Length>(body == a ? 1 : 1.9, 1, 1)); // where a tiny step is none
+        for (const auto body : {a, b})
+            world.set_position(body,
+                               vector_in<S, unit::Length>(body == a ? 1 : 1.9, 1, 1)); // where a tiny step is none
         world.step(1e-30 * second);
         CHECK(speed_along(world, a) < 0.5);
         CHECK(world.velocity(a).value()[1] == typename S::Scalar(0.3));
@@ -97,7 +102,8 @@ TEST_CASE("C24: a projection keeps the centre of mass, and ends the contact", "[
 }
 
 namespace {
-/// The lowest, the highest and the last apex of a ball dropped from 10 m with e = 1, over the first, and how deep it was at most.
+/// The lowest, the highest and the last apex of a ball dropped from 10 m with e = 1, over the first, and how deep it
+/// was at most.
 struct Apexes {
     double least = HUGE_VAL, most = 0, last = 0, depth = 0;
 };
@@ -106,8 +112,7 @@ template <class I, class S, class... R> Apexes apexes(double dt, int wanted, R..
     const auto ball = [&] {
         if constexpr (decltype(world)::composition::template stores<Restitution>)
             return world.add(Sphere{0.5 * metre}, at<S>(0, 10), mass(1.0 * kilogram), restitution(1));
-        else
-            return world.add(Sphere{0.5 * metre}, at<S>(0, 10), mass(1.0 * kilogram));
+        else return world.add(Sphere{0.5 * metre}, at<S>(0, 10), mass(1.0 * kilogram));
     }();
     world.add(Plane::ground(), fixed);
     Apexes apex;
@@ -133,29 +138,35 @@ template <class I, class S, class... R> Apexes apexes(double dt, int wanted, R..
 }
 } // namespace
 
-TEST_CASE("C8: a ball with e = 1 comes back to its height, with every integrator and response", "[collision][impulse]") {
-    for_each_type(Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4, OdeintRungeKutta4>{}, []<class I>() {
-        for (const double dt : {1.0 / 60, 1.0 / 100, 1.0 / 30}) {
-            INFO("dt = " << dt);
-            auto check = [](const Apexes& apex, double deepest) {
-                CHECK(apex.least >= 0.99);
-                CHECK(apex.most <= 1.01);
-                CHECK(apex.depth <= deepest);
-            };
-            // An impulse lets it come as deep as it falls in a step, and once more where the integrator's velocity is turned late.
-            const double way = 1.01 * std::sqrt(2 * 9.81 * 9.5) * dt + 9.81 * dt * dt;
-            check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}), way);
-            check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}, Projection{}), 1e-12);
-            check(apexes<I, Space<double, 3>>(dt, 20, SoftSubsteps<>{}), 0.5 * 9.81 * dt * dt / 16); // what gravity bends its way in one of four parts
-        }
-        if constexpr (!std::same_as<I, OdeintRungeKutta4>) {
-            const auto apex = apexes<I, Space<float, 2>>(1.0 / 60, 20, Impulse<>{}, Projection{});
-            CHECK((apex.least >= 0.99 && apex.most <= 1.01));
-        }
-    });
+TEST_CASE("C8: a ball with e = 1 comes back to its height, with every integrator and response",
+          "[collision][impulse]") {
+    for_each_type(Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4,
+                        OdeintRungeKutta4>{},
+                  []<class I>() {
+                      for (const double dt : {1.0 / 60, 1.0 / 100, 1.0 / 30}) {
+                          INFO("dt = " << dt);
+                          auto check = [](const Apexes& apex, double deepest) {
+                              CHECK(apex.least >= 0.99);
+                              CHECK(apex.most <= 1.01);
+                              CHECK(apex.depth <= deepest);
+                          };
+                          // An impulse lets it come as deep as it falls in a step, and once more where the integrator's
+                          // velocity is turned late.
+                          const double way = 1.01 * std::sqrt(2 * 9.81 * 9.5) * dt + 9.81 * dt * dt;
+                          check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}), way);
+                          check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}, Projection{}), 1e-12);
+                          check(apexes<I, Space<double, 3>>(dt, 20, SoftSubsteps<>{}),
+                                0.5 * 9.81 * dt * dt / 16); // what gravity bends its way in one of four parts
+                      }
+                      if constexpr (!std::same_as<I, OdeintRungeKutta4>) {
+                          const auto apex = apexes<I, Space<float, 2>>(1.0 / 60, 20, Impulse<>{}, Projection{});
+                          CHECK((apex.least >= 0.99 && apex.most <= 1.01));
+                      }
+                  });
 }
 
-TEST_CASE("C8, penalty: an undamped contact gives back what it takes, but for what the integrator is known to add", "[collision][penalty]") {
+TEST_CASE("C8, penalty: an undamped contact gives back what it takes, but for what the integrator is known to add",
+          "[collision][penalty]") {
     // Five bounces on 1000 N/m: omega = 31.6/s, and a contact lasts half a swing, pi/omega.
     const double k = 1000, dt = 5e-4, omega_dt = std::sqrt(k) * dt;
     const int n = 5;
@@ -165,7 +176,8 @@ TEST_CASE("C8, penalty: an undamped contact gives back what it takes, but for wh
         const double late = 2 * omega_dt * omega_dt * n;
         CHECK(apex.least >= 1 - late);
         CHECK(apex.most <= 1 + late);
-        CHECK(std::abs(apex.depth / (std::sqrt(2 * 9.5 * 9.81 / k + std::pow(9.81 / k, 2)) + 9.81 / k) - 1) <= omega_dt); // k p^2 / 2 = m g (9.5 m + p)
+        CHECK(std::abs(apex.depth / (std::sqrt(2 * 9.5 * 9.81 / k + std::pow(9.81 / k, 2)) + 9.81 / k) - 1) <=
+              omega_dt); // k p^2 / 2 = m g (9.5 m + p)
     });
     // Each step of explicit Euler multiplies the energy of a swing by 1 + (omega dt)^2, implicit Euler divides it.
     const double grown = std::exp(n * std::numbers::pi * omega_dt);
@@ -176,27 +188,32 @@ TEST_CASE("C8, penalty: an undamped contact gives back what it takes, but for wh
 }
 
 TEST_CASE("C9: Zeno's ball lies still after a finite time", "[collision][impulse]") {
-    for_each_type(Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4>{}, []<class I>() {
-        auto world = world_of(I{}, Gravity{}, Impulse<>{}, Projection{1e-3 * metre}); // or resting bodies lose their contact
-        const auto ball = world.add(Sphere{0.5 * metre}, at<Space<>>(0, 1.5), mass(1.0 * kilogram), restitution(0.5));
-        world.add(Plane::ground(), fixed);
-        run(world, 91, 1.0 / 60); // 1.354571 s by the closed form
-        int begun = 0;
-        for (int i = 0; i < 60; ++i) {
-            world.step(1.0 / 60 * second);
-            CHECK(std::abs(speed_along(world, ball, 1)) < 0.05);
-            CHECK(std::abs(height_of(world, ball) - 0.5) <= 4e-3); // the slop, and what it falls in a step
-            for (const auto& c : world.contacts()) begun += c.begins();
-        }
-        CHECK(begun <= 60);
-    });
+    for_each_type(
+        Types<ExplicitEuler, SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4>{}, []<class I>() {
+            auto world =
+                world_of(I{}, Gravity{}, Impulse<>{}, Projection{1e-3 * metre}); // or resting bodies lose their contact
+            const auto ball =
+                world.add(Sphere{0.5 * metre}, at<Space<>>(0, 1.5), mass(1.0 * kilogram), restitution(0.5));
+            world.add(Plane::ground(), fixed);
+            run(world, 91, 1.0 / 60); // 1.354571 s by the closed form
+            int begun = 0;
+            for (int i = 0; i < 60; ++i) {
+                world.step(1.0 / 60 * second);
+                CHECK(std::abs(speed_along(world, ball, 1)) < 0.05);
+                CHECK(std::abs(height_of(world, ball) - 0.5) <= 4e-3); // the slop, and what it falls in a step
+                for (const auto& c : world.contacts()) begun += c.begins();
+            }
+            CHECK(begun <= 60);
+        });
 }
 
 TEST_CASE("a response that would be handed nonsense refuses it by name", "[collision][impulse]") {
     CHECK(refusal([] { restitution(1.5); }) == "restitution: e is 1.5; it is a number from 0 to 1");
     CHECK(refusal([] { restitution(std::nan("")); }).find("e is nan") != std::string::npos);
     CHECK(refusal([] { friction(-1); }) == "friction: mu is -1; it is a number, finite and at least 0");
-    CHECK(refusal([] { world_of(SemiImplicitEuler{}, Projection{0.0 * metre, 2}); }) == "Projection: share is 2; it is greater than 0 and at most 1");
+    CHECK(refusal([] {
+              world_of(SemiImplicitEuler{}, Projection{0.0 * metre, 2});
+          }) == "Projection: share is 2; it is greater than 0 and at most 1");
     CHECK(refusal([] {
               SoftSubsteps<> s;
               s.parts = 0;

@@ -16,7 +16,8 @@ namespace {
 constexpr auto N_per_m = 1.0 * newton_per_metre;
 constexpr auto N_s_per_m = 1.0 * newton_second_per_metre;
 
-/// The coefficient of restitution with which two bodies of 1 kg part that met at 1 m/s each, with 50 steps in a contact.
+/// The coefficient of restitution with which two bodies of 1 kg part that met at 1 m/s each, with 50 steps in a
+/// contact.
 template <class I, class S> double restitution_of(double zeta, double k = 1e4) {
     const double mu = 0.5, omega = std::sqrt(k / mu);
     auto world = world_of(I{}, S{}, Penalty{k * N_per_m, 2 * zeta * std::sqrt(k * mu) * N_s_per_m});
@@ -24,15 +25,16 @@ template <class I, class S> double restitution_of(double zeta, double k = 1e4) {
     const auto b = world.add(Sphere{0.5 * metre}, at<S>(1.01), going<S>(-1), mass(1.0 * kilogram));
     for (int i = 0; i < 400; ++i) {
         world.step(M_PI / omega / 50 * second);
-        CHECK(std::abs(speed_along(world, a) + speed_along(world, b)) <= (std::is_same_v<typename S::Scalar, float> ? 1e-5 : 1e-12)); // C22: F_a = -F_b
+        CHECK(std::abs(speed_along(world, a) + speed_along(world, b)) <=
+              (std::is_same_v<typename S::Scalar, float> ? 1e-5 : 1e-12)); // C22: F_a = -F_b
     }
     return (speed_along(world, b) - speed_along(world, a)) / 2;
 }
 } // namespace
 
 TEST_CASE("C23: a damped contact bounces as its damping ratio says, and less with more of it", "[collision][penalty]") {
-    // While nothing is clamped e = exp(-pi zeta / sqrt(1 - zeta^2)). A contact never pulls: it lets go where k p = c v, a little
-    // earlier, and gives back a little more.
+    // While nothing is clamped e = exp(-pi zeta / sqrt(1 - zeta^2)). A contact never pulls: it lets go where k p = c v,
+    // a little earlier, and gives back a little more.
     auto clamped = [](double zeta) { // the damped oscillator from p = 0 until its force is zero, stepped finely
         double p = 0, v = 1;
         const double h = 1e-6;
@@ -76,7 +78,8 @@ template <class S, class... P> double stray(double k, double other, int steps, P
 }
 } // namespace
 
-TEST_CASE("C22: two bodies that are pressed together are stable up to k = 4 mu / h^2, and not beyond", "[collision][penalty]") {
+TEST_CASE("C22: two bodies that are pressed together are stable up to k = 4 mu / h^2, and not beyond",
+          "[collision][penalty]") {
     for_each_type(Types<Space<double, 3>, Space<float, 2>>{}, []<class S>() {
         for (const double other : {1.0, 1000.0}) {
             const double limit = 4 * other / (1 + other) * 3600;
@@ -87,7 +90,8 @@ TEST_CASE("C22: two bodies that are pressed together are stable up to k = 4 mu /
     });
 }
 
-TEST_CASE("the stable step of a contact is known, and a StepLimit refuses or divides what is beyond it", "[collision][penalty]") {
+TEST_CASE("the stable step of a contact is known, and a StepLimit refuses or divides what is beyond it",
+          "[collision][penalty]") {
     using S = Space<double, 2>;
     auto world = world_of(SemiImplicitEuler{}, S{}, Penalty{7200.0 * N_per_m, {}}, StepLimit<Refuse>{});
     two_spheres(world, 0, 0);
@@ -99,7 +103,8 @@ TEST_CASE("the stable step of a contact is known, and a StepLimit refuses or div
     CHECK(stray<S>(1.5 * 7200, 1, 300, StepLimit<Divide>{}) < 1e-2);
 }
 
-TEST_CASE("R8: on a soft floor a body lies mg/k deep, with every integrator that a step of 1/240 s suits", "[collision][penalty]") {
+TEST_CASE("R8: on a soft floor a body lies mg/k deep, with every integrator that a step of 1/240 s suits",
+          "[collision][penalty]") {
     for_each_type(Types<SemiImplicitEuler, ImplicitEuler, Verlet, VelocityVerlet, RungeKutta4>{}, []<class I>() {
         for (const double k : {1e3, 1e4, 5e4}) {
             auto world = world_of(I{}, Gravity{}, Penalty{k * N_per_m, 0.4 * std::sqrt(k) * N_s_per_m});
@@ -113,8 +118,8 @@ TEST_CASE("R8: on a soft floor a body lies mg/k deep, with every integrator that
 }
 
 namespace {
-/// The largest relative change of energy over the first bounce on a soft floor, from 16 heights, so that every part of a step is one
-/// in which a ball comes to touch.
+/// The largest relative change of energy over the first bounce on a soft floor, from 16 heights, so that every part of
+/// a step is one in which a ball comes to touch.
 template <class I, class S = Space<>> double changed_by_a_bounce(double h, double k = 1e4) {
     double most = 0;
     for (int i = 0; i < 16; ++i) {
@@ -130,13 +135,16 @@ template <class I, class S = Space<>> double changed_by_a_bounce(double h, doubl
 }
 } // namespace
 
-TEST_CASE("a bounce on a soft floor keeps the order of its integrator in the step that it begins in, too", "[collision][penalty]") {
-    // omega h = 0.2, 0.1, 0.05. The force has a kink where they come to touch, so that no method is better than of second order there:
-    // velocity Verlet, in contact for the time s of a step, makes omega^2 s (h - s) of the energy wrong, at most (omega h)^2 / 4, and
-    // the other way round where they part. Found a step late, the spring would begin v h deep: four times as much, and always a gain.
+TEST_CASE("a bounce on a soft floor keeps the order of its integrator in the step that it begins in, too",
+          "[collision][penalty]") {
+    // omega h = 0.2, 0.1, 0.05. The force has a kink where they come to touch, so that no method is better than of
+    // second order there: velocity Verlet, in contact for the time s of a step, makes omega^2 s (h - s) of the energy
+    // wrong, at most (omega h)^2 / 4, and the other way round where they part. Found a step late, the spring would
+    // begin v h deep: four times as much, and always a gain.
     for_each_type(Types<VelocityVerlet, RungeKutta4>{}, []<class I>() {
         const double h = 0.002;
-        const double errors[] = {changed_by_a_bounce<I>(h), changed_by_a_bounce<I>(h / 2), changed_by_a_bounce<I>(h / 4)};
+        const double errors[] = {changed_by_a_bounce<I>(h), changed_by_a_bounce<I>(h / 2),
+                                 changed_by_a_bounce<I>(h / 4)};
         INFO(errors[0] << ' ' << errors[1] << ' ' << errors[2]);
         CHECK(errors[0] <= 0.2 * 0.2 / 4);
         CHECK(errors[0] / errors[2] >= 12);
@@ -144,7 +152,9 @@ TEST_CASE("a bounce on a soft floor keeps the order of its integrator in the ste
     });
 }
 
-TEST_CASE("StepLimit divides the step in which two come to touch, and what happened in a part of it is news of the step", "[collision][penalty]") {
+TEST_CASE(
+    "StepLimit divides the step in which two come to touch, and what happened in a part of it is news of the step",
+    "[collision][penalty]") {
     Handle ball;
     auto make = [&] {
         auto world = world_of(SemiImplicitEuler{}, Gravity{}, Penalty{1e6 * N_per_m, {}}, StepLimit<Divide>{0.1});
@@ -170,7 +180,8 @@ TEST_CASE("StepLimit divides the step in which two come to touch, and what happe
         const double v = speed_along(world, ball, 1);
         turned += fell < 0 && v > 0;
         fell = v;
-        // At one part in ten of the largest stable step, omega h = 0.2: semi-implicit Euler swings by that much of the energy.
+        // At one part in ten of the largest stable step, omega h = 0.2: semi-implicit Euler swings by that much of the
+        // energy.
         REQUIRE(total_energy(world).value() <= 1.2 * drop + 9.81 * 0.05);
     }
     CHECK(turned >= 30);
@@ -180,9 +191,12 @@ TEST_CASE("StepLimit divides the step in which two come to touch, and what happe
 }
 
 TEST_CASE("what passes by a corner feels nothing of it", "[collision][penalty]") {
-    // Found early, an edge is no wall: neither the one of a box that another passes at its corner, nor that which a ball flies around.
+    // Found early, an edge is no wall: neither the one of a box that another passes at its corner, nor that which a
+    // ball flies around.
     for_each_type(Types<Space<double, 3>, Space<float, 2>>{}, []<class S>() {
-        auto box = [](double half) { return S::dimension == 2 ? Box{metres(half, half)} : Box{metres(half, half, half)}; };
+        auto box = [](double half) {
+            return S::dimension == 2 ? Box{metres(half, half)} : Box{metres(half, half, half)};
+        };
         auto passes = [&](auto shape, double from, double to) {
             auto world = world_of(VelocityVerlet{}, S{}, Penalty{1e4 * N_per_m, {}});
             world.add(box(0.5), at<S>(0, 0), fixed);
@@ -194,6 +208,7 @@ TEST_CASE("what passes by a corner feels nothing of it", "[collision][penalty]")
         const double gap = 0.001;
         CHECK(passes(Sphere{0.25 * metre}, -1 + (0.25 + gap) / std::sqrt(2.0), 2 + (0.25 + gap) / std::sqrt(2.0)));
         CHECK(passes(box(0.25), -1 + 0.25 + gap, 2 + 0.25 + gap));
-        CHECK_FALSE(passes(Sphere{0.25 * metre}, -1 + (0.25 - gap) / std::sqrt(2.0), 2 + (0.25 - gap) / std::sqrt(2.0)));
+        CHECK_FALSE(
+            passes(Sphere{0.25 * metre}, -1 + (0.25 - gap) / std::sqrt(2.0), 2 + (0.25 - gap) / std::sqrt(2.0)));
     });
 }

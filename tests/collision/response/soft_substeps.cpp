@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// SoftSubsteps: energy comes from nowhere (hard case V3), a load that goes leaves the others where they are (V4, R7), and what
-// bodies do that meet at one moment.
+// SoftSubsteps: energy comes from nowhere (hard case V3), a load that goes leaves the others where they are (V4, R7),
+// and what bodies do that meet at one moment.
 
+#include "tests/collision/support.hpp"
 #include <ansatz/collision/response/soft_impacts.hpp>
 #include <ansatz/collision/response/soft_loads.hpp>
-#include "tests/collision/support.hpp"
 
 #include <ansatz/collision/response/soft_substeps.hpp>
 
@@ -20,9 +20,11 @@ using namespace collision_tests;
 namespace {
 constexpr double dt = 1.0 / 60, g = 9.81; // s, m/s^2
 
-template <class World_> double kinetic_energy(const World_& world, const std::vector<Handle>& bodies, const std::vector<double>& masses) {
+template <class World_>
+double kinetic_energy(const World_& world, const std::vector<Handle>& bodies, const std::vector<double>& masses) {
     double sum = 0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) sum += 0.5 * masses[i] * double(squared_norm(world.velocity(bodies[i])).value());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        sum += 0.5 * masses[i] * double(squared_norm(world.velocity(bodies[i])).value());
     return sum;
 }
 void add_walls(auto& world, double half, double e) {
@@ -36,13 +38,14 @@ void add_walls(auto& world, double half, double e) {
 
 struct Gas {
     int bodies;
-    double speed;  // m/s
+    double speed; // m/s
     double e;
     int parts;
-    bool boxes;    // every third of them
+    bool boxes; // every third of them
     unsigned seed;
 };
-/// Bodies of 0.1 m that fly about in a closed box, nothing else: the largest gain of energy in a step, relative to the start.
+/// Bodies of 0.1 m that fly about in a closed box, nothing else: the largest gain of energy in a step, relative to the
+/// start.
 template <class... P> double largest_gain(const Gas& gas, int steps, P... policies) {
     SoftSubsteps<> response;
     response.parts = gas.parts;
@@ -67,8 +70,10 @@ template <class... P> double largest_gain(const Gas& gas, int steps, P... polici
         masses.push_back(i % 4 == 0 ? 5.0 : 1.0);
         const auto where = position(x * metre);
         const auto how = velocity(v * metre_per_second);
-        bodies.push_back(gas.boxes && i % 3 == 0 ? world.add(Box{metres(r, r, r)}, where, how, mass(masses.back() * kilogram), restitution(gas.e))
-                                                 : world.add(Sphere{r * metre}, where, how, mass(masses.back() * kilogram), restitution(gas.e)));
+        bodies.push_back(
+            gas.boxes && i % 3 == 0
+                ? world.add(Box{metres(r, r, r)}, where, how, mass(masses.back() * kilogram), restitution(gas.e))
+                : world.add(Sphere{r * metre}, where, how, mass(masses.back() * kilogram), restitution(gas.e)));
     }
     const double start = kinetic_energy(world, bodies, masses);
     double before = start, most = 0;
@@ -89,13 +94,16 @@ template <class... P> void check_gases(P... policies) {
                 ++seed;
                 const int parts = std::array{4, 1, 16, 2, 7}[seed % 5];
                 const Gas gas{bodies, radii_a_step * 0.1 / dt, e, parts, seed % 2 == 0, seed};
-                INFO(bodies << " bodies, " << radii_a_step << " radii a step, e = " << e << ", " << parts << " parts, " << (gas.boxes ? "with boxes" : "spheres"));
+                INFO(bodies << " bodies, " << radii_a_step << " radii a step, e = " << e << ", " << parts << " parts, "
+                            << (gas.boxes ? "with boxes" : "spheres"));
                 CHECK(largest_gain(gas, bodies > 100 ? 60 : 120, policies...) <= 1e-12);
             }
 }
 } // namespace
 
-TEST_CASE("V3: SoftSubsteps makes no energy from nothing", "[collision][soft]") { check_gases(Narrowphase<Sphere, Plane, Box>{}); }
+TEST_CASE("V3: SoftSubsteps makes no energy from nothing", "[collision][soft]") {
+    check_gases(Narrowphase<Sphere, Plane, Box>{});
+}
 
 TEST_CASE("V3: nor does it under Swept", "[collision][soft]") { check_gases(Swept<Narrowphase<Sphere, Plane, Box>>{}); }
 
@@ -109,7 +117,8 @@ TEST_CASE("V3: 120 balls at 60 m/s with e = 1 in a box of 20 m", "[collision][so
         Eigen::Vector3d v(between(random), between(random), between(random));
         v *= 60 / v.norm();
         const auto where = metres(-8.0 + 4 * (i % 5), -8.0 + 4 * (i / 5 % 5), -8.0 + 4 * (i / 25));
-        balls.push_back(world.add(Sphere{0.1 * metre}, position(where), velocity(v * metre_per_second), mass(1.0 * kilogram), restitution(1)));
+        balls.push_back(world.add(Sphere{0.1 * metre}, position(where), velocity(v * metre_per_second),
+                                  mass(1.0 * kilogram), restitution(1)));
     }
     const std::vector<double> masses(120, 1.0);
     const double start = kinetic_energy(world, balls, masses);
@@ -124,27 +133,29 @@ TEST_CASE("V3: 120 balls at 60 m/s with e = 1 in a box of 20 m", "[collision][so
     CHECK(before >= 0.99 * start);
 }
 
-// ------------------------------------------------------------------------------------------------ loads that go (V4, R7)
+// ------------------------------------------------------------------------------------------------ loads that go (V4,
+// R7)
 
 namespace {
 enum class Relief { removed, lighter, gravity_off, gravity_halved };
 struct Column {
-    double load;   // the mass of the top one over that of the others
-    int height;    // how many, with the load
+    double load; // the mass of the top one over that of the others
+    int height;  // how many, with the load
     bool boxes;
     Relief relief;
 };
 struct Unloaded {
-    double rise = 0;  // how far one comes above its place in the column that nothing presses, m
-    double speed = 0; // the fastest of them in the last second, m/s
+    double rise = 0;   // how far one comes above its place in the column that nothing presses, m
+    double speed = 0;  // the fastest of them in the last second, m/s
     double before = 0; // and before it happened
 };
-/// A column that has lain for half a minute loses its load, and is looked at while what is left settles: for five seconds, or where
-/// the load stays and weighs half, for the fifteen that the column took to stand under it, at 300:1.
+/// A column that has lain for half a minute loses its load, and is looked at while what is left settles: for five
+/// seconds, or where the load stays and weighs half, for the fifteen that the column took to stand under it, at 300:1.
 template <class... P> Unloaded unload(const Column& column, double mu, P... policies) {
     World world{SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere, Plane, Box>{}, policies...};
     const auto with_friction = [&](Handle body) {
-        if constexpr (decltype(world)::composition::template stores<Friction>) world.template write<Friction>(body, Quantity<unit::Dimensionless>(mu));
+        if constexpr (decltype(world)::composition::template stores<Friction>)
+            world.template write<Friction>(body, Quantity<unit::Dimensionless>(mu));
         return body;
     };
     with_friction(world.add(Plane::ground(), fixed));
@@ -152,16 +163,20 @@ template <class... P> Unloaded unload(const Column& column, double mu, P... poli
     for (int i = 0; i < column.height; ++i) {
         const auto m = mass((i + 1 == column.height ? column.load : 1.0) * kilogram);
         const auto where = at<Space<>>(0, 0.5 + i);
-        bodies.push_back(with_friction(column.boxes ? world.add(Box{metres(0.5, 0.5, 0.5)}, where, m) : world.add(Sphere{0.5 * metre}, where, m)));
+        bodies.push_back(with_friction(column.boxes ? world.add(Box{metres(0.5, 0.5, 0.5)}, where, m)
+                                                    : world.add(Sphere{0.5 * metre}, where, m)));
     }
     run(world, 1800, dt);
     Unloaded result;
     for (const auto body : bodies) result.before = std::max(result.before, double(norm(world.velocity(body)).value()));
     switch (column.relief) {
-        case Relief::removed: world.remove(bodies.back()); bodies.pop_back(); break;
-        case Relief::lighter: world.set_mass(bodies.back(), 1.0 * kilogram); break;
-        case Relief::gravity_off: world.set(Gravity{metres_per_second_squared(0, 0, 0)}); break;
-        case Relief::gravity_halved: world.set(Gravity{metres_per_second_squared(0, -g / 2, 0)}); break;
+    case Relief::removed:
+        world.remove(bodies.back());
+        bodies.pop_back();
+        break;
+    case Relief::lighter: world.set_mass(bodies.back(), 1.0 * kilogram); break;
+    case Relief::gravity_off: world.set(Gravity{metres_per_second_squared(0, 0, 0)}); break;
+    case Relief::gravity_halved: world.set(Gravity{metres_per_second_squared(0, -g / 2, 0)}); break;
     }
     const int steps = column.relief == Relief::gravity_halved ? 900 : 300;
     for (int i = 0; i < steps; ++i) {
@@ -179,11 +194,13 @@ TEST_CASE("V4, R7: who loses the load upon it stays where it is", "[collision][s
     auto check = [](double mu, auto... policies) {
         for (const double load : {1.0, 10.0, 60.0, 100.0, 300.0})
             for (const int height : {3, 6, 10})
-                for (const auto relief : {Relief::removed, Relief::lighter, Relief::gravity_off, Relief::gravity_halved})
+                for (const auto relief :
+                     {Relief::removed, Relief::lighter, Relief::gravity_off, Relief::gravity_halved})
                     for (const bool boxes : {false, true}) {
                         const auto seen = unload({load, height, boxes, relief}, mu, policies...);
                         const char* const what[] = {"removed", "lighter", "no gravity", "half of gravity"};
-                        INFO(height << (boxes ? " boxes, " : " spheres, ") << load << ":1, " << what[std::size_t(relief)]);
+                        INFO(height << (boxes ? " boxes, " : " spheres, ") << load << ":1, "
+                                    << what[std::size_t(relief)]);
                         INFO("moving at " << seen.before << " m/s before");
                         CHECK(seen.rise <= 1e-3);
                         CHECK(seen.speed <= 0.05);
@@ -193,15 +210,20 @@ TEST_CASE("V4, R7: who loses the load upon it stays where it is", "[collision][s
     check(0.5, SoftSubsteps<Friction>{}, Rest{});
 }
 
-// ------------------------------------------------------------------------------------------------ impacts at one moment
+// ------------------------------------------------------------------------------------------------ impacts at one
+// moment
 
 namespace {
-/// Balls of radius 0.5 m in a row that touch, added in some order; their velocities after the impact, by their places in the row.
-template <class Response> std::vector<double> cradle(const std::vector<double>& speeds, const std::vector<double>& masses, const std::vector<std::size_t>& order, double gap, double e, Response response, int steps) {
+/// Balls of radius 0.5 m in a row that touch, added in some order; their velocities after the impact, by their places
+/// in the row.
+template <class Response>
+std::vector<double> cradle(const std::vector<double>& speeds, const std::vector<double>& masses,
+                           const std::vector<std::size_t>& order, double gap, double e, Response response, int steps) {
     auto world = World{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere, Plane, Box>{}, response};
     std::vector<Handle> balls(speeds.size());
     for (const auto i : order)
-        balls[i] = world.add(Sphere{0.5 * metre}, at<Space<>>((1 + gap) * double(i)), going<Space<>>(speeds[i]), mass(masses[i] * kilogram), restitution(e));
+        balls[i] = world.add(Sphere{0.5 * metre}, at<Space<>>((1 + gap) * double(i)), going<Space<>>(speeds[i]),
+                             mass(masses[i] * kilogram), restitution(e));
     run(world, steps, dt);
     std::vector<double> after;
     for (const auto ball : balls) after.push_back(speed_along(world, ball));
@@ -228,33 +250,43 @@ TEST_CASE("SoftSubsteps: five balls are a cradle, whatever the order in which th
         }
         // From both sides at once: it goes back as it came.
         const auto mirrored = cradle({1, 0, 0, 0, -1}, alike, order, 0, 1, SoftSubsteps<>{}, 30);
-        for (int i = 0; i < 5; ++i) CHECK(std::abs(mirrored[std::size_t(i)] - std::array{-1, 0, 0, 0, 1}[std::size_t(i)]) <= 1e-12);
+        for (int i = 0; i < 5; ++i)
+            CHECK(std::abs(mirrored[std::size_t(i)] - std::array{-1, 0, 0, 0, 1}[std::size_t(i)]) <= 1e-12);
         // Unequal ones: each with the next, as if there were a gap between them.
         const std::vector<double> masses{3, 1, 2, 5, 1};
-        const auto unequal = cradle({1, 0, 0, 0, 0}, masses, order, 0, 1, SoftSubsteps<>{.threshold = 0.0 * metre_per_second}, 30);
+        const auto unequal =
+            cradle({1, 0, 0, 0, 0}, masses, order, 0, 1, SoftSubsteps<>{.threshold = 0.0 * metre_per_second}, 30);
         double momentum = 0, energy = 0;
-        for (std::size_t i = 0; i < 5; ++i) momentum += masses[i] * unequal[i], energy += 0.5 * masses[i] * unequal[i] * unequal[i];
+        for (std::size_t i = 0; i < 5; ++i)
+            momentum += masses[i] * unequal[i], energy += 0.5 * masses[i] * unequal[i] * unequal[i];
         CHECK(std::abs(momentum - 3) <= 1e-12);
         CHECK(std::abs(energy - 1.5) <= 1e-12);
-        for (std::size_t i = 0; i + 1 < 5; ++i) CHECK(unequal[i] <= unequal[i + 1] + 1e-12); // nobody runs into the next any more
-        const auto in_order = cradle({1, 0, 0, 0, 0}, masses, {0, 1, 2, 3, 4}, 0, 1, SoftSubsteps<>{.threshold = 0.0 * metre_per_second}, 30);
+        for (std::size_t i = 0; i + 1 < 5; ++i)
+            CHECK(unequal[i] <= unequal[i + 1] + 1e-12); // nobody runs into the next any more
+        const auto in_order = cradle({1, 0, 0, 0, 0}, masses, {0, 1, 2, 3, 4}, 0, 1,
+                                     SoftSubsteps<>{.threshold = 0.0 * metre_per_second}, 30);
         for (std::size_t i = 0; i < 5; ++i) CHECK(std::abs(unequal[i] - in_order[i]) <= 1e-12);
         std::shuffle(order.begin(), order.end(), random);
     }
 }
 
-TEST_CASE("SoftSubsteps: one ball that meets two at one moment parts from both as symmetry and energy demand", "[collision][soft]") {
-    // A ball of 1 kg at 1 m/s between two of 1 kg: the normals are at 30 degrees to its way. It goes back at 1/5, they leave at
-    // 2 sqrt(3) / 5 each: momentum 1 = -1/5 + 2 cos(30) 2 sqrt(3) / 5, energy 1 = 1/25 + 2 * 12/25.
+TEST_CASE("SoftSubsteps: one ball that meets two at one moment parts from both as symmetry and energy demand",
+          "[collision][soft]") {
+    // A ball of 1 kg at 1 m/s between two of 1 kg: the normals are at 30 degrees to its way. It goes back at 1/5, they
+    // leave at 2 sqrt(3) / 5 each: momentum 1 = -1/5 + 2 cos(30) 2 sqrt(3) / 5, energy 1 = 1/25 + 2 * 12/25.
     for (int n = 0; n < 6; ++n) {
         auto world = World{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere, Plane, Box>{}, SoftSubsteps<>{}};
         std::array<Handle, 3> balls;
-        const std::array<Eigen::Vector3d, 3> places{Eigen::Vector3d(-std::sqrt(0.75) - 0.01, 0, 0), Eigen::Vector3d(0, 0.5, 0), Eigen::Vector3d(0, -0.5, 0)};
-        const std::array<std::array<std::size_t, 3>, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+        const std::array<Eigen::Vector3d, 3> places{Eigen::Vector3d(-std::sqrt(0.75) - 0.01, 0, 0),
+                                                    Eigen::Vector3d(0, 0.5, 0), Eigen::Vector3d(0, -0.5, 0)};
+        const std::array<std::array<std::size_t, 3>, 6> orders{
+            {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
         for (const auto i : orders[std::size_t(n)])
-            balls[i] = world.add(Sphere{0.5 * metre}, position(places[i] * metre), going<Space<>>(i == 0 ? 1 : 0), mass(1.0 * kilogram), restitution(1));
+            balls[i] = world.add(Sphere{0.5 * metre}, position(places[i] * metre), going<Space<>>(i == 0 ? 1 : 0),
+                                 mass(1.0 * kilogram), restitution(1));
         run(world, 30, dt);
-        CHECK(std::abs(speed_along(world, balls[0], 0) + 0.2) <= 0.01); // where they touch the normals are those of a hundredth before
+        CHECK(std::abs(speed_along(world, balls[0], 0) + 0.2) <=
+              0.01); // where they touch the normals are those of a hundredth before
         CHECK(std::abs(speed_along(world, balls[0], 1)) <= 1e-12);
         CHECK(std::abs(speed_along(world, balls[1], 0) - speed_along(world, balls[2], 0)) <= 1e-12);
         CHECK(std::abs(speed_along(world, balls[1], 1) + speed_along(world, balls[2], 1)) <= 1e-12);

@@ -3,8 +3,8 @@
 
 /// \file
 /// What a scheme does to an oscillator, in closed form: for x'' = -omega^2 x every one-step method is a matrix,
-/// (x, v)_{n+1} = M(omega h) (x, v)_n, so that its n-th state is known without running it. The matrices are those of the
-/// schemes as they are published, in long double; a world must agree to rounding, in each scalar and dimension.
+/// (x, v)_{n+1} = M(omega h) (x, v)_n, so that its n-th state is known without running it. The matrices are those of
+/// the schemes as they are published, in long double; a world must agree to rounding, in each scalar and dimension.
 
 #include "tests/motion/support.hpp"
 
@@ -40,8 +40,10 @@ template <class I> void check_closed_form(const std::function<Amplification(long
                 const auto s = state(world, body);
                 // Ten roundings a step, of numbers no larger than `size` and, in the difference that is Verlet's
                 // velocity, 1 / h times that.
-                const long double rounding = 10 * 50 * std::numeric_limits<typename S::Scalar>::epsilon() * size * std::max(1.0, 1 / h);
-                INFO("omega " << omega << "/s, h " << h << " s: x " << s[0] << ", should be " << double(x) << "; v " << s[3] << ", should be " << double(v));
+                const long double rounding =
+                    10 * 50 * std::numeric_limits<typename S::Scalar>::epsilon() * size * std::max(1.0, 1 / h);
+                INFO("omega " << omega << "/s, h " << h << " s: x " << s[0] << ", should be " << double(x) << "; v "
+                              << s[3] << ", should be " << double(v));
                 CHECK(std::abs(s[0] - x) <= rounding);
                 CHECK(std::abs(s[3] - v) <= rounding);
                 CHECK(std::abs(s[1] - y) <= rounding);

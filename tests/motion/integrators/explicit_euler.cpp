@@ -7,4 +7,6 @@ TEST_CASE("explicit Euler moves with the old velocity, as its matrix says", "[mo
     check_closed_form<ExplicitEuler>([](long double w, long double h) { return Amplification{1, h, -w * w * h, 1}; });
 }
 
-TEST_CASE("explicit Euler asks the forces once a step", "[motion][explicit_euler]") { CHECK(evaluations_of_a_step<ExplicitEuler>() == 1); }
+TEST_CASE("explicit Euler asks the forces once a step", "[motion][explicit_euler]") {
+    CHECK(evaluations_of_a_step<ExplicitEuler>() == 1);
+}

@@ -13,8 +13,8 @@ TEST_CASE("implicit Euler moves with the rates of the next state, as its matrix 
 }
 
 TEST_CASE("implicit Euler solves its equation also where the force is not linear", "[motion][implicit_euler]") {
-    // What was found must satisfy v1 = v0 + h a(x1, v1) and x1 = x0 + h v1, for quadratic drag by its closed form: along a
-    // line u + h k/m u^2 = v has the root 2 v / (1 + sqrt(1 + 4 v h k/m)).
+    // What was found must satisfy v1 = v0 + h a(x1, v1) and x1 = x0 + h v1, for quadratic drag by its closed form:
+    // along a line u + h k/m u^2 = v has the root 2 v / (1 + sqrt(1 + 4 v h k/m)).
     for (const double h : {1e-3, 0.1, 10.0, 1e6})
         for (const double v : {1e-3, 1.0, 300.0}) {
             World world{Space<double, 2>{}, ImplicitEuler{}, QuadraticDrag{0.5 * kilogram_per_metre}};

@@ -12,7 +12,9 @@ TEST_CASE("Runge-Kutta 4 is the Taylor series to the fourth power of the step", 
     check_closed_form<OdeintRungeKutta4>(matrix); // and so is Boost's
 }
 
-TEST_CASE("Runge-Kutta 4 asks the forces four times a step", "[motion][runge_kutta4]") { CHECK(evaluations_of_a_step<RungeKutta4>() == 4); }
+TEST_CASE("Runge-Kutta 4 asks the forces four times a step", "[motion][runge_kutta4]") {
+    CHECK(evaluations_of_a_step<RungeKutta4>() == 4);
+}
 
 namespace {
 /// a = t^3 along x, as a number.
@@ -31,7 +33,8 @@ struct CubedTime {
 };
 } // namespace
 
-TEST_CASE("Runge-Kutta 4 asks a force of time at the beginning, twice in the middle, and at the end of the step", "[motion][runge_kutta4]") {
+TEST_CASE("Runge-Kutta 4 asks a force of time at the beginning, twice in the middle, and at the end of the step",
+          "[motion][runge_kutta4]") {
     // Simpson's rule is exact for t^3 in the velocity: v(T) = T^4 / 4 to rounding, whatever the step.
     World world{Space<double, 2>{}, RungeKutta4{}, CubedTime{}};
     const auto body = world.add();

@@ -12,7 +12,9 @@ TEST_CASE("velocity Verlet takes the mean of both accelerations, as its matrix s
     });
 }
 
-TEST_CASE("velocity Verlet asks the forces twice a step", "[motion][velocity_verlet]") { CHECK(evaluations_of_a_step<VelocityVerlet>() == 2); }
+TEST_CASE("velocity Verlet asks the forces twice a step", "[motion][velocity_verlet]") {
+    CHECK(evaluations_of_a_step<VelocityVerlet>() == 2);
+}
 
 TEST_CASE("I4 velocity Verlet keeps its invariant over a million steps", "[motion][velocity_verlet][I4]") {
     const double w = 10, h = 1.0 / 60;

@@ -5,7 +5,8 @@
 
 using namespace motion_tests;
 
-TEST_CASE("Verlet's positions and velocities are those of velocity Verlet, whose history it keeps", "[motion][verlet]") {
+TEST_CASE("Verlet's positions and velocities are those of velocity Verlet, whose history it keeps",
+          "[motion][verlet]") {
     // With the right start, x_{n+1} = 2 x_n - x_{n-1} + a_n h^2 is the same sequence; the velocity now is
     // (x_n - x_{n-1}) / h + a_n h / 2, which for an oscillator is velocity Verlet's too.
     check_closed_form<Verlet>([](long double w, long double h) {
@@ -14,11 +15,13 @@ TEST_CASE("Verlet's positions and velocities are those of velocity Verlet, whose
     });
 }
 
-TEST_CASE("Verlet asks forces of position once a step", "[motion][verlet]") { CHECK(evaluations_of_a_step<Verlet>() == 1); }
+TEST_CASE("Verlet asks forces of position once a step", "[motion][verlet]") {
+    CHECK(evaluations_of_a_step<Verlet>() == 1);
+}
 
 TEST_CASE("I4 Verlet keeps its invariant over a million steps", "[motion][verlet][I4]") {
-    // The mean velocity of the last step, u = (x_n - x_{n-1}) / h, and both positions: x_n^2 + x_{n-1}^2 - (2 - q) x_n x_{n-1}
-    // is what the recurrence keeps. Its roundings are of positions only.
+    // The mean velocity of the last step, u = (x_n - x_{n-1}) / h, and both positions: x_n^2 + x_{n-1}^2 - (2 - q) x_n
+    // x_{n-1} is what the recurrence keeps. Its roundings are of positions only.
     const double w = 10, h = 1.0 / 60, q = w * w * h * h;
     World world{Space<double, 2>{}, Verlet{}, Oscillator{w / second}};
     const auto body = add_body(world, OnALine{1.0 * metre, 3.0 * metre_per_second});
@@ -59,11 +62,16 @@ double error_of_world(int n) {
 }
 } // namespace
 
-TEST_CASE("I11 Verlet start: with half an acceleration the order is 2, without it 1, without a velocity it is lost", "[motion][verlet][I11]") {
+TEST_CASE("I11 Verlet start: with half an acceleration the order is 2, without it 1, without a velocity it is lost",
+          "[motion][verlet][I11]") {
     check_order(2, 0.01, 400, 5, error_of_world);
     // What the other starts would give, so that the bound above means something.
-    check_order(2, 0.01, 400, 5, [](int n) { return error_of_start(n, [](double x, double v, double a, double h) { return x - v * h + 0.5 * a * h * h; }); });
-    check_order(1, 0.05, 400, 5, [](int n) { return error_of_start(n, [](double x, double v, double, double h) { return x - v * h; }); });
+    check_order(2, 0.01, 400, 5, [](int n) {
+        return error_of_start(n, [](double x, double v, double a, double h) { return x - v * h + 0.5 * a * h * h; });
+    });
+    check_order(1, 0.05, 400, 5, [](int n) {
+        return error_of_start(n, [](double x, double v, double, double h) { return x - v * h; });
+    });
     const double lost = error_of_start(6400, [](double x, double, double, double) { return x; });
     INFO("x_{-1} = x_0 is off by " << lost << " m however small the step");
     CHECK(std::abs(lost - 0.27) <= 0.01);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// `./workbook peers collision`: the broadphases beside those of CGAL, FCL and Bullet, and whole steps beside ODE's and Bullet's.
+// `./workbook peers collision`: the broadphases beside those of CGAL, FCL and Bullet, and whole steps beside ODE's and
+// Bullet's.
 
 #include "tests/peers/collision/pile.hpp"
 #include "tests/peers/collision/spheres.hpp"
@@ -44,12 +45,15 @@ void broadphase(Contest& contest, const std::string& scene, const Spheres& spher
     auto add = [&](const std::string& name, const peers::Broadphase& find, bool exact) {
         const std::size_t pairs = find(spheres, 0);
         if (exact && pairs != right) {
-            std::cerr << name << " finds " << pairs << " pairs where there are " << right << "; its time means nothing\n";
+            std::cerr << name << " finds " << pairs << " pairs where there are " << right
+                      << "; its time means nothing\n";
             std::exit(1);
         }
-        subjects.push_back({name, [&spheres, find, there = true]() mutable {
+        subjects.push_back({name,
+                            [&spheres, find, there = true]() mutable {
                                 static volatile std::size_t all = 0; // so that nothing is left out that nobody looks at
-                                for (int f = 0; f < Spheres::frames; ++f) all = all + find(spheres, there ? f : Spheres::frames - 1 - f);
+                                for (int f = 0; f < Spheres::frames; ++f)
+                                    all = all + find(spheres, there ? f : Spheres::frames - 1 - f);
                                 there = !there;
                             },
                             std::to_string(pairs) + " pairs"});
@@ -68,7 +72,8 @@ void broadphase(Contest& contest, const std::string& scene, const Spheres& spher
 #ifdef ANSATZ_PEER_BULLET
     add("Bullet btDbvtBroadphase", peers::bullet_dbvt(spheres), false);
 #endif
-    contest.play("broadphase, " + scene, spheres.size(), "ns a body", double(Spheres::frames) * spheres.size(), subjects);
+    contest.play("broadphase, " + scene, spheres.size(), "ns a body", double(Spheres::frames) * spheres.size(),
+                 subjects);
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The second kind of scene of `peers collision`: frictionless spheres that are dropped into an open box, stepped at 60 Hz.
+/// The second kind of scene of `peers collision`: frictionless spheres that are dropped into an open box, stepped at 60
+/// Hz.
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,8 @@ namespace peers {
 struct Pile {
     static constexpr double radius = 0.5, gravity = 9.81, dt = 1.0 / 60; // m, m/s^2, s
     static constexpr double mass = 1;                                    // kg
-    double half_side;                                                    // m, of the box's square floor, whose middle is the origin
-    std::vector<std::array<double, 3>> start;                            // y is up
+    double half_side;                         // m, of the box's square floor, whose middle is the origin
+    std::vector<std::array<double, 3>> start; // y is up
 
     /// Layers of a square grid, a quarter of a metre apart, each sphere a little beside its place.
     static Pile of(int n) {
@@ -30,7 +31,8 @@ struct Pile {
         for (int i = 0; i < n; ++i) {
             const int x = i % row, z = i / row % row, y = i / (row * row);
             const double bx = beside(random), bz = beside(random);
-            pile.start.push_back({(x + 0.5) * 1.25 - pile.half_side + bx, y * 1.25 + 1, (z + 0.5) * 1.25 - pile.half_side + bz});
+            pile.start.push_back(
+                {(x + 0.5) * 1.25 - pile.half_side + bx, y * 1.25 + 1, (z + 0.5) * 1.25 - pile.half_side + bz});
         }
         return pile;
     }

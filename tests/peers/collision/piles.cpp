@@ -26,10 +26,13 @@ template <class S> class OurPile : public PileOf {
 public:
     explicit OurPile(const Pile& pile) {
         const double half = pile.half_side;
-        for (const Eigen::Vector3d& inwards : {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1)})
+        for (const Eigen::Vector3d& inwards :
+             {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 0, 1),
+              Eigen::Vector3d(0, 0, -1)})
             world_.add(Plane{inwards, (inwards.y() > 0 ? 0.0 : -half) * metre}, fixed);
         for (const auto& x : pile.start)
-            spheres_.push_back(world_.add(Sphere{Pile::radius * metre}, position(metres(x[0], x[1], x[2])), mass(Pile::mass * kilogram)));
+            spheres_.push_back(world_.add(Sphere{Pile::radius * metre}, position(metres(x[0], x[1], x[2])),
+                                          mass(Pile::mass * kilogram)));
     }
     void step() override { world_.step(Pile::dt * second); }
     std::array<double, 3> at(std::size_t i) const override {
@@ -38,7 +41,8 @@ public:
     }
 
 private:
-    World<S, SemiImplicitEuler, Gravity, UniformGrid<>, Narrowphase<Sphere, Plane>, SoftSubsteps<>> world_{S{}, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps{}};
+    World<S, SemiImplicitEuler, Gravity, UniformGrid<>, Narrowphase<Sphere, Plane>, SoftSubsteps<>> world_{
+        S{}, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps{}};
     std::vector<Handle> spheres_;
 };
 
@@ -53,13 +57,17 @@ struct Player {
 
 std::vector<Player> players(const Pile& pile) {
     std::vector<Player> all;
-    all.push_back({"ansatz SoftSubsteps", [&] { return std::make_unique<OurPile<Space<double, 3>>>(pile); }, "double; spheres do not turn"});
-    all.push_back({"ansatz SoftSubsteps float", [&] { return std::make_unique<OurPile<Space<float, 3>>>(pile); }, "float; spheres do not turn"});
+    all.push_back({"ansatz SoftSubsteps", [&] { return std::make_unique<OurPile<Space<double, 3>>>(pile); },
+                   "double; spheres do not turn"});
+    all.push_back({"ansatz SoftSubsteps float", [&] { return std::make_unique<OurPile<Space<float, 3>>>(pile); },
+                   "float; spheres do not turn"});
 #ifdef ANSATZ_PEER_ODE
-    all.push_back({"ODE quick step", [&] { return peers::ode_pile(pile); }, "double; 20 passes; keeps turning and its inertia, too"});
+    all.push_back({"ODE quick step", [&] { return peers::ode_pile(pile); },
+                   "double; 20 passes; keeps turning and its inertia, too"});
 #endif
 #ifdef ANSATZ_PEER_BULLET_PILE
-    all.push_back({"Bullet discrete world", [&] { return peers::bullet_pile(pile); }, "float; 10 passes; keeps turning and its inertia, too"});
+    all.push_back({"Bullet discrete world", [&] { return peers::bullet_pile(pile); },
+                   "float; 10 passes; keeps turning and its inertia, too"});
 #endif
     return all;
 }
@@ -93,16 +101,21 @@ void peers::play_piles(Contest& contest, int n) {
     std::vector<Player> all = players(pile);
     const int repeats = std::clamp(contest.repeats() / (n / 500), 1, 5);
     for (int k = 0; k < repeats; ++k) drop_once(all, pile);
-    std::printf("\n%d frictionless spheres dropped into a box, 400 steps of 1/60 s, smallest of %d repeats in turn\n", n, repeats);
-    std::printf("  %-28s %10s %10s %10s   %10s %10s\n", "ms a step", "first 100", "settled", "all 400", "mean depth", "deepest");
+    std::printf("\n%d frictionless spheres dropped into a box, 400 steps of 1/60 s, smallest of %d repeats in turn\n",
+                n, repeats);
+    std::printf("  %-28s %10s %10s %10s   %10s %10s\n", "ms a step", "first 100", "settled", "all 400", "mean depth",
+                "deepest");
     for (Player& p : all) {
         auto note = [&](const std::string& what, std::vector<double>& times) {
             std::sort(times.begin(), times.end());
-            contest.note("spheres dropped into a box, " + what, n, p.name, times.front(), "ms a step", times[times.size() / 2] / times.front() - 1);
+            contest.note("spheres dropped into a box, " + what, n, p.name, times.front(), "ms a step",
+                         times[times.size() / 2] / times.front() - 1);
             return times.front();
         };
-        const double first = note("first 100 steps", p.first), settled = note("settled", p.settled), whole = note("all 400 steps", p.all);
-        std::printf("  %-28s %10.3f %10.3f %10.3f   %7.2f mm %7.2f mm  %s\n", p.name.c_str(), first, settled, whole, 1e3 * p.depths.mean, 1e3 * p.depths.largest, p.remark.c_str());
+        const double first = note("first 100 steps", p.first), settled = note("settled", p.settled),
+                     whole = note("all 400 steps", p.all);
+        std::printf("  %-28s %10.3f %10.3f %10.3f   %7.2f mm %7.2f mm  %s\n", p.name.c_str(), first, settled, whole,
+                    1e3 * p.depths.mean, 1e3 * p.depths.largest, p.remark.c_str());
         contest.note("spheres dropped into a box, mean depth", n, p.name, p.depths.mean, "m");
         contest.note("spheres dropped into a box, largest depth", n, p.name, p.depths.largest, "m");
     }

@@ -32,10 +32,12 @@ struct Spheres {
         Spheres s;
         std::mt19937_64 random(1);
         std::uniform_real_distribution<double> place(0, std::cbrt(n / 0.25)), drift(-fastest, fastest);
-        for (int i = 0; i < n; ++i) s.add({place(random), place(random), place(random)}, {drift(random), drift(random), drift(random)});
+        for (int i = 0; i < n; ++i)
+            s.add({place(random), place(random), place(random)}, {drift(random), drift(random), drift(random)});
         return s;
     }
-    /// Clusters of a hundred, normal with 1.5 m, in a world eight times as large: about two and a half pairs for each body.
+    /// Clusters of a hundred, normal with 1.5 m, in a world eight times as large: about two and a half pairs for each
+    /// body.
     static Spheres clustered(int n) {
         Spheres s;
         std::mt19937_64 random(2);
@@ -44,7 +46,8 @@ struct Spheres {
         std::array<double, 3> centre{};
         for (int i = 0; i < n; ++i) {
             if (i % 100 == 0) centre = {place(random), place(random), place(random)};
-            s.add({centre[0] + beside(random), centre[1] + beside(random), centre[2] + beside(random)}, {drift(random), drift(random), drift(random)});
+            s.add({centre[0] + beside(random), centre[1] + beside(random), centre[2] + beside(random)},
+                  {drift(random), drift(random), drift(random)});
         }
         return s;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// `./workbook peers paths`: A* beside boost::astar_search and a loop written by hand, and a planner beside linear scans.
+// `./workbook peers paths`: A* beside boost::astar_search and a loop written by hand, and a planner beside linear
+// scans.
 
 #include "tests/paths/data.hpp"
 #include "tests/peers/contest.hpp"
@@ -29,7 +30,8 @@ struct Query {
 
 /// Somebody who finds all the queries of a scene so many times over, and the sum of the lengths he found.
 template <class Find>
-Subject subject(const std::string& name, const std::vector<Query>& queries, int passes, double right, Find find, std::size_t expanded = 0) {
+Subject subject(const std::string& name, const std::vector<Query>& queries, int passes, double right, Find find,
+                std::size_t expanded = 0) {
     double all = 0;
     for (const auto& q : queries) all += find(q);
     if (std::abs(all - right) > 1e-6 * right) {
@@ -49,9 +51,17 @@ Subject subject(const std::string& name, const std::vector<Query>& queries, int 
 class Field {
 public:
     explicit Field(const Grid<>& map)
-        : map_(map), heap_(map), buckets_(map, Buckets{}), doubles_(map, CostIn<double>{}), hand_heap_(map), hand_buckets_(map), textbook_(map), vectors_(map) {}
+        : map_(map),
+          heap_(map),
+          buckets_(map, Buckets{}),
+          doubles_(map, CostIn<double>{}),
+          hand_heap_(map),
+          hand_buckets_(map),
+          textbook_(map),
+          vectors_(map) {}
 
-    /// \param passes of all queries in one repeat: with several, what a query looks at may still lie in the cache, as it does
+    /// \param passes of all queries in one repeat: with several, what a query looks at may still lie in the cache, as
+    /// it does
     ///               where many walkers ask in every frame
     void play(Contest& contest, const std::string& scene, const std::vector<Query>& queries, int passes) {
         double right = 0;
@@ -128,7 +138,8 @@ std::vector<Query> random_queries(const Grid<>& map, std::mt19937& random, std::
     return queries;
 }
 
-void on_a_map(Contest& contest, const std::string& name, const Grid<>& map, const std::vector<Query>& far, std::mt19937& random) {
+void on_a_map(Contest& contest, const std::string& name, const Grid<>& map, const std::vector<Query>& far,
+              std::mt19937& random) {
     const auto near = random_queries(map, random, 100, 16);
     Field field(map);
     field.play(contest, name, far, 1);
@@ -141,9 +152,12 @@ void sizes(Contest& contest) {
         const Grid map(side, side);
         AStar search{map};
         contest.play("near, empty map, by its side", int(side), "us a query", 1e3 * 64,
-                     {{"ansatz heap", [&] {
-                           for (std::uint16_t i = 0; i < 64; ++i) search.find(Cell{std::uint16_t(i % 8), 2}, Cell{std::uint16_t(20 + i % 16), 30});
-                       }, "the same queries"}});
+                     {{"ansatz heap",
+                       [&] {
+                           for (std::uint16_t i = 0; i < 64; ++i)
+                               search.find(Cell{std::uint16_t(i % 8), 2}, Cell{std::uint16_t(20 + i % 16), 30});
+                       },
+                       "the same queries"}});
     }
 }
 
@@ -156,7 +170,8 @@ void soldier(Contest& contest) {
     greedy.plan(s.start, s.goal);
     const int cost = linear.plan(s.start.bits[0], s.goal.value.bits[0], s.goal.care.bits[0]);
     if (planner.cost() != cost || greedy.cost() != cost) {
-        std::cerr << "the plans cost " << planner.cost() << ", " << greedy.cost() << " and " << cost << "; their times mean nothing\n";
+        std::cerr << "the plans cost " << planner.cost() << ", " << greedy.cost() << " and " << cost
+                  << "; their times mean nothing\n";
         std::exit(1);
     }
     constexpr int times = 1000;
@@ -166,9 +181,12 @@ void soldier(Contest& contest) {
         };
     };
     contest.play("soldier", int(s.domain.actions()), "ns a plan", times,
-                 {{"ansatz planner", again([&] { planner.plan(s.start, s.goal); }), std::to_string(planner.expanded()) + " states"},
-                  {"ansatz planner, greedy", again([&] { greedy.plan(s.start, s.goal); }), std::to_string(greedy.expanded()) + " states"},
-                  {"bitset planner, linear scans", again([&] { linear.plan(s.start.bits[0], s.goal.value.bits[0], s.goal.care.bits[0]); }),
+                 {{"ansatz planner", again([&] { planner.plan(s.start, s.goal); }),
+                   std::to_string(planner.expanded()) + " states"},
+                  {"ansatz planner, greedy", again([&] { greedy.plan(s.start, s.goal); }),
+                   std::to_string(greedy.expanded()) + " states"},
+                  {"bitset planner, linear scans",
+                   again([&] { linear.plan(s.start.bits[0], s.goal.value.bits[0], s.goal.care.bits[0]); }),
                    std::to_string(linear.expanded()) + " states"}});
 }
 
@@ -183,7 +201,8 @@ int main(int argc, char** argv) {
     sizes(contest);
     const std::string data = paths_tests::data_folder();
     if (data.empty())
-        std::cout << "left out: the maps of games (no folder shared/data beside the project, and ANSATZ_TEST_DATA names none)\n";
+        std::cout << "left out: the maps of games (no folder shared/data beside the project, and ANSATZ_TEST_DATA "
+                     "names none)\n";
     else
         for (const std::string name : {"AR0011SR", "brc202d"}) {
             const auto file = read_moving_ai_map(data + "/movingai/" + name + ".map");

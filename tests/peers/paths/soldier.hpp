@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The soldier, the domain that planners for games are usually shown on, and a straightforward planner for it: states as bits,
-/// an open and a closed array, both searched from end to end, the number of unmet facts as the estimate.
+/// The soldier, the domain that planners for games are usually shown on, and a straightforward planner for it: states
+/// as bits, an open and a closed array, both searched from end to end, the number of unmet facts as the estimate.
 
 #include <ansatz/paths/goap.hpp>
 
@@ -21,8 +21,9 @@ struct Soldier {
     ansatz::goap::Condition<> goal;
     Soldier() {
         auto fact = [&](const char* name) { return domain.fact(name); };
-        const auto enemy = fact("enemy visible"), gun = fact("armed with gun"), loaded = fact("weapon loaded"), aimed = fact("enemy lined up"),
-                   foe = fact("enemy alive"), bomb = fact("armed with bomb"), near = fact("near enemy"), alive = fact("alive");
+        const auto enemy = fact("enemy visible"), gun = fact("armed with gun"), loaded = fact("weapon loaded"),
+                   aimed = fact("enemy lined up"), foe = fact("enemy alive"), bomb = fact("armed with bomb"),
+                   near = fact("near enemy"), alive = fact("alive");
         domain.action("scout", 1).needs(gun).makes(enemy);
         domain.action("approach", 1).needs(enemy).makes(near);
         domain.action("aim", 1).needs(enemy, loaded).makes(aimed);
@@ -49,7 +50,8 @@ public:
     };
     explicit LinearPlanner(const ansatz::goap::Domain<>& domain) {
         for (const auto& r : domain.rules())
-            rules_.push_back({r.needs.value.bits[0], r.needs.care.bits[0], r.makes.value.bits[0], r.makes.care.bits[0], int(r.cost)});
+            rules_.push_back({r.needs.value.bits[0], r.needs.care.bits[0], r.makes.value.bits[0], r.makes.care.bits[0],
+                              int(r.cost)});
     }
     int plan(std::uint64_t start, std::uint64_t goal, std::uint64_t care) {
         auto unmet = [&](std::uint64_t s) { return std::popcount((s ^ goal) & care); };
@@ -63,7 +65,8 @@ public:
             open_[least] = open_.back();
             open_.pop_back();
             if ((p.state & care) == goal) {
-                for (Node at = p; at.action >= 0; at = closed_[find(closed_, at.parent)]) actions_.insert(actions_.begin(), at.action);
+                for (Node at = p; at.action >= 0; at = closed_[find(closed_, at.parent)])
+                    actions_.insert(actions_.begin(), at.action);
                 return p.g;
             }
             closed_.push_back(p);

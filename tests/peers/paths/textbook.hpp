@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// boost::astar_search as Boost.Graph's documentation shows it: a stored graph, a vector for each map, a visitor that throws
-/// at the goal.
+/// boost::astar_search as Boost.Graph's documentation shows it: a stored graph, a vector for each map, a visitor that
+/// throws at the goal.
 
 #include <ansatz/paths/grid/grid.hpp>
 
@@ -17,7 +17,8 @@
 namespace peers {
 
 template <class OutEdges, class Directed> class Textbook {
-    using Graph = boost::adjacency_list<OutEdges, boost::vecS, Directed, boost::no_property, boost::property<boost::edge_weight_t, double>>;
+    using Graph = boost::adjacency_list<OutEdges, boost::vecS, Directed, boost::no_property,
+                                        boost::property<boost::edge_weight_t, double>>;
     using Vertex = typename boost::graph_traits<Graph>::vertex_descriptor;
     struct Found {};
     struct AtGoal : boost::default_astar_visitor {
@@ -35,7 +36,8 @@ public:
             for (auto [e, last] = out_edges(*v, map); e != last; ++e) {
                 const auto edge = *e;
                 if (!once || map.index(edge.from) < map.index(edge.to))
-                    boost::add_edge(map.index(edge.from), map.index(edge.to), edge.diagonal ? std::sqrt(2.0) : 1.0, graph_);
+                    boost::add_edge(map.index(edge.from), map.index(edge.to), edge.diagonal ? std::sqrt(2.0) : 1.0,
+                                    graph_);
             }
     }
     double find(ansatz::paths::Cell from, ansatz::paths::Cell to) {
@@ -47,10 +49,12 @@ public:
             return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
         };
         try {
-            boost::astar_search(graph_, start, estimate,
-                                boost::predecessor_map(boost::make_iterator_property_map(parents.begin(), get(boost::vertex_index, graph_)))
-                                    .distance_map(boost::make_iterator_property_map(costs.begin(), get(boost::vertex_index, graph_)))
-                                    .visitor(AtGoal(goal)));
+            boost::astar_search(
+                graph_, start, estimate,
+                boost::predecessor_map(
+                    boost::make_iterator_property_map(parents.begin(), get(boost::vertex_index, graph_)))
+                    .distance_map(boost::make_iterator_property_map(costs.begin(), get(boost::vertex_index, graph_)))
+                    .visitor(AtGoal(goal)));
         } catch (const Found&) {
             path_.clear();
             for (Vertex v = goal;; v = parents[v]) {

@@ -5,7 +5,8 @@
 /// `BoundingBoxes`: all pairs, and the box test for each (notes 2.1.1, "Bounding Box Test").
 ///
 /// Still \f$ N^2 \f$ tests, but each is a few comparisons of numbers that lie in a row: for up to a few hundred bodies
-/// nothing is faster. It is the definition of what the other broadphases must find, and the usual test inside their cells.
+/// nothing is faster. It is the definition of what the other broadphases must find, and the usual test inside their
+/// cells.
 
 #include <ansatz/collision/broadphase/inside.hpp>
 #include <ansatz/world/space.hpp>

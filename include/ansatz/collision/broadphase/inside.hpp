@@ -5,10 +5,11 @@
 /// What tests the bodies inside a cell of a partition: the concept of the parameter of `UniformGrid`, `Octree` and
 /// `BinarySplit` (notes 2.1.1: sort and sweep "can be used in conjunction with any other method").
 ///
-/// `BoundingBoxes` and `SortAndSweep` are such, so that `Octree<SortAndSweep>` is an octree in whose cells bodies are swept.
-/// Their `In<S>` has four verbs besides `find`:
+/// `BoundingBoxes` and `SortAndSweep` are such, so that `Octree<SortAndSweep>` is an octree in whose cells bodies are
+/// swept. Their `In<S>` has four verbs besides `find`:
 ///
-/// - `order(boxes)`: in which order the bodies are handed out to the cells: a pointer to as many indices as there are boxes,
+/// - `order(boxes)`: in which order the bodies are handed out to the cells: a pointer to as many indices as there are
+/// boxes,
 ///   or nullptr for their own. What is sorted here arrives sorted in every cell.
 /// - `arrange(lot, first, last)`: called once for each list of a cell, before it is tested.
 /// - `among(lot, first, last, touch)`: calls `touch(p, q)` for the places of each two in a list whose boxes touch.

@@ -4,8 +4,8 @@
 /// \file
 /// `Lot`: boxes that were copied side by side, and `scan`, the box test of one against a run of them (notes 2.1.1).
 ///
-/// The partitions use it: what is tested together lies together, so that the memory is read in order. For a broadphase of
-/// your own. A user of the library needs neither.
+/// The partitions use it: what is tested together lies together, so that the memory is read in order. For a broadphase
+/// of your own. A user of the library needs neither.
 
 #include <ansatz/collision/boxes.hpp>
 
@@ -17,9 +17,8 @@
 
 namespace ansatz {
 
-/// Boxes in the order in which a broadphase put them, each with the index it has among all. Box by box and not in lanes: runs
-/// are short, and one box is one line of the cache.
-/// \tparam S the space
+/// Boxes in the order in which a broadphase put them, each with the index it has among all. Box by box and not in
+/// lanes: runs are short, and one box is one line of the cache. \tparam S the space
 template <class S> class Lot {
 public:
     using Scalar = typename S::Scalar;             ///< of the space

@@ -2,12 +2,13 @@
 #pragma once
 
 /// \file
-/// The recursion that `Octree` and `BinarySplit` share: a cell with too many bodies is divided, its bodies handed on, and so on
-/// (notes 2.1.1, "Binary Search Partitioning").
+/// The recursion that `Octree` and `BinarySplit` share: a cell with too many bodies is divided, its bodies handed on,
+/// and so on (notes 2.1.1, "Binary Search Partitioning").
 ///
-/// A body that reaches over a plane is handed to both sides. Two such meet in more than one cell, and are told in one: that
-/// which holds the lower corner of what their boxes have in common. It exists and is one, because the cells have no gap and no
-/// overlap; and both bodies are in its list, because both boxes reach into it. No pair is remembered, and none is lost.
+/// A body that reaches over a plane is handed to both sides. Two such meet in more than one cell, and are told in one:
+/// that which holds the lower corner of what their boxes have in common. It exists and is one, because the cells have
+/// no gap and no overlap; and both bodies are in its list, because both boxes reach into it. No pair is remembered, and
+/// none is lost.
 ///
 /// A division is given up where too many bodies would be in several cells: coincident ones could be divided for ever.
 

@@ -2,14 +2,15 @@
 #pragma once
 
 /// \file
-/// `SortAndSweep`: boxes sorted along one axis, so that each meets only those that begin before it ends (notes 2.1.1, "Sort
-/// and Sweep").
+/// `SortAndSweep`: boxes sorted along one axis, so that each meets only those that begin before it ends (notes 2.1.1,
+/// "Sort and Sweep").
 ///
 /// Use it by itself for up to a few thousand bodies, or for many on a line; and inside the cells of a partition,
-/// `UniformGrid<SortAndSweep>`, where cells hold many. The axis is the one along which the centres vary most. From one step
-/// to the next bodies hardly change places, so the order is kept and repaired by insertion, which costs as many moves as
-/// bodies have overtaken each other; where that is too many, it is sorted anew. Equal lower ends are ordered by index, so
-/// that the order never depends on the past. (After D. Baraff, "Dynamic simulation of non-penetrating rigid bodies", 1992.)
+/// `UniformGrid<SortAndSweep>`, where cells hold many. The axis is the one along which the centres vary most. From one
+/// step to the next bodies hardly change places, so the order is kept and repaired by insertion, which costs as many
+/// moves as bodies have overtaken each other; where that is too many, it is sorted anew. Equal lower ends are ordered
+/// by index, so that the order never depends on the past. (After D. Baraff, "Dynamic simulation of non-penetrating
+/// rigid bodies", 1992.)
 
 #include <ansatz/collision/broadphase/inside.hpp>
 #include <ansatz/world/space.hpp>
@@ -25,8 +26,9 @@ namespace ansatz {
 
 /// When bodies in the cells of a partition are sorted.
 enum class Sorting : bool {
-    while_parted, ///< all of them once; the cells are filled in that order (notes: "during the test for partition occupancy")
-    in_cells ///< each cell's by themselves
+    while_parted, ///< all of them once; the cells are filled in that order (notes: "during the test for partition
+                  ///< occupancy")
+    in_cells      ///< each cell's by themselves
 };
 
 /// The pairs whose boxes touch, by a sweep along the axis of largest variance.

@@ -2,23 +2,27 @@
 #pragma once
 
 /// \file
-/// `UniformGrid`: the world divided into cells of one size, each body tested against those of its own and the next cells
-/// (notes 2.1.1, "World Partitioning").
+/// `UniformGrid`: the world divided into cells of one size, each body tested against those of its own and the next
+/// cells (notes 2.1.1, "World Partitioning").
 ///
-/// Use it where many bodies are of about one size: nothing here is faster. A cell is as wide as the largest of them, so that
-/// a body reaches at most into the next cell on each axis. The notes let a body "exist in multiple partitions"; here it is
-/// written down once, in the cell of its lower corner, and looked for in the cells around: each two neighbours meet once, so
-/// no pair has to be remembered or told twice.
+/// Use it where many bodies are of about one size: nothing here is faster. A cell is as wide as the largest of them, so
+/// that a body reaches at most into the next cell on each axis. The notes let a body "exist in multiple partitions";
+/// here it is written down once, in the cell of its lower corner, and looked for in the cells around: each two
+/// neighbours meet once, so no pair has to be remembered or told twice.
 ///
-/// - **Bodies much larger** than the rest get coarser grids of their own, each four times as coarse; a smaller body looks into
-///   the coarser grids, into three cells on each axis at most. The few that are largest of all are tested with everything.
-/// - **A world of any size**: cells are counted from the lowest and wrap around where there would be more than a few for each
+/// - **Bodies much larger** than the rest get coarser grids of their own, each four times as coarse; a smaller body
+/// looks into
+///   the coarser grids, into three cells on each axis at most. The few that are largest of all are tested with
+///   everything.
+/// - **A world of any size**: cells are counted from the lowest and wrap around where there would be more than a few
+/// for each
 ///   body. Bodies that share a cell from afar cost a test and nothing else.
-/// - **Any coordinates**: cells are found by floor, in double, with a margin for its rounding; who is so far out that his cell
+/// - **Any coordinates**: cells are found by floor, in double, with a margin for its rounding; who is so far out that
+/// his cell
 ///   would not be exact goes to a coarser grid.
 ///
-/// Bodies are put into their cells by a counting sort, without a hash, and their boxes copied in that order, so that three cells
-/// in a row are one run of memory (uniform_grid_level.hpp).
+/// Bodies are put into their cells by a counting sort, without a hash, and their boxes copied in that order, so that
+/// three cells in a row are one run of memory (uniform_grid_level.hpp).
 
 #include <ansatz/collision/broadphase/bounding_boxes.hpp>
 #include <ansatz/collision/broadphase/sort_and_sweep.hpp>
@@ -42,7 +46,8 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
     using role = roles::Broadphase;
     template <class S> static constexpr bool tests_inside = InsideIn<Inside, S>; ///< whether `Inside` can
 
-    /// m, the width of a cell; finite and not negative. 0: chosen from the boxes. It changes the time and never the pairs
+    /// m, the width of a cell; finite and not negative. 0: chosen from the boxes. It changes the time and never the
+    /// pairs
     Parameter<unit::Length> cell{};
     /// What tests the bodies of a cell
     Inside inside{};

@@ -29,7 +29,8 @@ public:
     std::size_t first = 0, last = 0; ///< of their places
     bool few = true;                 ///< so few that they are in no grid
 
-    /// The whole number below: of numbers that are below 2^41 in size. `std::floor` is a call where the processor is not known to have it.
+    /// The whole number below: of numbers that are below 2^41 in size. `std::floor` is a call where the processor is
+    /// not known to have it.
     [[gnu::always_inline]] static std::int64_t floor_of(double x) {
         const auto whole = std::int64_t(x);
         return whole - std::int64_t(x < double(whole));
@@ -166,9 +167,9 @@ private:
         run(0, b - size_[0]);
     }
 
-    /// One row of cells with itself and with the rows after it. Of two neighbours one is after the other: no pair of cells
-    /// comes twice, and where cells wrap around there are three on the axis at least, so that none is on both sides.
-    /// \tparam join_cells the lists of a row of cells are tested as one
+    /// One row of cells with itself and with the rows after it. Of two neighbours one is after the other: no pair of
+    /// cells comes twice, and where cells wrap around there are three on the axis at least, so that none is on both
+    /// sides. \tparam join_cells the lists of a row of cells are tested as one
     template <bool join_cells, class Inside, class F>
     void row(Inside& inside, const Lot<S>& lot, std::int64_t y, std::int64_t z, F& touch) const {
         const std::int64_t base = base_of(y, z);

@@ -4,8 +4,9 @@
 /// \file
 /// `Layers`: which bodies are looked at together: each belongs to some of 24 layers, and may ignore others.
 ///
-/// Use it for bullets that do not hit who shot them, ghosts that walls do not stop, ragdolls that do not meet themselves. Two
-/// bodies are looked at unless one of them ignores a layer of the other. Whoever is given nothing meets everything.
+/// Use it for bullets that do not hit who shot them, ghosts that walls do not stop, ragdolls that do not meet
+/// themselves. Two bodies are looked at unless one of them ignores a layer of the other. Whoever is given nothing meets
+/// everything.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/world/columns.hpp>

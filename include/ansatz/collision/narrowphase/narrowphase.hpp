@@ -4,10 +4,10 @@
 /// \file
 /// `Narrowphase<Shapes...>`: whether two bodies really intersect, and where (notes 2.1.2).
 ///
-/// The list of shapes is part of the type: which two meet is decided by a comparison of two small numbers, and the function
-/// that looks at them is known to the compiler. A pair of shapes that no `collide` knows is a sentence at compile time, if
-/// both have a box; two that have none (planes) never meet. Free functions do the same for two bodies without a World:
-/// `contact(Sphere{1.0 * metre}, xa, Sphere{1.0 * metre}, xb)`.
+/// The list of shapes is part of the type: which two meet is decided by a comparison of two small numbers, and the
+/// function that looks at them is known to the compiler. A pair of shapes that no `collide` knows is a sentence at
+/// compile time, if both have a box; two that have none (planes) never meet. Free functions do the same for two bodies
+/// without a World: `contact(Sphere{1.0 * metre}, xa, Sphere{1.0 * metre}, xb)`.
 
 #include <ansatz/collision/check.hpp>
 #include <ansatz/collision/collisions.hpp>
@@ -73,8 +73,8 @@ template <class... T> struct Narrowphase {
     /// Calls `f.template operator()<Kind>()` for each kind of shape.
     template <class F> static void for_each_kind(F&& f) { (f.template operator()<T>(), ...); }
 
-    /// The same for bodies that may be apart by up to `margin`, m; the depth is negative then. Shapes that cannot be `grown` are
-    /// found when they intersect.
+    /// The same for bodies that may be apart by up to `margin`, m; the depth is negative then. Shapes that cannot be
+    /// `grown` are found when they intersect.
     template <class S>
     [[gnu::always_inline]] static bool
     nearly_collide(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b,

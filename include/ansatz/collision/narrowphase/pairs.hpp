@@ -4,8 +4,8 @@
 /// \file
 /// Which shapes can meet: whether somebody wrote `collide` for two of them, in either order (notes 2.1.2).
 ///
-/// Shapes without a box, such as planes, never meet each other; every other two of a Narrowphase need a function. A shape of
-/// yours brings its own, in its own namespace:
+/// Shapes without a box, such as planes, never meet each other; every other two of a Narrowphase need a function. A
+/// shape of yours brings its own, in its own namespace:
 ///
 /// \code
 /// template <class S> bool collide(const Capsule::In<S>& a, const typename S::Position& xa,

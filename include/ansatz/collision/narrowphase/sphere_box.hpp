@@ -4,8 +4,8 @@
 /// \file
 /// A sphere and a box: the point of the box that is nearest to the centre decides.
 ///
-/// A centre inside the box has no nearest point outside; it leaves through the nearest face, the lower axis first where two
-/// are as near.
+/// A centre inside the box has no nearest point outside; it leaves through the nearest face, the lower axis first where
+/// two are as near.
 
 #include <ansatz/collision/box.hpp>
 #include <ansatz/collision/narrowphase/sphere_sphere.hpp>

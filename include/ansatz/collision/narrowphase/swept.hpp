@@ -19,7 +19,8 @@
 ///   impact, so that a ball may roll over the seams of a floor.
 /// - `Penalty` needs bodies inside each other: they are kept that sixteenth deep, and its spring throws them out again.
 ///   Nothing escapes, but the energy of such a hit is not kept.
-/// - Springs between bodies act over the whole step: momentum is kept, and energy but for what they do in the lost part.
+/// - Springs between bodies act over the whole step: momentum is kept, and energy but for what they do in the lost
+/// part.
 
 #include <ansatz/collision/swept_collisions.hpp>
 

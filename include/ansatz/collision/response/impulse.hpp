@@ -4,8 +4,8 @@
 /// \file
 /// `Impulse`: changes the velocities of bodies that run into each other, at once (notes 2.2.1).
 ///
-/// Use it for anything that bounces. With `Projection` beside it bodies also stop sinking into each other. `Impulse<Friction>`
-/// slows what slides; without the option there is no coefficient, no byte and no instruction of it.
+/// Use it for anything that bounces. With `Projection` beside it bodies also stop sinking into each other.
+/// `Impulse<Friction>` slows what slides; without the option there is no coefficient, no byte and no instruction of it.
 ///
 /// | symbol | meaning                                                         | unit   |
 /// |--------|-----------------------------------------------------------------|--------|
@@ -15,18 +15,21 @@
 /// | w      | 1/m                                                             | 1/kg   |
 /// | J      | impulse along N on a; on b it is -J                             | N s    |
 ///
-/// The notes write v_ab = v_a + v_b; the relative velocity is the difference, or two bodies that fly side by side would push
-/// each other. And momentum is kept whatever e is (the two impulses are opposite); what is lost is kinetic energy, by
+/// The notes write v_ab = v_a + v_b; the relative velocity is the difference, or two bodies that fly side by side would
+/// push each other. And momentum is kept whatever e is (the two impulses are opposite); what is lost is kinetic energy,
+/// by
 /// \f$ \tfrac12 \mu (1 - e^2) v_N^2 \f$ with the reduced mass mu.
 ///
-/// **Restitution that is right.** A velocity is known at another time than the position, by the integrator's own measure
-/// (`velocity_leads`), and bodies are found when they are already some way inside each other. Both are taken into account, so that a
-/// ball with e = 1 comes back to its height with every integrator. Approaches slower than `threshold` do not bounce: in a
-/// step of 1/60 s gravity alone gives 0.16 m/s to what lies on the ground.
+/// **Restitution that is right.** A velocity is known at another time than the position, by the integrator's own
+/// measure
+/// (`velocity_leads`), and bodies are found when they are already some way inside each other. Both are taken into
+/// account, so that a ball with e = 1 comes back to its height with every integrator. Approaches slower than
+/// `threshold` do not bounce: in a step of 1/60 s gravity alone gives 0.16 m/s to what lies on the ground.
 ///
-/// **Many at once.** Contacts that approach faster than `threshold` are reflected, those that hang together as one, again and again while
-/// somebody still approaches: a blow goes through a row of balls one by one, and two that are hit at once are hit alike. Then what lies is
-/// held, all contacts together (contact_pushes.hpp). Neither gives energy, nor depends on the order of insertion.
+/// **Many at once.** Contacts that approach faster than `threshold` are reflected, those that hang together as one,
+/// again and again while somebody still approaches: a blow goes through a row of balls one by one, and two that are hit
+/// at once are hit alike. Then what lies is held, all contacts together (contact_pushes.hpp). Neither gives energy, nor
+/// depends on the order of insertion.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/restitution.hpp>
@@ -84,8 +87,8 @@ template <class... Options> struct Impulse {
 
     /// m/s, finite, not negative: slower approaches do not bounce. More than g dt, or what rests trembles.
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
-    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what lies. A blow goes
-    /// one body further each time, and a column of n needs n.
+    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what
+    /// lies. A blow goes one body further each time, and a column of n needs n.
     int sweeps = 24;
     static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
@@ -117,15 +120,18 @@ template <class... Options> struct Impulse {
             using Scalar = typename S::Scalar;
             bool any = false;
             for (auto& push : pushes.pushes) {
-                if (push.restitution > Scalar(0) && leads != Scalar(0)) push.ahead = leads * pull(push).value() * dt.value();
+                if (push.restitution > Scalar(0) && leads != Scalar(0))
+                    push.ahead = leads * pull(push).value() * dt.value();
                 any = any || (push.touches && push.restitution > Scalar(0));
                 // Who does not touch yet may come as far as that.
                 if (!push.touches) push.target = push.depth / dt.value();
             }
-            for (int round = 0; any && round < sweeps; ++round) any = pushes.bounce([&](auto& push) { return parting(push, dt, leads, parted, pull); });
+            for (int round = 0; any && round < sweeps; ++round)
+                any = pushes.bounce([&](auto& push) { return parting(push, dt, leads, parted, pull); });
             // Who is about to bounce does so when he touches.
             for (auto& push : pushes.pushes)
-                push.waits = !push.touches && push.restitution > Scalar(0) && -(pushes.along(push) + push.ahead) > threshold.value();
+                push.waits = !push.touches && push.restitution > Scalar(0) &&
+                             -(pushes.along(push) + push.ahead) > threshold.value();
             pushes.solve(sweeps);
             if constexpr (rubs)
                 for (int round = 0; round < 4; ++round) {
@@ -152,13 +158,15 @@ template <class... Options> struct Impulse {
 
     private:
         /// The speed at which a contact is to part that bounces. What pulls is accounted for once in a step.
-        std::optional<typename S::Scalar> parting(auto& push, const typename S::Time& dt, const typename S::Scalar& leads,
-                                                  bool parted, const auto& pull) const {
+        std::optional<typename S::Scalar> parting(auto& push, const typename S::Time& dt,
+                                                  const typename S::Scalar& leads, bool parted,
+                                                  const auto& pull) const {
             using Scalar = typename S::Scalar;
             const auto& e = push.restitution;
             if (!push.touches || !(e > Scalar(0))) return {};
             const typename S::Speed along = S::Speed::from_value(push.along);
-            if (push.bounced) return -push.along > threshold.value() ? std::optional<Scalar>(-e * push.along) : std::nullopt;
+            if (push.bounced)
+                return -push.along > threshold.value() ? std::optional<Scalar>(-e * push.along) : std::nullopt;
             const auto force = [&] { return pull(push); };
             if (!(-(push.along + push.ahead) > threshold.value())) return {};
             const auto speed = bounce(Touch<S>{{}, push.normal, S::Length::from_value(push.depth)}, along, e,
@@ -167,7 +175,8 @@ template <class... Options> struct Impulse {
             push.target = min(speed.value(), Scalar(0));
             return speed.value();
         }
-        /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they do not bounce.
+        /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they
+        /// do not bounce.
         typename S::Speed bounce(const auto& touch, const typename S::Speed& along, const typename S::Scalar& e,
                                  const auto& meeting) const {
             using Scalar = typename S::Scalar;

@@ -2,11 +2,13 @@
 #pragma once
 
 /// \file
-/// `Penalty`: a damped spring between bodies that intersect, as long as they do (notes 2.2.2, on the springs of notes 3).
+/// `Penalty`: a damped spring between bodies that intersect, as long as they do (notes 2.2.2, on the springs of notes
+/// 3).
 ///
-/// Use it where contacts should be soft, or where an implicit integrator takes them with everything else. The contacts found at
-/// the end of a step, and those that may begin in the next one, are springs of that one: their depth and velocity are asked anew at
-/// every stage of the integrator, so that each keeps its order, and StepLimit divides the step in which two begin to touch as any
+/// Use it where contacts should be soft, or where an implicit integrator takes them with everything else. The contacts
+/// found at the end of a step, and those that may begin in the next one, are springs of that one: their depth and
+/// velocity are asked anew at every stage of the integrator, so that each keeps its order, and StepLimit divides the
+/// step in which two begin to touch as any
 /// other. (Shapes of your own begin at the end of the step in which they come to touch.) The stiffest contact decides the step: \f$ \Delta t < 2/\sqrt{k (w_a + w_b)} \f$ for
 /// semi-implicit Euler and without damping; `stable_step(world)` and `StepLimit` know it.
 ///
@@ -19,8 +21,9 @@
 /// | c      | damping                                               | N s/m |
 /// | F      | force on a; on b it is -F                             | N     |
 ///
-/// The notes have F = -kp - c v_N for both bodies. With N from b to a it is **+kp**: p grows while they approach; and Newton's third
-/// law gives b the opposite, or two bodies that touch push each other off with momentum from nowhere. And a higher c is *less*
+/// The notes have F = -kp - c v_N for both bodies. With N from b to a it is **+kp**: p grows while they approach; and
+/// Newton's third law gives b the opposite, or two bodies that touch push each other off with momentum from nowhere.
+/// And a higher c is *less*
 /// bouncy, not more: two that meet part with \f$ e = e^{-\pi\zeta/\sqrt{1-\zeta^2}} \f$, \f$ \zeta = c / (2\sqrt{k\mu}) \f$. k sets how
 /// deep and how long they touch, not how they bounce.
 
@@ -47,9 +50,10 @@ namespace ansatz {
 
 /// The contacts that act in the next step, or may begin in it.
 ///
-/// Two boxes, two spheres and one of each intersect exactly where one point, a seen from b, lies in one box with rounded edges: as
-/// large as both boxes together, rounded by both radii together. So their depth is known wherever the stages of a step take them.
-/// What touches a half-space does so along one normal for ever; and so, for the length of a step, do shapes of a user's own.
+/// Two boxes, two spheres and one of each intersect exactly where one point, a seen from b, lies in one box with
+/// rounded edges: as large as both boxes together, rounded by both radii together. So their depth is known wherever the
+/// stages of a step take them. What touches a half-space does so along one normal for ever; and so, for the length of a
+/// step, do shapes of a user's own.
 template <class S> class PenaltyContacts {
 public:
     using Scalar = typename S::Scalar;
@@ -89,9 +93,11 @@ public:
         return S::Length::from_value(pair.reach - nearest);
     }
 
-    /// The contacts of the state that a step has made, and those that may begin in the next one (depth not greater than zero).
+    /// The contacts of the state that a step has made, and those that may begin in the next one (depth not greater than
+    /// zero).
     template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
-        if (contacts_.capacity() < contacts.size()) contacts_.reserve(std::max(contacts.size(), 2 * contacts_.capacity()));
+        if (contacts_.capacity() < contacts.size())
+            contacts_.reserve(std::max(contacts.size(), 2 * contacts_.capacity()));
         contacts_.clear();
         for (const auto& c : contacts) {
             if (data.collisions.is_sensor(c.first.id) || data.collisions.is_sensor(c.second.id)) continue;
@@ -238,7 +244,8 @@ struct Penalty {
                     view.add_force_pair(pair.a, pair.b, typename S::Force(pressed * normal));
             }
         }
-        /// How the forces change, along the normals: the part across them, which would push, is left out as for springs.
+        /// How the forces change, along the normals: the part across them, which would push, is left out as for
+        /// springs.
         void jacobian(const auto& view, const auto&, auto&& add) const {
             view.state().each([&](const Pair& pair) {
                 const std::size_t a = view.slot_of_id(pair.a), b = view.slot_of_id(pair.b);

@@ -4,9 +4,9 @@
 /// \file
 /// `Projection`: moves bodies apart that intersect, and touches nothing but their positions (notes 2.2).
 ///
-/// Use it with a response that changes velocities (`World{..., Impulse{}, Projection{}}`): alone, bodies that fall onto each
-/// other are lifted apart in every step and fall ever faster. The notes do not say who is moved how far: shared by inverse
-/// mass, the centre of mass stays where it is; half and half, it drifts.
+/// Use it with a response that changes velocities (`World{..., Impulse{}, Projection{}}`): alone, bodies that fall onto
+/// each other are lifted apart in every step and fall ever faster. The notes do not say who is moved how far: shared by
+/// inverse mass, the centre of mass stays where it is; half and half, it drifts.
 ///
 /// Where many touch, all of a step are moved apart together (contact_pushes.hpp): by what moves the whole least.
 
@@ -27,11 +27,13 @@ struct Projection {
     using reads = Columns<>;
     using writes = Columns<Position>;
 
-    /// p0, m: how deep bodies may stay in each other; finite, not negative. Larger than zero, resting bodies keep their contact.
+    /// p0, m: how deep bodies may stay in each other; finite, not negative. Larger than zero, resting bodies keep their
+    /// contact.
     Parameter<unit::Length> slop = 0.0 * metre;
     /// s: how much of the rest is taken away in a step; greater than 0, at most 1
     double share = 1;
-    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most. A column of n needs n; fewer leave it deeper.
+    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most. A column of n needs n;
+    /// fewer leave it deeper.
     int sweeps = 24;
     static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
@@ -54,7 +56,9 @@ struct Projection {
         typename S::Scalar share;
         int sweeps;
         explicit In(const Projection& projection)
-            : slop(S::convert(projection.slop)), share(typename S::Scalar(projection.share)), sweeps(projection.sweeps) {}
+            : slop(S::convert(projection.slop)),
+              share(typename S::Scalar(projection.share)),
+              sweeps(projection.sweeps) {}
 
         /// How far the two of a contact are to be moved apart; who is not too deep may come so deep.
         void note(auto& push, const auto&, const auto&) const {

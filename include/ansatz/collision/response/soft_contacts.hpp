@@ -2,16 +2,17 @@
 #pragma once
 
 /// \file
-/// `SoftContacts`: the contacts of a step as soft constraints, and the passes over them: what `SoftSubsteps` works with.
+/// `SoftContacts`: the contacts of a step as soft constraints, and the passes over them: what `SoftSubsteps` works
+/// with.
 ///
-/// A soft constraint is a damped spring whose stiffness is given as a frequency, solved implicitly, so that it never overshoots: of the
-/// velocity that is wrong it takes away a share, and of the depth that is left another. Each pass goes through the contacts one
-/// by one, in the order of their bodies' ids, and lets each see what those before it did (sequential impulses, which is
-/// projected Gauss-Seidel). Impulses are kept from step to step and begin the next one (warm start): what rests on a pile
-/// for a second has been solved sixty times over.
+/// A soft constraint is a damped spring whose stiffness is given as a frequency, solved implicitly, so that it never
+/// overshoots: of the velocity that is wrong it takes away a share, and of the depth that is left another. Each pass
+/// goes through the contacts one by one, in the order of their bodies' ids, and lets each see what those before it did
+/// (sequential impulses, which is projected Gauss-Seidel). Impulses are kept from step to step and begin the next one
+/// (warm start): what rests on a pile for a second has been solved sixty times over.
 ///
-/// E. Catto, Soft Constraints (GDC 2011), and Solver2D (2024), for the method and the order of the passes; K. Macklin et al.,
-/// Small Steps in Physics Simulation (2019), for substeps instead of iterations.
+/// E. Catto, Soft Constraints (GDC 2011), and Solver2D (2024), for the method and the order of the passes; K. Macklin
+/// et al., Small Steps in Physics Simulation (2019), for substeps instead of iterations.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/response/soft_impacts.hpp>
@@ -61,7 +62,8 @@ public:
     /// In place of what is not there; two of one type would need two places.
     template <int> struct Nothing {};
 
-    /// A contact of this step. Each pass reads it: in double and three dimensions it is one line of the cache, without friction.
+    /// A contact of this step. Each pass reads it: in double and three dimensions it is one line of the cache, without
+    /// friction.
     struct Constraint {
         std::uint32_t a;          ///< the id of a body
         std::uint32_t b;          ///< and of the other
@@ -76,19 +78,21 @@ public:
     };
     static constexpr bool rubs = Rubs; ///< whether there is friction
     std::vector<Constraint> all;       ///< by the ids of their bodies
-    std::vector<Body> bodies;    ///< by slot
-    std::vector<Raw> kicks;      ///< by slot: what acceleration does to a velocity in a substep, m/s
-    std::vector<Raw> pushed;     ///< by slot: by how much contacts changed a velocity before the substep, m/s
-    SoftImpacts<S> impacts;      ///< those of this step, if something bounces
+    std::vector<Body> bodies;          ///< by slot
+    std::vector<Raw> kicks;            ///< by slot: what acceleration does to a velocity in a substep, m/s
+    std::vector<Raw> pushed;           ///< by slot: by how much contacts changed a velocity before the substep, m/s
+    SoftImpacts<S> impacts;            ///< those of this step, if something bounces
 
-    /// Calls `f(constraint)` for each of which a body is awake: those of a sleeping pile cost no pass, and keep their impulses.
+    /// Calls `f(constraint)` for each of which a body is awake: those of a sleeping pile cost no pass, and keep their
+    /// impulses.
     template <class F> [[gnu::always_inline]] void each_acting(F&& f) {
         for (const auto n : acting_) f(all[n]);
     }
 
     /// The contacts of the state that a step has made; those that were there before keep their impulses.
     template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
-        if (old_.capacity() < contacts.size()) old_.reserve(std::max(contacts.size(), 2 * old_.capacity())); // or impulses are lost
+        if (old_.capacity() < contacts.size())
+            old_.reserve(std::max(contacts.size(), 2 * old_.capacity())); // or impulses are lost
         old_.swap(all);
         all.clear();
         auto before = old_.cbegin();
@@ -179,7 +183,8 @@ public:
             rub(c);
         });
     }
-    /// One pass that takes back the velocity which only parted them. Those that do not touch yet keep what they meet with.
+    /// One pass that takes back the velocity which only parted them. Those that do not touch yet keep what they meet
+    /// with.
     void relax(Scalar h) {
         const Scalar per_h = 1 / h;
         each_acting([&](Constraint& c) {
@@ -194,18 +199,19 @@ public:
     /// After the warm start of a step: what pushes because of a load that has gone is taken back (soft_loads.hpp).
     /// \param before by slot: the velocities before the warm start, m/s
     void unload(const std::vector<Raw>& before) { loads_.take_off(*this, before); }
-    /// Contacts take energy and do not give it. An island whose contacts have given it some, because they parted bodies that lay
-    /// in each other, gets the share of its impulses that leaves it the least kinetic energy. Where something accelerates an
-    /// island, up to `most_given` times the energy of that acceleration in a substep is let pass: with less, columns tremble.
-    /// \param before by slot: the velocities before the last pass, m/s
-    /// \return whether there was such an island; its bodies' velocities are not those of before
+    /// Contacts take energy and do not give it. An island whose contacts have given it some, because they parted bodies
+    /// that lay in each other, gets the share of its impulses that leaves it the least kinetic energy. Where something
+    /// accelerates an island, up to `most_given` times the energy of that acceleration in a substep is let pass: with
+    /// less, columns tremble. \param before by slot: the velocities before the last pass, m/s \return whether there was
+    /// such an island; its bodies' velocities are not those of before
     bool calm(const std::vector<Raw>& before) {
         bool given = platforms_; // an island is given something only where one of its bodies is
         for (std::size_t slot = 0; slot < pushed.size(); ++slot) {
             const Body& body = bodies[slot];
             if (!(body.weight > Scalar(0))) continue;
             pushed[slot] += body.u - before[slot];
-            given = given || 2 * dot(body.u, pushed[slot]) - pushed[slot].squaredNorm() > 2 * most_given * kicks[slot].squaredNorm();
+            given = given || 2 * dot(body.u, pushed[slot]) - pushed[slot].squaredNorm() >
+                                 2 * most_given * kicks[slot].squaredNorm();
         }
         if (!given) return false;
         if (islands_.empty()) find_islands();
@@ -220,14 +226,15 @@ public:
             island.kick += m * kicks[slot].squaredNorm();
         }
         for (auto& island : islands_) island.along -= island.square;
-        if (platforms_) each_acting([&](const Constraint& c) {
-            for (const auto slot : {c.slot_a, c.slot_b})
-                if (!(bodies[slot].weight > Scalar(0))) {
-                    const auto other = slot == c.slot_a ? c.slot_b : c.slot_a;
-                    const Scalar work = dot(whole(c), Raw(bodies[slot].u));
-                    islands_[island_[other]].along += slot == c.slot_a ? work : -work;
-                }
-        });
+        if (platforms_)
+            each_acting([&](const Constraint& c) {
+                for (const auto slot : {c.slot_a, c.slot_b})
+                    if (!(bodies[slot].weight > Scalar(0))) {
+                        const auto other = slot == c.slot_a ? c.slot_b : c.slot_a;
+                        const Scalar work = dot(whole(c), Raw(bodies[slot].u));
+                        islands_[island_[other]].along += slot == c.slot_a ? work : -work;
+                    }
+            });
         bool any = false;
         for (auto& island : islands_) {
             if (!(island.along + island.square / 2 > most_given * island.kick)) continue;
@@ -251,7 +258,8 @@ public:
     /// Those that have bounced in this step have touched.
     void note_impacts() {
         for (const auto& pair : impacts.pairs)
-            if (pair.met) all[pair.which].impulse = std::max(all[pair.which].impulse, std::numeric_limits<Scalar>::min());
+            if (pair.met)
+                all[pair.which].impulse = std::max(all[pair.which].impulse, std::numeric_limits<Scalar>::min());
     }
     /// An impulse on a, and the opposite one on b.
     template <class V> [[gnu::always_inline]] void push(const Constraint& c, const V& impulse) {
@@ -292,8 +300,8 @@ public:
                 hash.add_number(c.impulse);
             }
     }
-    /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it would be another
-    /// by the last bits, and a loaded world would go on beside the saved one.
+    /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it
+    /// would be another by the last bits, and a loaded world would go on beside the saved one.
     template <class F> void saved(F&& f) const {
         for (const auto& c : all) {
             std::vector<Scalar> numbers{c.impulse, c.touching};
@@ -376,9 +384,9 @@ private:
     }
 
     std::vector<Constraint> old_;
-    std::vector<std::uint32_t> acting_;  // which of all act in this step
+    std::vector<std::uint32_t> acting_; // which of all act in this step
     SoftLoads<S> loads_;
-    std::vector<std::uint32_t> island_;  // by slot
+    std::vector<std::uint32_t> island_; // by slot
     std::vector<Island> islands_;
     bool platforms_ = false; // whether there are bodies that move and are not moved
 };

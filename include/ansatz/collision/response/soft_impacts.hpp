@@ -2,13 +2,14 @@
 #pragma once
 
 /// \file
-/// `SoftImpacts`: who hits whom within a substep, when, and how they part: the bounces of `SoftSubsteps`. Beyond the notes.
+/// `SoftImpacts`: who hits whom within a substep, when, and how they part: the bounces of `SoftSubsteps`. Beyond the
+/// notes.
 ///
-/// Each pair that runs into each other faster than the threshold has a moment at which it meets, by the velocities that its
-/// bodies have *then*: what one impact has changed is what the next one sees. They are answered in the order of these
-/// moments; those of one moment that share a body are answered together, and the moments of all others are looked for anew.
-/// Balls that touch in a row (Newton's cradle) meet one pair after another, as they would with the smallest gap between
-/// them: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
+/// Each pair that runs into each other faster than the threshold has a moment at which it meets, by the velocities that
+/// its bodies have *then*: what one impact has changed is what the next one sees. They are answered in the order of
+/// these moments; those of one moment that share a body are answered together, and the moments of all others are looked
+/// for anew. Balls that touch in a row (Newton's cradle) meet one pair after another, as they would with the smallest
+/// gap between them: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
 ///
 /// | symbol   | meaning                                                                            | unit |
 /// |----------|------------------------------------------------------------------------------------|------|
@@ -47,22 +48,20 @@ public:
 
     /// A contact that may be an impact.
     struct Pair {
-        std::uint32_t which;          ///< of the contacts
-        Scalar restitution{};         ///< the larger one of the two bodies
-        bool met = false;             ///< it was one in this step
-        Scalar time{};                ///< when they meet, from the start of the substep, s
-        Scalar approach{};            ///< how fast then, m/s
-        Scalar impulse{};             ///< lambda, N s
-        Scalar together{};            ///< the coefficient of all that meet with it
+        std::uint32_t which;  ///< of the contacts
+        Scalar restitution{}; ///< the larger one of the two bodies
+        bool met = false;     ///< it was one in this step
+        Scalar time{};        ///< when they meet, from the start of the substep, s
+        Scalar approach{};    ///< how fast then, m/s
+        Scalar impulse{};     ///< lambda, N s
+        Scalar together{};    ///< the coefficient of all that meet with it
     };
 
     std::vector<Pair> pairs; ///< those of this step
 
-    /// Answers all impacts of a substep. The bodies have the velocities that they will have at its end, minus half of what
-    /// acceleration does in it; they are put to where they would have come from with it.
-    /// \param h         s, the substep
-    /// \param threshold m/s, slower ones are no impacts
-    /// \return whether there were any
+    /// Answers all impacts of a substep. The bodies have the velocities that they will have at its end, minus half of
+    /// what acceleration does in it; they are put to where they would have come from with it. \param h         s, the
+    /// substep \param threshold m/s, slower ones are no impacts \return whether there were any
     bool answer(auto& contacts, Scalar h, Scalar threshold) {
         bodies_.assign(contacts.bodies.size(), Struck());
         bool any = false;
@@ -122,7 +121,8 @@ private:
             const Scalar pull = dot(Raw(contacts.kicks[c.slot_a] - contacts.kicks[c.slot_b]), c.normal) / h;
             const Scalar from = std::max(a.time, b.time), start = contacts.along(c) - pull * h / 2,
                          now = start + pull * from,
-                         gap = contacts.apart(c) - dot(Raw(a.late - b.late), c.normal) + from * (start + pull * from / 2);
+                         gap =
+                             contacts.apart(c) - dot(Raw(a.late - b.late), c.normal) + from * (start + pull * from / 2);
             pair.time = from;
             pair.approach = -now;
             if (gap > Scalar(0)) {
@@ -168,8 +168,8 @@ private:
             }
         }
     }
-    /// The plastic impact of all that meet, by projected Gauss-Seidel: what converges is unique. One that shares no body with
-    /// another is done at once.
+    /// The plastic impact of all that meet, by projected Gauss-Seidel: what converges is unique. One that shares no
+    /// body with another is done at once.
     void solve(const auto& contacts) {
         for (const auto n : meeting_) {
             pairs[n].impulse = 0;
@@ -196,8 +196,7 @@ private:
             taken += pairs[n].impulse * pairs[n].approach;
             given += pairs[n].impulse * change(contacts, contacts.all[pairs[n].which]);
         }
-        for (const auto n : meeting_)
-            pairs[n].together = std::min(pairs[n].together, 2 * taken / given - 1);
+        for (const auto n : meeting_) pairs[n].together = std::min(pairs[n].together, 2 * taken / given - 1);
     }
     /// They part, and what slides is slowed.
     void part(auto& contacts) {
@@ -240,8 +239,8 @@ private:
         if (wb > Scalar(0)) f(bodies_[c.slot_b], Raw(-wb * impulse));
     }
 
-    std::vector<Struck> bodies_;          // by slot
-    std::vector<std::uint32_t> meeting_;  // of `pairs`: those that are answered now
+    std::vector<Struck> bodies_;         // by slot
+    std::vector<std::uint32_t> meeting_; // of `pairs`: those that are answered now
 };
 
 } // namespace ansatz

@@ -4,14 +4,15 @@
 /// \file
 /// `SoftLoads`: impulses of `SoftSubsteps` that remember a load which has gone, or become light. Beyond the notes.
 ///
-/// Warm start begins a step with the impulses of the one before: what lies still is held from the first pass on. Where a heavy body
-/// has been taken from a column, or gravity has been switched off, they hold up something that is not there, and the few passes of a step
-/// would not find out before the rest had been thrown into the air.
+/// Warm start begins a step with the impulses of the one before: what lies still is held from the first pass on. Where
+/// a heavy body has been taken from a column, or gravity has been switched off, they hold up something that is not
+/// there, and the few passes of a step would not find out before the rest had been thrown into the air.
 ///
-/// What lies still tells: all that its contacts do to it, friction included, is equal and opposite to what acceleration does,
+/// What lies still tells: all that its contacts do to it, friction included, is equal and opposite to what acceleration
+/// does,
 /// \f$ \sum_c w J_c = -a h \f$. A body that is pushed by some times as much is no memory of lying still. What pushes it
-/// is made as small as what is pushed against: gravity, and what is upon it now. That is a smaller load for those below, so
-/// it is done again, layer by layer.
+/// is made as small as what is pushed against: gravity, and what is upon it now. That is a smaller load for those
+/// below, so it is done again, layer by layer.
 
 #include <ansatz/world/bodies.hpp>
 

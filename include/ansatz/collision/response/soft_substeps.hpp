@@ -2,19 +2,21 @@
 #pragma once
 
 /// \file
-/// `SoftSubsteps`: takes a step in parts and solves all contacts in each of them, softly and with memory. Beyond the notes.
+/// `SoftSubsteps`: takes a step in parts and solves all contacts in each of them, softly and with memory. Beyond the
+/// notes.
 ///
-/// Use it for piles, stacks and crowds: impulse and projection answer one contact at a time and let a heap of bodies tremble and
-/// sink. Pairs are found once a step, with those that may come to touch in it; then the forces and the integrator run `parts` times
-/// over a part of the step, and the contacts are solved between them (soft_contacts.hpp). It needs no other response. What it costs is
-/// about `parts` integrations and twice as many passes over the contacts.
+/// Use it for piles, stacks and crowds: impulse and projection answer one contact at a time and let a heap of bodies
+/// tremble and sink. Pairs are found once a step, with those that may come to touch in it; then the forces and the
+/// integrator run `parts` times over a part of the step, and the contacts are solved between them (soft_contacts.hpp).
+/// It needs no other response. What it costs is about `parts` integrations and twice as many passes over the contacts.
 ///
-/// **Impacts at one moment** (soft_impacts.hpp). Pairs that meet faster than `threshold` bounce when they meet, one after another in
-/// time, and together where they share a body and a moment; the order in which bodies were added makes no difference. At
-/// e = 1 kinetic energy is kept, and five balls in a row are a cradle: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1).
+/// **Impacts at one moment** (soft_impacts.hpp). Pairs that meet faster than `threshold` bounce when they meet, one
+/// after another in time, and together where they share a body and a moment; the order in which bodies were added makes
+/// no difference. At e = 1 kinetic energy is kept, and five balls in a row are a cradle: (1, 0, 0, 0, 0) becomes (0, 0,
+/// 0, 0, 1).
 ///
-/// Every integrator is given velocities with which its own next positions keep the bodies apart: what it does to a velocity under
-/// constant acceleration is known from `velocity_leads`.
+/// Every integrator is given velocities with which its own next positions keep the bodies apart: what it does to a
+/// velocity under constant acceleration is known from `velocity_leads`.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
@@ -41,7 +43,8 @@ template <class... Options> struct SoftSubsteps {
 
     /// Into how many parts a step is divided, at least 1.
     int parts = 4;
-    /// 1/s, how fast a depth is taken away, finite and greater than zero; at most a quarter of the parts in a second is used
+    /// 1/s, how fast a depth is taken away, finite and greater than zero; at most a quarter of the parts in a second is
+    /// used
     Parameter<unit::Frequency> frequency = 60.0 * hertz;
     /// How softly; finite and greater than zero
     double damping_ratio = 5;

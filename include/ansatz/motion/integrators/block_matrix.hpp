@@ -2,12 +2,13 @@
 #pragma once
 
 /// \file
-/// `BlockMatrix`: the sparse, symmetric matrix of an implicit step, in blocks of one body by another, on Eigen's sparse module.
+/// `BlockMatrix`: the sparse, symmetric matrix of an implicit step, in blocks of one body by another, on Eigen's sparse
+/// module.
 // not in the umbrella: only worlds that couple bodies and solve need it, and Eigen's sparse module takes half a second
 ///
 /// Where the blocks are, the pattern, is found once and kept as long as every block that is wanted has a place in it: a
-/// spring that breaks or a body that sleeps leaves zeros behind, and only a spring that is added makes a new pattern. So a
-/// step that is warm allocates nothing. Use it for implicit integrators of your own.
+/// spring that breaks or a body that sleeps leaves zeros behind, and only a spring that is added makes a new pattern.
+/// So a step that is warm allocates nothing. Use it for implicit integrators of your own.
 
 #include <ansatz/core/compiler_flags.hpp>
 
@@ -24,8 +25,8 @@ namespace ansatz {
 /// \tparam dimension rows and columns of a block
 template <class Scalar, int dimension> class BlockMatrix {
 public:
-    /// As Eigen keeps it: by columns. The matrix is symmetric, so that what is a row here is a column there, and a product
-    /// with its transpose gathers where one with itself would scatter.
+    /// As Eigen keeps it: by columns. The matrix is symmetric, so that what is a row here is a column there, and a
+    /// product with its transpose gathers where one with itself would scatter.
     using Matrix = Eigen::SparseMatrix<Scalar, Eigen::ColMajor, int>;
     using Block = Eigen::Matrix<Scalar, dimension, dimension>; ///< one body by another
     using Index = Eigen::Index;                                ///< counts bodies
@@ -69,7 +70,8 @@ public:
     /// Adds to the block of body i by body j.
     /// \return whether the pattern has a place for it
     template <class B> bool add(Index i, Index j, const B& block) {
-        const auto begin = column_.begin() + std::ptrdiff_t(first_[std::size_t(i)]), end = column_.begin() + std::ptrdiff_t(first_[std::size_t(i) + 1]);
+        const auto begin = column_.begin() + std::ptrdiff_t(first_[std::size_t(i)]),
+                   end = column_.begin() + std::ptrdiff_t(first_[std::size_t(i) + 1]);
         const auto found = std::lower_bound(begin, end, int(j));
         if (found == end || *found != int(j)) return false;
         for (int r = 0; r < dimension; ++r) {

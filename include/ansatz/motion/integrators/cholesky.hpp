@@ -6,8 +6,8 @@
 // not in the umbrella: Eigen's sparse module takes half a second to compile
 ///
 /// Use it, `ImplicitEulerBy<Cholesky>`, for systems that are small and very stiff, where conjugate gradients need
-/// thousands of iterations: its time does not depend on the stiffness. It allocates in every step, and its time grows faster
-/// than the number of bodies.
+/// thousands of iterations: its time does not depend on the stiffness. It allocates in every step, and its time grows
+/// faster than the number of bodies.
 
 #include <ansatz/motion/integrators/implicit_system.hpp>
 
@@ -19,7 +19,8 @@ namespace ansatz {
 
 /// Solves A x = b for a symmetric, positive definite A by its factors.
 struct Cholesky {
-    static constexpr bool pattern_may_grow_old = false; ///< the order of elimination, and with it the last bit, follows from the pattern
+    static constexpr bool pattern_may_grow_old =
+        false; ///< the order of elimination, and with it the last bit, follows from the pattern
 
     /// What it keeps between steps.
     template <class Scalar> class Solver {

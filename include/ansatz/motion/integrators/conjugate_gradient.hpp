@@ -5,10 +5,10 @@
 /// `ConjugateGradient`: the iterative solver of implicit steps, and what ImplicitEuler uses unless told otherwise.
 // not in the umbrella: only worlds that couple bodies and solve need it, and Eigen's sparse module takes half a second
 ///
-/// Use it for chains, cloth and everything else whose bodies have few neighbours: its work grows with the springs, it needs
-/// no more memory than the matrix, and a warm step allocates nothing. Take Cholesky (cholesky.hpp) where a system is small
-/// and very stiff, with springs a million times stiffer than others. The loop is our own, on Eigen's matrix and
-/// preconditioner, because Eigen's allocates in every call; sums are made in one order that no compiler changes.
+/// Use it for chains, cloth and everything else whose bodies have few neighbours: its work grows with the springs, it
+/// needs no more memory than the matrix, and a warm step allocates nothing. Take Cholesky (cholesky.hpp) where a system
+/// is small and very stiff, with springs a million times stiffer than others. The loop is our own, on Eigen's matrix
+/// and preconditioner, because Eigen's allocates in every call; sums are made in one order that no compiler changes.
 ///
 /// M. R. Hestenes, E. Stiefel, J. Res. Natl. Bur. Stand. 49, 409 (1952).
 
@@ -23,7 +23,7 @@ namespace ansatz {
 
 /// Solves A x = b for a symmetric, positive definite A, until \f$ |b - Ax| \le \epsilon |b| \f$.
 struct ConjugateGradient {
-    static constexpr double tolerance = 1e-10; ///< epsilon, but no less than some roundings of the scalar
+    static constexpr double tolerance = 1e-10;         ///< epsilon, but no less than some roundings of the scalar
     static constexpr bool pattern_may_grow_old = true; ///< zeros in the matrix change nothing, not even the last bit
 
     /// What it keeps between steps.

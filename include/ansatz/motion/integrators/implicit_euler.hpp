@@ -5,15 +5,15 @@
 /// `ImplicitEuler`: the rate of change in the *next* state, found by solving for it (notes 1.6.2).
 ///
 /// Use it for stiff forces whose fast motion nobody wants to see: it never grows, at any step. The price is a solve in
-/// every step, a Jacobian from every force, and damping that nature does not have: at omega = 10/s and 60 Hz it loses 81 %
-/// of its energy in a second. Not for orbits or anything that should keep its energy.
+/// every step, a Jacobian from every force, and damping that nature does not have: at omega = 10/s and 60 Hz it loses
+/// 81 % of its energy in a second. Not for orbits or anything that should keep its energy.
 ///
-/// "Solved" is meant: Newton's method with the forces' Jacobians. Repeating x = x + v dt, v = v + a dt until nothing moves
-/// (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed.
+/// "Solved" is meant: Newton's method with the forces' Jacobians. Repeating x = x + v dt, v = v + a dt until nothing
+/// moves (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed.
 ///
-/// Where nothing couples bodies, each is solved by itself. Where springs couple them, all are solved together, as one sparse
-/// system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a direct solver
-/// (cholesky.hpp).
+/// Where nothing couples bodies, each is solved by itself. Where springs couple them, all are solved together, as one
+/// sparse system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a
+/// direct solver (cholesky.hpp).
 
 #include <ansatz/world/concepts.hpp>
 
@@ -25,8 +25,8 @@
 
 namespace ansatz {
 
-struct ConjugateGradient; // conjugate_gradient.hpp
-struct Cholesky;          // cholesky.hpp
+struct ConjugateGradient;                                    // conjugate_gradient.hpp
+struct Cholesky;                                             // cholesky.hpp
 template <class S, class LinearSolver> class ImplicitSystem; // implicit_system.hpp, which both of them include
 
 /// \f$ v_{n+1} = v_n + a(x_{n+1}, v_{n+1})\,\Delta t, \quad x_{n+1} = x_n + v_{n+1}\,\Delta t \f$
@@ -37,7 +37,8 @@ template <class LinearSolver> struct ImplicitEulerBy {
     static constexpr bool needs_jacobian = true;
     static constexpr double velocity_leads = 0.5; ///< of a step: v + leads a dt is the velocity where x is
     static constexpr int order = 1;
-    static constexpr int most_iterations = 50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
+    static constexpr int most_iterations =
+        50; ///< Newton's iterations before a body counts as unsolved (`World::status`)
 
     using linear_solver = LinearSolver; ///< for worlds whose bodies are coupled
     /// Solves for all bodies at once, where forces couple them.
@@ -61,7 +62,8 @@ template <class LinearSolver> struct ImplicitEulerBy {
             const auto j = laws.jacobian(x + u * dt, u, 1.0);
             const Scalar h = dt.value();
             const Eigen::Matrix<Scalar, dimension, dimension> matrix =
-                Eigen::Matrix<Scalar, dimension, dimension>::Identity() - h * j.velocity.value() - h * h * j.position.value();
+                Eigen::Matrix<Scalar, dimension, dimension>::Identity() - h * j.velocity.value() -
+                h * h * j.position.value();
             const Vec correction = solve_rows(matrix, r.value());
             V step = V::from_value(correction);
             if (!is_finite(step)) break;
@@ -90,8 +92,9 @@ template <class LinearSolver> struct ImplicitEulerBy {
 
 private:
     /// Solves two or three linear equations by Eigen's closed form of the inverse. Each row is divided by its largest
-    /// coefficient first, so that the determinant neither overflows nor vanishes with the stiffness; what rounding leaves,
-    /// Newton's next correction removes. (Eigen's pivoting LU is as good, and takes three seconds to compile in every world.)
+    /// coefficient first, so that the determinant neither overflows nor vanishes with the stiffness; what rounding
+    /// leaves, Newton's next correction removes. (Eigen's pivoting LU is as good, and takes three seconds to compile in
+    /// every world.)
     template <class Matrix, class Vec> static Vec solve_rows(Matrix matrix, Vec right) {
         using std::abs;
         using Scalar = typename Vec::Scalar;
@@ -103,7 +106,8 @@ private:
             for (int k = 0; k < n; ++k) matrix(i, k) /= largest;
             right[i] /= largest;
         }
-        // Written out: Eigen's product may use a fused multiply-add where the machine has one, and worlds would differ with it.
+        // Written out: Eigen's product may use a fused multiply-add where the machine has one, and worlds would differ
+        // with it.
         const Matrix inverse = matrix.inverse();
         Vec solution;
         for (int i = 0; i < n; ++i) {

@@ -7,8 +7,9 @@
 ///
 /// Newton's method for the velocities u at the end of the step: \f$ M (u - v) - \Delta t\,f(x + \Delta t\,u, u) = 0 \f$. Each
 /// iteration solves \f$ (M - \Delta t\,\partial f/\partial v - \Delta t^2\,\partial f/\partial x)\,\delta = r \f$, which is
-/// symmetric, positive definite and sparse. For springs along a line one iteration is the solution; where they turn, a few
-/// are needed, and a step that makes the residual larger is halved. The pattern, the vectors and the solver are kept.
+/// symmetric, positive definite and sparse. For springs along a line one iteration is the solution; where they turn, a
+/// few are needed, and a step that makes the residual larger is halved. The pattern, the vectors and the solver are
+/// kept.
 ///
 /// D. Baraff, A. Witkin, SIGGRAPH 1998, solve the same system once a step, without iterating.
 
@@ -29,7 +30,8 @@ template <class S, class LinearSolver> class ImplicitSystem {
 public:
     using Scalar = typename S::Scalar;
     using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
-    static constexpr int most_iterations = 50; ///< Newton's iterations before a step counts as unsolved (`World::status`)
+    static constexpr int most_iterations =
+        50; ///< Newton's iterations before a step counts as unsolved (`World::status`)
 
     /// Advances the bodies of a system by a step of length `dt`.
     /// \return whether it converged; if not, the bodies have moved with the best velocities that were found
@@ -40,7 +42,8 @@ public:
         u_ = v_;
         Scalar left = residual(system, u_, h, r_);
         // Below the smallest normal number there are too few digits left to come any closer.
-        const Scalar enough = std::max(Scalar(LinearSolver::template Solver<Scalar>::close * left), std::numeric_limits<Scalar>::min());
+        const Scalar enough =
+            std::max(Scalar(LinearSolver::template Solver<Scalar>::close * left), std::numeric_limits<Scalar>::min());
         bool converged = left == Scalar(0), solved = true;
         for (iterations_ = 0; iterations_ < most_iterations && !converged && is_finite(left); ++iterations_) {
             linearise(system, h);
@@ -50,7 +53,8 @@ public:
             const Scalar eps = std::numeric_limits<Scalar>::epsilon();
             auto negligible = [&](const Scalar& factor) {
                 const Scalar change = step_.cwiseAbs().maxCoeff();
-                return h * change <= factor * eps * x_.cwiseAbs().maxCoeff() || change <= factor * eps * u_.cwiseAbs().maxCoeff();
+                return h * change <= factor * eps * x_.cwiseAbs().maxCoeff() ||
+                       change <= factor * eps * u_.cwiseAbs().maxCoeff();
             };
             const bool settled = negligible(Scalar(4)), close = negligible(Scalar(4000));
             next_ = u_ - step_;
@@ -114,15 +118,19 @@ private:
         }
         bool fits = true;
         system.jacobians(
-            1.0, [&](Eigen::Index i, const Block& by_x, const Block& by_v) { matrix_.add(i, i, Block(-h * by_v - h * h * by_x)); },
-            [&](Eigen::Index i, Eigen::Index j, const Block& by_x, const Block& by_v) { fits = matrix_.add(i, j, Block(-h * by_v - h * h * by_x)) && fits; });
+            1.0,
+            [&](Eigen::Index i, const Block& by_x, const Block& by_v) {
+                matrix_.add(i, i, Block(-h * by_v - h * h * by_x));
+            },
+            [&](Eigen::Index i, Eigen::Index j, const Block& by_x, const Block& by_v) {
+                fits = matrix_.add(i, j, Block(-h * by_v - h * h * by_x)) && fits;
+            });
         return fits;
     }
     template <class System> void find_pattern(System& system) {
         pairs_.clear();
         system.joined([&](Eigen::Index i, Eigen::Index j) { pairs_.emplace_back(int(i), int(j)); });
-        if constexpr (LinearSolver::pattern_may_grow_old)
-            matrix_.make_pattern(system.bodies(), pairs_);
+        if constexpr (LinearSolver::pattern_may_grow_old) matrix_.make_pattern(system.bodies(), pairs_);
         else if (matrix_.bodies() != system.bodies() || pairs_ != known_) {
             known_ = pairs_;
             matrix_.make_pattern(system.bodies(), pairs_);
@@ -133,8 +141,8 @@ private:
     BlockMatrix<Scalar, S::dimension> matrix_;
     typename LinearSolver::template Solver<Scalar> solver_;
     std::vector<std::pair<int, int>> pairs_, known_;
-    Column x_, v_, mass_;              // at the beginning of the step
-    Column u_, r_, next_, next_r_;     // the velocities tried, and what is left
+    Column x_, v_, mass_;          // at the beginning of the step
+    Column u_, r_, next_, next_r_; // the velocities tried, and what is left
     Column step_, end_, a_;
     int iterations_ = 0;
 };

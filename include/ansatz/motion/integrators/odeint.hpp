@@ -7,9 +7,10 @@
 ///
 /// Use it for methods that this library does not write again, such as Fehlberg's of order 8:
 /// `Odeint<boost::numeric::odeint::runge_kutta_fehlberg78<std::array<double, 6>>>`. The state type that you name is
-/// replaced by one of the world's scalar and dimension. A stepper with memory is refused: a multistep method or one whose
-/// last stage is the next step's first (Dormand-Prince) would remember a state from before an impulse or a contact. So are
-/// controlled steppers: a world's step has the length that it was asked for. Slower than RungeKutta4, which runs in lanes.
+/// replaced by one of the world's scalar and dimension. A stepper with memory is refused: a multistep method or one
+/// whose last stage is the next step's first (Dormand-Prince) would remember a state from before an impulse or a
+/// contact. So are controlled steppers: a world's step has the length that it was asked for. Slower than RungeKutta4,
+/// which runs in lanes.
 
 #include <ansatz/world/concepts.hpp>
 
@@ -36,8 +37,8 @@ template <class Stepper, class S> struct OdeintRebind {
     using type = void;
     using together = void;
 };
-template <template <class, class, class, class, class, class, class> class Stepper, class State, class Value, class Deriv, class Time,
-          class Algebra, class Operations, class Resizer, class S>
+template <template <class, class, class, class, class, class, class> class Stepper, class State, class Value,
+          class Deriv, class Time, class Algebra, class Operations, class Resizer, class S>
 struct OdeintRebind<Stepper<State, Value, Deriv, Time, Algebra, Operations, Resizer>, S> {
     using type = Stepper<OdeintState<S>, typename S::Scalar, OdeintState<S>, typename S::Scalar,
                          boost::numeric::odeint::array_algebra, boost::numeric::odeint::default_operations,
@@ -51,7 +52,8 @@ struct OdeintRebind<Stepper<State, Value, Deriv, Time, Algebra, Operations, Resi
 template <class Base, unsigned short Order, class... Rest>
 std::true_type is_one_step(const boost::numeric::odeint::explicit_stepper_base<Base, Order, Rest...>*);
 template <class Base, unsigned short Order, unsigned short StepperOrder, unsigned short ErrorOrder, class... Rest>
-std::true_type is_one_step(const boost::numeric::odeint::explicit_error_stepper_base<Base, Order, StepperOrder, ErrorOrder, Rest...>*);
+std::true_type
+is_one_step(const boost::numeric::odeint::explicit_error_stepper_base<Base, Order, StepperOrder, ErrorOrder, Rest...>*);
 std::false_type is_one_step(const void*);
 
 template <class Stepper>
@@ -62,9 +64,11 @@ constexpr bool explicit_one_step = !std::is_void_v<typename OdeintRebind<Stepper
 
 /// \tparam Stepper e.g. `boost::numeric::odeint::runge_kutta_cash_karp54<std::array<double, 6>>`; include its header
 template <class Stepper> struct Odeint {
-    static_assert(detail::explicit_one_step<Stepper>,
-                  "Ansatz: Odeint takes Boost.Odeint's explicit one-step steppers, e.g. runge_kutta_fehlberg78<std::array<double, 6>>; a "
-                  "stepper with memory (multistep, or first-same-as-last like runge_kutta_dopri5) is wrong after an impulse");
+    static_assert(
+        detail::explicit_one_step<Stepper>,
+        "Ansatz: Odeint takes Boost.Odeint's explicit one-step steppers, e.g. "
+        "runge_kutta_fehlberg78<std::array<double, 6>>; a "
+        "stepper with memory (multistep, or first-same-as-last like runge_kutta_dopri5) is wrong after an impulse");
 
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;

@@ -16,8 +16,8 @@ namespace ansatz {
 struct RungeKutta4 {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
-    using scratch = Columns<ScratchVector<unit::Length>, ScratchVector<unit::Velocity, 0>, ScratchVector<unit::Velocity, 1>,
-                            ScratchVector<unit::Acceleration>>;
+    using scratch = Columns<ScratchVector<unit::Length>, ScratchVector<unit::Velocity, 0>,
+                            ScratchVector<unit::Velocity, 1>, ScratchVector<unit::Acceleration>>;
     static constexpr int stages = 4;
     static constexpr double nodes[] = {0, 0.5, 0.5, 1}; ///< the times of the stages, in parts of the step
     static constexpr int order = 4;

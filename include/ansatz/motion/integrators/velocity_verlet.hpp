@@ -5,10 +5,10 @@
 /// `VelocityVerlet`: Verlet's scheme with the velocity kept beside the position, of second order (beyond notes 1.6.4).
 ///
 /// Use it where SemiImplicitEuler is not accurate enough: for forces of position it is symplectic, time-reversible and
-/// stable up to omega dt = 2. For forces that depend on the velocity it predicts that velocity for its second evaluation,
-/// so that it stays of second order (a scheme that reuses the old one drops to first), though no longer reversible.
-/// Two evaluations of the forces a step; the usual trick of carrying the last one over to the next step is deliberately
-/// not played, because any contact, impulse or changed policy in between would make it stale.
+/// stable up to omega dt = 2. For forces that depend on the velocity it predicts that velocity for its second
+/// evaluation, so that it stays of second order (a scheme that reuses the old one drops to first), though no longer
+/// reversible. Two evaluations of the forces a step; the usual trick of carrying the last one over to the next step is
+/// deliberately not played, because any contact, impulse or changed policy in between would make it stale.
 ///
 /// W. C. Swope, H. C. Andersen, P. H. Berens, K. R. Wilson, J. Chem. Phys. 76, 637 (1982).
 

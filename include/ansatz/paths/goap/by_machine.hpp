@@ -38,16 +38,16 @@ namespace ansatz::goap {
 
 /// A machine that a plan can run through: any `Machine` of chapter 5, in any representation.
 template <class M>
-concept PlayedMachine = requires(M& machine, typename M::Context& context, EventId event_id, StateId state_id,
-                                 std::string_view name) {
-    { machine.handle(context, event_id) } -> std::same_as<bool>;
-    machine.update(context, Quantity<unit::Time>{});
-    { machine.is_in(state_id) } -> std::same_as<bool>;
-    { machine.state_count() } -> std::convertible_to<std::size_t>;
-    { machine.name(state_id) } -> std::convertible_to<std::string_view>;
-    { machine.name(event_id) } -> std::convertible_to<std::string_view>;
-    { machine.event(name) } -> std::same_as<EventId>;
-};
+concept PlayedMachine =
+    requires(M& machine, typename M::Context& context, EventId event_id, StateId state_id, std::string_view name) {
+        { machine.handle(context, event_id) } -> std::same_as<bool>;
+        machine.update(context, Quantity<unit::Time>{});
+        { machine.is_in(state_id) } -> std::same_as<bool>;
+        { machine.state_count() } -> std::convertible_to<std::size_t>;
+        { machine.name(state_id) } -> std::convertible_to<std::string_view>;
+        { machine.name(event_id) } -> std::convertible_to<std::string_view>;
+        { machine.event(name) } -> std::same_as<EventId>;
+    };
 
 /// A `Performer` whose actions are states of a machine.
 ///

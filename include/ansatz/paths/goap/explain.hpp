@@ -4,9 +4,9 @@
 /// \file
 /// `explain`: why there is no plan, in a sentence that names what is missing.
 ///
-/// It forgets for a moment that actions also undo things, and collects all facts that could ever come to hold, or to cease.
-/// If a fact of the goal is not among them, it follows back what that fact would need until something is found that no
-/// action brings about. If all are among them, they exclude each other, and only the search could tell.
+/// It forgets for a moment that actions also undo things, and collects all facts that could ever come to hold, or to
+/// cease. If a fact of the goal is not among them, it follows back what that fact would need until something is found
+/// that no action brings about. If all are among them, they exclude each other, and only the search could tell.
 
 #include <ansatz/paths/goap/domain.hpp>
 

@@ -2,15 +2,16 @@
 #pragma once
 
 /// \file
-/// What planning estimates with: `Careful`, which never is too much, and `Greedy`, which is faster and may miss the best plan.
+/// What planning estimates with: `Careful`, which never is too much, and `Greedy`, which is faster and may miss the
+/// best plan.
 ///
-/// Both count the facts of the goal that are not yet as they should be (the notes' similarity of states). `Greedy` takes
-/// that number for the cost. It is too much as soon as one action settles several facts, or costs less than one; the usual
-/// GOAP libraries do this and then return dearer plans. `Careful` multiplies it by the least that any action asks for one
-/// fact of this goal:
+/// Both count the facts of the goal that are not yet as they should be (the notes' similarity of states). `Greedy`
+/// takes that number for the cost. It is too much as soon as one action settles several facts, or costs less than one;
+/// the usual GOAP libraries do this and then return dearer plans. `Careful` multiplies it by the least that any action
+/// asks for one fact of this goal:
 /// \f[ h = u \cdot \min_a \frac{c_a}{n_a} \f]
-/// with u the unmet facts, c_a the cost of an action and n_a how many facts of the goal it can settle. An action settles
-/// at most n_a and so lowers h by at most its cost: h is admissible and consistent.
+/// with u the unmet facts, c_a the cost of an action and n_a how many facts of the goal it can settle. An action
+/// settles at most n_a and so lowers h by at most its cost: h is admissible and consistent.
 
 #include <ansatz/paths/goap/state_graph.hpp>
 #include <ansatz/paths/graph.hpp>
@@ -36,7 +37,8 @@ struct Careful {
     }
 };
 
-/// The number of unmet facts, whatever the actions cost: fewer states are looked at, the plan may be dearer than need be.
+/// The number of unmet facts, whatever the actions cost: fewer states are looked at, the plan may be dearer than need
+/// be.
 struct Greedy {
     using role = paths::roles::Heuristic;
     template <class Cost, class Graph> auto bind(const Graph&, const paths::GoalOf<Graph>& goal) const {

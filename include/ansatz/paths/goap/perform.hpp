@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// `perform`: how a plan meets who carries it out, one tick of the game at a time. Whoever can begin an action and say how it
-/// goes is a `Performer`: a function of yours, an animation, a state machine whose states are named after the actions.
+/// `perform`: how a plan meets who carries it out, one tick of the game at a time. Whoever can begin an action and say
+/// how it goes is a `Performer`: a function of yours, an animation, a state machine whose states are named after the
+/// actions.
 
 #include <ansatz/paths/goap/runner.hpp>
 
@@ -31,10 +32,10 @@ struct Performance {
     std::optional<Action> begun; ///< the action that was begun and has not ended
 };
 
-/// One tick: looks whether the plan still holds, begins the action that is due unless it is being done already, and asks how
-/// it goes. An action goes on when there is another plan that begins with it.
-/// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the action
-/// \return whether there is anything left to do
+/// One tick: looks whether the plan still holds, begins the action that is due unless it is being done already, and
+/// asks how it goes. An action goes on when there is another plan that begins with it. \param state_of a function that
+/// answers with the state of the world at this moment; it is asked again behind the action \return whether there is
+/// anything left to do
 template <class Planner, Performer P, class StateOf>
 bool perform(Runner<Planner>& runner, P& performer, Performance& performance, StateOf&& state_of) {
     runner.look(state_of());

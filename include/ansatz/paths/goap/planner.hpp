@@ -4,8 +4,9 @@
 /// \file
 /// `Planner`: the cheapest series of actions from a state to a goal (notes 6.2), by the same A* that finds paths.
 ///
-/// `Planner{domain}` plans with `Careful` and finds the cheapest plan; `Planner{domain, Greedy{}}` is faster and may not.
-/// %Keep it: it allocates nothing once warm. It looks at the domain, so actions may be added and costs changed between plans.
+/// `Planner{domain}` plans with `Careful` and finds the cheapest plan; `Planner{domain, Greedy{}}` is faster and may
+/// not. %Keep it: it allocates nothing once warm. It looks at the domain, so actions may be added and costs changed
+/// between plans.
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/goap/domain.hpp>
@@ -47,7 +48,8 @@ public:
     Planner& operator=(const Planner&) = delete;
 
     /// Plans in one go.
-    /// \param most how many states may be expanded before it gives up; then actions() lead to the state that came nearest
+    /// \param most how many states may be expanded before it gives up; then actions() lead to the state that came
+    /// nearest
     Outcome plan(const State& now, const Condition& goal, std::size_t most = Search::without_end) {
         search_.find(now, goal, most);
         return read(now);

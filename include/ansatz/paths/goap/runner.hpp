@@ -4,10 +4,10 @@
 /// \file
 /// `Runner`: carries a plan out, action by action, and plans anew when the world has broken it (notes 6.2, 6.3).
 ///
-/// A plan is broken when the actions that are left can no longer be done one after the other, or would no longer lead to the
-/// goal. Other changes do not matter: somebody opens a window, and the tea is made all the same. As with paths, a plan that
-/// still holds is kept even where a cheaper one has become possible. And the planner is not asked twice: from the same
-/// state to the same goal, by the same actions, there is the same plan, or none.
+/// A plan is broken when the actions that are left can no longer be done one after the other, or would no longer lead
+/// to the goal. Other changes do not matter: somebody opens a window, and the tea is made all the same. As with paths,
+/// a plan that still holds is kept even where a cheaper one has become possible. And the planner is not asked twice:
+/// from the same state to the same goal, by the same actions, there is the same plan, or none.
 
 #include <ansatz/paths/goap/planner.hpp>
 #include <ansatz/world/error.hpp>
@@ -30,7 +30,8 @@ public:
     static constexpr std::size_t without_end = std::numeric_limits<std::size_t>::max(); ///< attempts, if none are given
 
     /// \param planner  used, not copied; several runners may share one
-    /// \param attempts how often an action may fail, one time after the other in a world that stays as it is, before the
+    /// \param attempts how often an action may fail, one time after the other in a world that stays as it is, before
+    /// the
     ///                 runner gives up: then there is nothing to do until the world changes
     /// \throws std::invalid_argument for no attempt at all
     explicit Runner(Planner& planner, std::size_t attempts = without_end) : planner_(&planner), attempts_(attempts) {
@@ -51,7 +52,7 @@ public:
     bool reached() const { return outcome_ == Outcome::found && at_ == actions_.size(); }
     /// Of the last planning; gave_up when actions have failed too often.
     Outcome outcome() const { return outcome_; }
-    std::size_t plans() const { return plans_; } ///< how often it set out by a plan from the beginning
+    std::size_t plans() const { return plans_; }       ///< how often it set out by a plan from the beginning
     std::size_t searches() const { return searches_; } ///< how often the planner was asked for one
     /// Whether the actions that are left still lead from this state to the goal.
     bool holds_in(const State& now) const {
@@ -64,8 +65,9 @@ public:
         }
         return goal_.holds_in(s);
     }
-    /// The world has changed, or may have: plans anew if that has broken the plan. Call it when you like, every frame if need
-    /// be: where there is no plan it asks for one when the state or the domain is another. \return whether there is a new plan
+    /// The world has changed, or may have: plans anew if that has broken the plan. Call it when you like, every frame
+    /// if need be: where there is no plan it asks for one when the state or the domain is another. \return whether
+    /// there is a new plan
     bool look(const State& now) {
         if (goal_.holds_in(now)) { // reached, by us or by luck
             outcome_ = Outcome::found;

@@ -4,7 +4,8 @@
 /// \file
 /// `State` and `Condition`: which facts hold, and which should; bits, so that two states are compared in one go.
 ///
-/// The notes (6.2): "the way states are encoded allows a similarity comparison which can be used to calculate the h-score".
+/// The notes (6.2): "the way states are encoded allows a similarity comparison which can be used to calculate the
+/// h-score".
 
 #include <ansatz/core/compiler_flags.hpp>
 
@@ -67,9 +68,7 @@ template <std::size_t Words = 1> struct Condition {
     /// Whether a state is as it should be.
     constexpr bool holds_in(const State<Words>& s) const { return unmet_in(s) == State<Words>{}; }
     /// A bit for each that is not.
-    constexpr State<Words> unmet_in(const State<Words>& s) const {
-        return (s ^ value) & care;
-    }
+    constexpr State<Words> unmet_in(const State<Words>& s) const { return (s ^ value) & care; }
     /// Whether both ask for the same.
     friend constexpr bool operator==(const Condition&, const Condition&) = default;
 };

@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// `StateGraph`: "each possible state is a node on a graph and state changes are edges" (notes 6.2), as an IncidenceGraph of
-/// Boost.Graph that is never stored. With 64 facts it would have 2^64 vertices; a search makes those that it comes to.
+/// `StateGraph`: "each possible state is a node on a graph and state changes are edges" (notes 6.2), as an
+/// IncidenceGraph of Boost.Graph that is never stored. With 64 facts it would have 2^64 vertices; a search makes those
+/// that it comes to.
 
 #include <ansatz/paths/goap/domain.hpp>
 
@@ -98,9 +99,7 @@ template <std::size_t W> std::size_t out_degree(const State<W>& s, const StateGr
 }
 template <std::size_t W> State<W> source(const Change<W>& c, const StateGraph<W>&) { return c.from; }
 template <std::size_t W> State<W> target(const Change<W>& c, const StateGraph<W>&) { return c.to; }
-template <std::size_t W> ChangeCosts<W> get(boost::edge_weight_t, const StateGraph<W>& g) {
-    return {&g.domain()};
-}
+template <std::size_t W> ChangeCosts<W> get(boost::edge_weight_t, const StateGraph<W>& g) { return {&g.domain()}; }
 template <std::size_t W> std::string name_of(const State<W>& s, const StateGraph<W>& g) { return g.domain().words(s); }
 
 } // namespace ansatz::goap

@@ -36,7 +36,8 @@ namespace detail {
 inline constexpr int direction_x[8] = {1, 0, -1, 0, 1, -1, -1, 1};
 inline constexpr int direction_y[8] = {0, 1, 0, -1, 1, 1, -1, -1};
 
-/// A step as one addition on both coordinates at once. It holds only between tiles of one grid: no edge leads out of it.
+/// A step as one addition on both coordinates at once. It holds only between tiles of one grid: no edge leads out of
+/// it.
 inline constexpr std::uint32_t one_x = std::bit_cast<std::uint32_t>(Cell{1, 0});
 inline constexpr std::uint32_t one_y = std::bit_cast<std::uint32_t>(Cell{0, 1});
 /// Columns and rows out of the one word that a Cell is. (Asked for its members, g++ goes through a vector register.)

@@ -4,8 +4,8 @@
 /// \file
 /// `Grid` as a graph of Boost.Graph: IncidenceGraph and VertexListGraph, vertex_index and edge_weight.
 ///
-/// A vertex is a `Cell`, an edge a `GridEdge`. Edges are made while one looks at them: a byte a tile says which steps lead
-/// out of it, so flags and corner rule are not asked again for each search.
+/// A vertex is a `Cell`, an edge a `GridEdge`. Edges are made while one looks at them: a byte a tile says which steps
+/// lead out of it, so flags and corner rule are not asked again for each search.
 
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/heuristics/grid_metrics.hpp>

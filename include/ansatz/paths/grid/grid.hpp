@@ -4,9 +4,9 @@
 /// \file
 /// `Grid`: a map of tiles as a Boost.Graph graph that stores no edge (notes 6.1, 6.3).
 ///
-/// Take it for maps of square tiles, which may change under the walker's feet: tiles and single edges are blocked and freed
-/// by flags, and weights set, in place, and the next search sees it. It keeps three bytes a tile, and sixteen more where
-/// the ground is `Terrain`. For places joined by roads take `Waypoints`.
+/// Take it for maps of square tiles, which may change under the walker's feet: tiles and single edges are blocked and
+/// freed by flags, and weights set, in place, and the next search sees it. It keeps three bytes a tile, and sixteen
+/// more where the ground is `Terrain`. For places joined by roads take `Waypoints`.
 ///
 /// It models IncidenceGraph and VertexListGraph, with the properties vertex_index and edge_weight (in tiles), so every
 /// algorithm of Boost.Graph that asks for no more runs on it; see grid/graph.hpp.

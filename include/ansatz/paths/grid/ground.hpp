@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What it costs to walk on a grid: `Even` ground, where only steps count, and `Terrain`, where every tile has a weight.
+/// What it costs to walk on a grid: `Even` ground, where only steps count, and `Terrain`, where every tile has a
+/// weight.
 ///
 /// A step costs its length in tiles times the weight of the tile that it *enters*. So a weight is how many times slower
 /// than usual its tile is (mud 3, road 0.5), and the way there may cost something else than the way back.

@@ -5,15 +5,15 @@
 /// `JumpPoints`: a node's successors on a grid are the next tiles at which a shortest way may turn.
 ///
 /// On even ground most shortest ways between two tiles are the same steps in another order. Of each such family this
-/// policy follows one: diagonal steps first. It runs along a row, a column or a diagonal without opening a node, until it
-/// stands at the goal or where a wall makes another direction necessary. The costs are those of `EveryEdge`.
+/// policy follows one: diagonal steps first. It runs along a row, a column or a diagonal without opening a node, until
+/// it stands at the goal or where a wall makes another direction necessary. The costs are those of `EveryEdge`.
 ///
 /// Take it for large open maps with `Heap` or `Buckets`: the open list is what it spares. Not for `Terrain` (two orders
-/// of the same steps no longer cost the same), nor for maps with blocked edges, and not to watch the notes' workflow: the
-/// lists hold turning points only, and nothing is `skipped`.
+/// of the same steps no longer cost the same), nor for maps with blocked edges, and not to watch the notes' workflow:
+/// the lists hold turning points only, and nothing is `skipped`.
 ///
-/// D. Harabor and A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps (AAAI 2011), for the idea and the proof;
-/// Improving Jump Point Search (ICAPS 2014) for the rules where corners are not cut.
+/// D. Harabor and A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps (AAAI 2011), for the idea and the
+/// proof; Improving Jump Point Search (ICAPS 2014) for the rules where corners are not cut.
 
 #include <ansatz/paths/grid/cell.hpp>
 #include <ansatz/paths/grid/graph.hpp>

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// `By`: a heuristic that is a function of yours: `By{[&](Vertex v, Vertex goal) { return ...; }}`, or of the vertex alone.
+/// `By`: a heuristic that is a function of yours: `By{[&](Vertex v, Vertex goal) { return ...; }}`, or of the vertex
+/// alone.
 
 #include <ansatz/paths/graph.hpp>
 
@@ -13,8 +14,8 @@
 namespace ansatz::paths {
 
 namespace detail {
-/// What a function answered, in the number of the search. No cost is negative, so an estimate below zero says no more than
-/// zero does, and one that is no number says nothing; as a whole number both would be huge.
+/// What a function answered, in the number of the search. No cost is negative, so an estimate below zero says no more
+/// than zero does, and one that is no number says nothing; as a whole number both would be huge.
 template <class Cost, class Number> constexpr Cost estimated(const Number& h) {
     if constexpr (std::is_arithmetic_v<Number>) {
         if (!(h > Number(0))) return Cost(0);
@@ -39,7 +40,8 @@ template <class Function> struct By {
         static_assert(of_both || of_one,
                       "Ansatz paths: By takes a function of (vertex, goal), or of (vertex), that answers "
                       "with a number; write e.g. By{[](auto v, auto goal) { return 0.0; }}");
-        if constexpr (of_both) return [f = function, goal](const VertexOf<Graph>& v) { return detail::estimated<Cost>(f(v, goal)); };
+        if constexpr (of_both)
+            return [f = function, goal](const VertexOf<Graph>& v) { return detail::estimated<Cost>(f(v, goal)); };
         else return [f = function](const VertexOf<Graph>& v) { return detail::estimated<Cost>(f(v)); };
     }
 };

@@ -4,15 +4,15 @@
 /// \file
 /// `check_heuristic` and `Checked`: does a heuristic ever estimate too much, and where?
 ///
-/// The notes: a heuristic **must** be an underestimate or exact. This finds out, by the true cost of every vertex, and names
-/// the node. To learn and to test with: it looks at the whole graph for every goal. It judges in the number in which the search
-/// counts, since an estimate is right or wrong only in that: on a Grid a tile is 33461, not 1.
+/// The notes: a heuristic **must** be an underestimate or exact. This finds out, by the true cost of every vertex, and
+/// names the node. To learn and to test with: it looks at the whole graph for every goal. It judges in the number in
+/// which the search counts, since an estimate is right or wrong only in that: on a Grid a tile is 33461, not 1.
 
 #include <ansatz/paths/true_costs.hpp>
 
 #include <cstddef>
-#include <memory>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -34,8 +34,8 @@ namespace detail {
 template <class Guess, class Cost> bool too_much(Guess estimate, Cost truth) {
     if constexpr (std::is_integral_v<Cost>) return estimate > Guess(truth);
     else
-        return truth < infinite<Cost> &&
-               double(estimate) > double(truth) * (1 + 256 * double(std::numeric_limits<Cost>::epsilon()));
+        return truth<infinite<Cost>&& double(estimate)> double(truth) *
+               (1 + 256 * double(std::numeric_limits<Cost>::epsilon()));
 }
 template <class Guess, class Cost, class Graph>
 [[gnu::cold]] std::string overestimates(const Graph& g, const VertexOf<Graph>& v, Guess estimate, Cost truth) {
@@ -44,9 +44,10 @@ template <class Guess, class Cost, class Graph>
 }
 /// The weights among policies, or none.
 template <class... Policies> auto weights_among(const Policies&... policies) {
-    static_assert((true && ... && (HasRole<Policies, roles::Weights> || HasRole<Policies, roles::Cost>)),
-                  "Ansatz paths: to check a heuristic takes WeightsOf{map} and CostIn<Number>{} beside it, as the search "
-                  "has them");
+    static_assert(
+        (true && ... && (HasRole<Policies, roles::Weights> || HasRole<Policies, roles::Cost>)),
+        "Ansatz paths: to check a heuristic takes WeightsOf{map} and CostIn<Number>{} beside it, as the search "
+        "has them");
     return take<roles::Weights, NotGiven>(policies...);
 }
 /// The number that a search with these policies counts in.
@@ -56,16 +57,16 @@ using CostWith =
                   Policies...>::type;
 } // namespace detail
 
-/// The node at which a heuristic is most above the true cost; none if it never is. It is judged as a search with the same
-/// policies would use it: `check_heuristic(map, Octile{}, goal)`, `check_heuristic(roads, h, goal, WeightsOf{lengths})`.
-/// \tparam Number   in which to estimate; without it that of the search: on a Grid whole, 33461 a tile
-/// \param policies  `WeightsOf{map}` and `CostIn<Number>{}`, where the search has them
+/// The node at which a heuristic is most above the true cost; none if it never is. It is judged as a search with the
+/// same policies would use it: `check_heuristic(map, Octile{}, goal)`, `check_heuristic(roads, h, goal,
+/// WeightsOf{lengths})`. \tparam Number   in which to estimate; without it that of the search: on a Grid whole, 33461 a
+/// tile \param policies  `WeightsOf{map}` and `CostIn<Number>{}`, where the search has them
 template <class Number = void, class Graph, class Heuristic, class... Policies>
 std::optional<Overestimate<VertexOf<Graph>>> check_heuristic(const Graph& g, const Heuristic& heuristic,
                                                              const GoalOf<Graph>& goal, const Policies&... policies) {
-    using Cost = typename std::conditional_t<std::is_void_v<Number>,
-                                             std::type_identity<detail::CostWith<Graph, Policies...>>,
-                                             std::type_identity<Number>>::type;
+    using Cost =
+        typename std::conditional_t<std::is_void_v<Number>, std::type_identity<detail::CostWith<Graph, Policies...>>,
+                                    std::type_identity<Number>>::type;
     const auto costs = true_costs<Cost>(g, goal, Toward::to_it, detail::weights_among(policies...));
     const auto estimate = heuristic.template bind<Cost>(g, goal);
     using Guess = detail::Guess<Cost, std::decay_t<decltype(estimate(goal))>>;

@@ -4,12 +4,13 @@
 /// \file
 /// `Landmarks`: a heuristic for road maps and everything else where the straight line misleads.
 ///
-/// From a few far-away vertices the true costs to all others are calculated beforehand. If it is far from here to a landmark
-/// and near from the goal to it, then it cannot be near from here to the goal (the triangle inequality):
+/// From a few far-away vertices the true costs to all others are calculated beforehand. If it is far from here to a
+/// landmark and near from the goal to it, then it cannot be near from here to the goal (the triangle inequality):
 /// \f[ d(v, t) \ge d(v, L) - d(t, L), \qquad d(v, t) \ge d(L, t) - d(L, v). \f]
-/// The largest of these is h: never too much, and exact behind every landmark. Making one costs two searches of the whole
-/// graph and two numbers a vertex. Blocked or dearer edges leave it right; when something gets cheaper it must be made anew:
-/// on a graph that counts its changes (`cheaper_version()`) it is 0 everywhere until then, and so on any that has grown.
+/// The largest of these is h: never too much, and exact behind every landmark. Making one costs two searches of the
+/// whole graph and two numbers a vertex. Blocked or dearer edges leave it right; when something gets cheaper it must be
+/// made anew: on a graph that counts its changes (`cheaper_version()`) it is 0 everywhere until then, and so on any
+/// that has grown.
 ///
 /// \see A. V. Goldberg, C. Harrelson, "Computing the shortest path: A* search meets graph theory", SODA 2005.
 

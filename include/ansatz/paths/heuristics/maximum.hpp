@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `Maximum`: the largest of several heuristics, node by node. If none of them is ever too much, nor is this; it expands
-/// no more than the best of them, and asks them all.
+/// `Maximum`: the largest of several heuristics, node by node. If none of them is ever too much, nor is this; it
+/// expands no more than the best of them, and asks them all.
 
 #include <ansatz/paths/graph.hpp>
 

@@ -5,8 +5,8 @@
 /// `Unscaled`: a grid's heuristic without regard to its ground, as if every tile weighed 1.
 ///
 /// The heuristics of this library ask the grid for its least weight and count every tile with that, so that they never
-/// estimate too much. Without it, one road of weight 0.5 makes them overestimate, and the path may be worse than the best:
-/// take Unscaled to see that, or where you know that the least weight lies nowhere near.
+/// estimate too much. Without it, one road of weight 0.5 makes them overestimate, and the path may be worse than the
+/// best: take Unscaled to see that, or where you know that the least weight lies nowhere near.
 
 #include <ansatz/paths/graph.hpp>
 

@@ -8,8 +8,8 @@
 /// Take it with `NoReopening`: the bound holds without, and opening nodes again costs more than the weight saves. A w
 /// between 1.2 and 1.5 gives most of the gain.
 ///
-/// Where costs are whole numbers w times h is counted in 64 bits, and f with it: only the path has to fit into the number of
-/// the costs, not its estimate.
+/// Where costs are whole numbers w times h is counted in 64 bits, and f with it: only the path has to fit into the
+/// number of the costs, not its estimate.
 ///
 /// \see I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1 (1970).
 

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `ZeroHeuristic`: h = 0 everywhere. Never an overestimate, and never a help: A* with it is Dijkstra's algorithm. Take it
-/// on graphs of which nothing is known, and as the reference that others are held against.
+/// `ZeroHeuristic`: h = 0 everywhere. Never an overestimate, and never a help: A* with it is Dijkstra's algorithm. Take
+/// it on graphs of which nothing is known, and as the reference that others are held against.
 
 #include <ansatz/paths/graph.hpp>
 
