@@ -23,8 +23,8 @@ struct ExplicitEuler {
     }
 };
 
-/// By what factor the energy of a mass on a spring, (v^2 + omega^2 x^2) / 2 for each kilogram, is larger after one step of
-/// explicit Euler. It is the same factor in every step, whatever x and v are.
+/// By what factor the energy of a mass on a spring, (v^2 + omega^2 x^2) / 2 for each kilogram, is larger after one step
+/// of explicit Euler. It is the same factor in every step, whatever x and v are.
 inline double energy_factor(Quantity<unit::Frequency> omega, Quantity<unit::Time> dt) {
     return todo(2);
 }

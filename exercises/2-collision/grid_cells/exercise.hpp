@@ -20,8 +20,8 @@ struct Cells {
     std::int64_t first, last;
 };
 
-/// The number of the cell in which a coordinate is. Cell 0 begins at the origin, cell 1 one width further, cell -1 one width
-/// before; a wall belongs to the cell that begins there.
+/// The number of the cell in which a coordinate is. Cell 0 begins at the origin, cell 1 one width further, cell -1 one
+/// width before; a wall belongs to the cell that begins there.
 inline std::int64_t cell_of(Length x, Length width) {
     return todo(1);
 }
@@ -31,7 +31,8 @@ inline Cells cells_of(Length low, Length high, Length width) {
     return todo(2);
 }
 
-/// Two bodies that overlap may be in several cells together. In which of those is the pair told, so that it is told once?
+/// Two bodies that overlap may be in several cells together. In which of those is the pair told, so that it is told
+/// once?
 inline std::int64_t told_in(Length low_a, Length high_a, Length low_b, Length high_b, Length width) {
     return todo(3);
 }

@@ -16,8 +16,8 @@ struct Box {
     Point lower, upper;
 };
 
-/// The eight parts of a cube, by a number of three bits: bit 0 for x, bit 1 for y, bit 2 for z. A bit is 1 on the upper side.
-/// Part 5 is 101: the upper side in x, the lower in y, the upper in z.
+/// The eight parts of a cube, by a number of three bits: bit 0 for x, bit 1 for y, bit 2 for z. A bit is 1 on the upper
+/// side. Part 5 is 101: the upper side in x, the lower in y, the upper in z.
 using Part = unsigned;
 
 /// The part that a point is in, when a cube is divided at its centre. A plane belongs to the upper side.

@@ -11,8 +11,8 @@ using namespace ansatz;
 
 namespace exercise {
 
-/// 5.2.1: whether a value that was `before` at the previous update and is `now` at this one has gone through a limit, in
-/// either direction. It has when it was beside the limit and is on it or on its other side now.
+/// 5.2.1: whether a value that was `before` at the previous update and is `now` at this one has gone through a limit,
+/// in either direction. It has when it was beside the limit and is on it or on its other side now.
 inline bool crossed(Quantity<unit::Length> before, Quantity<unit::Length> now, Quantity<unit::Length> limit) {
     return todo(1);
 }
@@ -23,8 +23,8 @@ public:
     explicit CrossingGuard(Quantity<unit::Length> limit) : limit_(limit) {}
 
     /// The value of the next update, and whether it has crossed the limit since the last one. The first value has no
-    /// predecessor and has crossed nothing. A value that is not a number is passed over: it crosses nothing, and the next
-    /// one is held against the last good one.
+    /// predecessor and has crossed nothing. A value that is not a number is passed over: it crosses nothing, and the
+    /// next one is held against the last good one.
     bool update(Quantity<unit::Length> now) {
         return todo(2);
     }
