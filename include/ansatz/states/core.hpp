@@ -196,6 +196,62 @@ template <std::size_t I, class T> constexpr T& slot(Slot<I, T>& s) { return s.it
 /// so.
 inline constexpr std::uint32_t most_steps = 1000;
 
+// A bool of a type of its own, so that beside others of no size it still has a place.
+struct Flag {
+    bool it = false;
+    constexpr Flag& operator=(bool b) {
+        it = b;
+        return *this;
+    }
+    constexpr operator bool() const { return it; }
+};
+
+// Says that a machine is at work, and that it is not any more, also when an action throws; nothing where its flag has
+// no size, since nothing can call it back.
+template <class F> struct Busy {
+    F& flag;
+    constexpr explicit Busy(F& f) : flag(f) {
+        if constexpr (!std::is_empty_v<F>) flag = true;
+    }
+    constexpr ~Busy() {
+        if constexpr (!std::is_empty_v<F>) flag = false;
+    }
+    Busy(const Busy&) = delete;
+};
+
+// What follows from a model alone, whoever represents it.
+template <class M> struct Shape {
+    static constexpr bool has_final = [] {
+        for (const auto& s : M::rows.states)
+            if (s.kind == Kind::final) return true;
+        return false;
+    }();
+    static constexpr bool remembers_children(std::size_t s) {
+        for (std::size_t i = s + 1; i < M::rows.states[s].end; ++i)
+            if (is_history(M::rows.states[i].kind) && M::parent(i) == s) return true;
+        return false;
+    }
+    // Only what the history H can hold, so that nothing else is compiled.
+    template <std::size_t H>
+    static constexpr auto holdable = [] {
+        Ids<M::state_count> found;
+        for (std::uint16_t s = M::parent(H) + 1; s < M::rows.states[M::parent(H)].end; ++s)
+            if (M::rows.states[H].kind == Kind::deep_history
+                    ? M::is_leaf(s)
+                    : M::parent(s) == M::parent(H) && !is_history(M::rows.states[s].kind))
+                found.add(s);
+        return found;
+    }();
+    // done.state.S
+    template <std::size_t S>
+    static constexpr auto done_event = [] {
+        constexpr auto name = M::rows.states[S].name;
+        std::array<char, 11 + name.size()> text{'d', 'o', 'n', 'e', '.', 's', 't', 'a', 't', 'e', '.'};
+        for (std::size_t i = 0; i < name.size(); ++i) text[11 + i] = name[i];
+        return M::find_event({text.data(), text.size()});
+    }();
+};
+
 } // namespace detail
 
 /// The types of a model's parts.

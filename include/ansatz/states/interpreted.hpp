@@ -78,7 +78,7 @@ public:
         if (busy_)
             refuse(Refusal::invalid_argument,
                    "Machine::start: called from an action of the same machine; raise an event instead");
-        const Busy busy(busy_);
+        const states::detail::Busy busy(busy_);
         now_ = dt_ = {}, queue_ = {}, stopped_ = false;
         forget();
         const auto& c = *chart_;
@@ -104,7 +104,7 @@ public:
         if (busy_)
             refuse(Refusal::invalid_argument,
                    "Machine::update: called from an action of the same machine; raise an event instead");
-        const Busy busy(busy_);
+        const states::detail::Busy busy(busy_);
         const auto& c = *chart_;
         now_ += dt;
         dt_ = dt;
@@ -147,11 +147,12 @@ public:
     /// The innermost active state; of parallel ones the first.
     StateId active() const { return StateId(chart_->parallel_ ? regions_.first_leaf(*chart_) : leaf_); }
     std::string_view active_name() const { return chart_->name(active()); } ///< of the innermost active state
+    /// It is active.
     bool is_in(StateId id) const {
         return started() && index(id) < chart_->state_count() &&
                (chart_->parallel_ ? regions_.has(index(id))
                                   : index(id) <= leaf_ && leaf_ < chart_->states_[index(id)].end);
-    }                                                                      ///< it is active
+    }
     bool is_in(std::string_view name) const { return is_in(state(name)); } ///< by name
     /// The innermost active states: one, or one of each parallel part.
     std::vector<StateId> leaves() const {
@@ -202,12 +203,6 @@ public:
 
 private:
     template <class> friend class states::detail::Regions;
-    struct Busy {
-        bool& flag;
-        explicit Busy(bool& f) : flag(f) { flag = true; }
-        ~Busy() { flag = false; }
-        Busy(const Busy&) = delete;
-    };
     static Opts make_options([[maybe_unused]] O... options) {
         if constexpr (sizeof...(O) > 0) return Opts(options...);
         else return {};
@@ -256,7 +251,7 @@ private:
                 }
             }
         }
-        const Busy busy(busy_);
+        const states::detail::Busy busy(busy_);
         if (!column(context, event)) {
             unhandled(event, called);
             return false;
@@ -335,55 +330,17 @@ private:
         }
         tell(Happening::What::exited, s);
     }
-    void take(Context& context, std::size_t t) {
-        const auto& c = *chart_;
-        const auto& row = c.transitions_[t];
-        if (row.stays) return took(context, t);
-        for (std::size_t s = leaf_, below = leaf_; s != row.domain; below = s, s = c.states_[s].parent) {
-            const auto histories = c.states_[s].histories;
-            for (std::size_t i = 0; i < histories.count; ++i) {
-                const auto h = c.ids_[histories.first + i];
-                history_[h] = std::uint16_t(c.states_[h].kind == states::Kind::deep_history ? leaf_ : below);
-            }
-            exit(context, s);
-        }
-        took(context, t);
-        enter_target(context, row.domain, c.ids_[row.targets.first]);
-    }
+    void take(Context& context, std::size_t t);
     // A final state tells that its parent is done.
     void enter_one(Context& context, std::size_t s) {
         enter(context, s);
         if (chart_->states_[s].kind == states::Kind::final && chart_->states_[s].parent != 0)
             queue_.raise(EventId(chart_->states_[chart_->states_[s].parent].done));
     }
-    void restore(Context& context, std::size_t h) {
-        const auto& c = *chart_;
-        const auto kept = history_[h];
-        if (kept == states::nowhere) perform(context, c.states_[h].initial_content);
-        enter_target(context, c.states_[h].parent, kept == states::nowhere ? c.ids_[c.states_[h].initial.first] : kept);
-    }
+    void restore(Context& context, std::size_t h);
     // From below `domain` to a target, and on to where that begins.
-    void enter_target(Context& context, std::size_t domain, std::size_t target) {
-        const auto& c = *chart_;
-        std::size_t from = domain;
-        while (from != target) { // outermost first; depth is at most 256, a walk up for each costs nothing that matters
-            std::size_t s = target;
-            while (c.states_[s].parent != from) s = c.states_[s].parent;
-            if (states::is_history(c.states_[s].kind)) return restore(context, s);
-            enter_one(context, s);
-            from = s;
-        }
-        enter_initial(context, target);
-    }
-    void enter_initial(Context& context, std::size_t s) {
-        const auto& state = chart_->states_[s];
-        if (state.initial.count == 0) {
-            leaf_ = std::uint16_t(s);
-            return;
-        }
-        perform(context, state.initial_content);
-        enter_target(context, s, chart_->ids_[state.initial.first]);
-    }
+    void enter_target(Context& context, std::size_t domain, std::size_t target);
+    void enter_initial(Context& context, std::size_t s);
     void behave(Context& context, Quantity<unit::Time> dt) {
         const auto& c = *chart_;
         for (std::size_t s = 1; s < c.state_count(); ++s) { // outer states first
@@ -430,4 +387,5 @@ private:
 
 } // namespace ansatz
 
+#include <ansatz/states/interpreted_moves.hpp>
 #include <ansatz/states/reload.hpp>

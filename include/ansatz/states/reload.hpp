@@ -14,7 +14,7 @@ template <class D, class Context_, class... O>
 Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachine& before, Context& context) {
     const auto& c = *chart_;
     const auto& old = *before.chart_;
-    const Busy busy(busy_);
+    const states::detail::Busy busy(busy_);
     std::vector<char> stays(c.state_count(), 0);
     std::vector<std::uint16_t> targets;
     bool all = true;

@@ -46,7 +46,7 @@ public:
             queue_ = {};
         }
         if constexpr (loops) stopped_ = false;
-        const Busy busy(*this);
+        const detail::Busy busy(busy_);
         clock_ = {};
         if constexpr (M::rows.history) history_.fill(nowhere);
         begin_memories(context);
@@ -79,7 +79,7 @@ public:
             if (busy_)
                 refuse(Refusal::invalid_argument,
                        "Machine::update: called from an action of the same machine; raise an event instead");
-        const Busy busy(*this);
+        const detail::Busy busy(busy_);
         if constexpr (keeps_time) clock_.now += dt, clock_.dt = dt;
         sample_memories(context);
         const bool took = state_.on_condition(*this, context);
@@ -111,17 +111,15 @@ public:
     // ------------------------------------------------------------ looking at it
     bool started() const { return state_.started(); }         ///< start was called
     StateId active() const { return StateId(state_.leaf()); } ///< the innermost active state
-    bool is_in(StateId state) const {
-        return started() && M::rows.contains(std::uint16_t(state), state_.leaf());
-    }                                                                      ///< the state or one inside it is active
+    /// The state or one inside it is active.
+    bool is_in(StateId state) const { return started() && M::rows.contains(std::uint16_t(state), state_.leaf()); }
     bool is_in(std::string_view name) const { return is_in(state(name)); } ///< by name
     /// In a final state of the machine itself: nothing more will happen.
     bool done() const {
         return started() && M::rows.states[state_.leaf()].kind == Kind::final && M::parent(state_.leaf()) == 0;
     }
-    std::string_view active_name() const {
-        return M::rows.states[state_.leaf()].name;
-    } ///< of the innermost active state
+    /// Of the innermost active state.
+    std::string_view active_name() const { return M::rows.states[state_.leaf()].name; }
     /// The names of all active states, outer ones first; empty before start.
     std::vector<std::string> active_names() const {
         std::vector<std::string> names;
@@ -129,16 +127,18 @@ public:
             if (is_in(StateId(s))) names.emplace_back(M::rows.states[s].name);
         return names;
     }
+    /// Since start.
     Quantity<unit::Time> time() const
         requires(keeps_time)
     {
         return clock_.now;
-    }                                       ///< since start
+    }
     bool stuck() const { return stuck_(); } ///< one call raised events without end and was stopped
+    /// Raised, and no room for them.
     std::uint32_t dropped_events() const {
         if constexpr (can_raise) return queue_.dropped();
         else return 0;
-    }                                                                      ///< raised, and no room for them
+    }
     template <class Option> const Option& get() const { return options_; } ///< one of its options
     template <class Option> Option& get() { return options_; }             ///< one of its options
     /// The data of a state that has a class, `machine.own<Patrol>("patrol")` being spelled
@@ -194,7 +194,7 @@ public:
         else {
             constexpr auto out = M::exits(Leaf, row.domain);
             [&]<std::size_t... I>(std::index_sequence<I...>) {
-                (exit < remembers_children(out.at[I]) ? Leaf : 0, out.at[I] > (context), ...);
+                (exit < Shape::remembers_children(out.at[I]) ? Leaf : 0, out.at[I] > (context), ...);
             }(std::make_index_sequence<out.size>{});
             perform<T>(context);
             enter_from<row.domain, row.target>(context);
@@ -207,35 +207,12 @@ public:
     }
 
 private:
-    static constexpr bool has_final = [] {
-        for (const auto& s : M::rows.states)
-            if (s.kind == Kind::final) return true;
-        return false;
-    }();
-    static constexpr bool can_raise = M::rows.acts || has_final;
+    using Shape = detail::Shape<M>;
+    static constexpr bool can_raise = M::rows.acts || Shape::has_final;
 
     struct Clock {
         Quantity<unit::Time> now{}, dt{};
         std::array<Quantity<unit::Time>, M::state_count> entered{};
-    };
-    // Says that the machine is at work, and that it is not any more, also when an action throws.
-    struct Busy {
-        StaticMachine& machine;
-        constexpr explicit Busy(StaticMachine& m) : machine(m) {
-            if constexpr (can_raise) machine.busy_ = true;
-        }
-        constexpr ~Busy() {
-            if constexpr (can_raise) machine.busy_ = false;
-        }
-        Busy(const Busy&) = delete;
-    };
-    struct Flag {
-        bool it = false;
-        constexpr Flag& operator=(bool b) {
-            it = b;
-            return *this;
-        }
-        constexpr operator bool() const { return it; }
     };
     bool stuck_() const {
         if constexpr (loops) return stopped_;
@@ -295,18 +272,13 @@ private:
     }
     template <std::size_t Leaf, std::size_t S> void exit(Context& context) {
         constexpr auto& node = *std::get<S>(M::state_nodes);
-        if constexpr (remembers_children(S)) remember<Leaf, S>();
+        if constexpr (Shape::remembers_children(S)) remember<Leaf, S>();
         if constexpr (M::rows.states[S].acts) {
             detail::behave_exit(own_of<S>(), context, queue());
             detail::each_part<detail::part_exit>(
                 node, [&](const auto& part) { detail::act<M>(part.action, context, {}, queue()); });
         }
         tell(Happening::What::exited, S);
-    }
-    static constexpr bool remembers_children(std::size_t s) {
-        for (std::size_t i = s + 1; i < M::rows.states[s].end; ++i)
-            if (is_history(M::rows.states[i].kind) && M::parent(i) == s) return true;
-        return false;
     }
     template <std::size_t Leaf, std::size_t S> void remember() {
         static constexpr std::uint16_t child = M::child_towards(S, Leaf);
@@ -323,16 +295,8 @@ private:
             detail::behave_enter(own_of<S>(), context, queue());
         }
         tell(Happening::What::entered, S);
-        if constexpr (M::rows.states[S].kind == Kind::final && M::parent(S) != 0) raise_done<M::parent(S)>();
-    }
-    template <std::size_t S> void raise_done() {
-        static constexpr auto e = [] {
-            constexpr auto name = M::rows.states[S].name;
-            std::array<char, 11 + name.size()> text{'d', 'o', 'n', 'e', '.', 's', 't', 'a', 't', 'e', '.'};
-            for (std::size_t i = 0; i < name.size(); ++i) text[11 + i] = name[i];
-            return M::find_event({text.data(), text.size()});
-        }();
-        queue_.raise(EventId(e));
+        if constexpr (M::rows.states[S].kind == Kind::final && M::parent(S) != 0)
+            queue_.raise(EventId(Shape::template done_event<M::parent(S)>));
     }
     // Enters all from below Domain to Target and on to a leaf.
     template <std::size_t Domain, std::size_t Target> void enter_from(Context& context) {
@@ -348,22 +312,12 @@ private:
     template <std::size_t H> void restore(Context& context) {
         const std::size_t kept = history_[H];
         if (kept == nowhere) enter_from<M::parent(H), M::rows.states[H].initial>(context);
-        else restore_one<H>(context, kept, std::make_index_sequence<holdable<H>.size>{});
+        else restore_one<H>(context, kept, std::make_index_sequence<Shape::template holdable<H>.size>{});
     }
-    // Only what a history can hold, so that nothing else is compiled.
-    template <std::size_t H>
-    static constexpr auto holdable = [] {
-        Ids<M::state_count> found;
-        for (std::uint16_t s = M::parent(H) + 1; s < M::rows.states[M::parent(H)].end; ++s)
-            if (M::rows.states[H].kind == Kind::deep_history
-                    ? M::is_leaf(s)
-                    : M::parent(s) == M::parent(H) && !is_history(M::rows.states[s].kind))
-                found.add(s);
-        return found;
-    }();
     template <std::size_t H, std::size_t... I>
     void restore_one(Context& context, std::size_t kept, std::index_sequence<I...>) {
-        (void)((kept == holdable<H>.at[I] && (enter_from<M::parent(H), holdable<H>.at[I]>(context), true)) || ...);
+        constexpr auto& all = Shape::template holdable<H>;
+        (void)((kept == all.at[I] && (enter_from<M::parent(H), all.at[I]>(context), true)) || ...);
     }
 
     template <std::size_t Leaf> void behave(Context& context, Quantity<unit::Time> dt) {
@@ -386,7 +340,7 @@ private:
         if constexpr (can_raise)
             if (busy_) [[unlikely]]
                 return queue_.raise(event);
-        const Busy busy(*this);
+        const detail::Busy busy(busy_);
         if (!state_.on_event(*this, context, event)) {
             unhandled(event, called);
             return false;
@@ -427,7 +381,7 @@ private:
 
     using Stored = typename R::template In<StaticMachine, M>;
     Stored state_{};
-    [[no_unique_address]] std::conditional_t<can_raise, Flag, detail::Slot<5, detail::Absent>> busy_{};
+    [[no_unique_address]] std::conditional_t<can_raise, detail::Flag, detail::Slot<5, detail::Absent>> busy_{};
     [[no_unique_address]] std::conditional_t<loops, bool, detail::Slot<0, detail::Absent>> stopped_{};
     [[no_unique_address]] std::conditional_t<M::rows.history, std::array<std::uint16_t, M::state_count>,
                                              detail::Slot<4, detail::Absent>>
