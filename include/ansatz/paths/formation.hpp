@@ -49,6 +49,7 @@ public:
     /// Of members who stand somewhere, seen from a leader.
     static Formation around(Cell leader, const std::vector<Cell>& members) {
         std::vector<Offset> offsets;
+        offsets.reserve(members.size());
         for (const Cell c : members) offsets.push_back({int(c.x) - leader.x, int(c.y) - leader.y});
         return Formation(std::move(offsets));
     }

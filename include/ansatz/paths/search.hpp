@@ -86,7 +86,9 @@ struct Search {
                 const auto at = reinterpret_cast<std::uintptr_t>(records) +
                                 std::size_t(get(index, v)) * sizeof(typename Nodes::Record);
                 const auto row = std::size_t(g.index_offsets()[1]) * sizeof(typename Nodes::Record);
+                // NOLINTNEXTLINE(performance-no-int-to-ptr)
                 __builtin_prefetch(reinterpret_cast<const void*>(at - row)); // an address beyond the array does no harm
+                // NOLINTNEXTLINE(performance-no-int-to-ptr)
                 __builtin_prefetch(reinterpret_cast<const void*>(at + row));
             }
         }

@@ -25,15 +25,18 @@ public:
     /// No end yet; a spring with it is refused.
     SpringEnd() = default;
     /// A body.
+    // NOLINTNEXTLINE(google-explicit-constructor): an end is a body or a point
     SpringEnd(Handle body) : body_(body), is_body_(true) {}
     /// A point that nothing moves, in m.
     template <class Q>
         requires(detail::has_unit<unit::Length, detail::stripped<Q>> && detail::vector_valued<detail::stripped<Q>>)
+    // NOLINTNEXTLINE(google-explicit-constructor)
     SpringEnd(const Q& point) : point_(detail::stripped<Q>(point)), is_point_(true) {}
     /// Another quantity: a mistake.
     template <class Unit, class Value>
         requires(!(std::same_as<Unit, unit::Length> &&
                    detail::vector_valued<detail::stripped<boost::units::quantity<Unit, Value>>>))
+    // NOLINTNEXTLINE(google-explicit-constructor)
     SpringEnd(const boost::units::quantity<Unit, Value>&) {
         constexpr bool is_place = sizeof(Value) == 0;
         static_assert(is_place,

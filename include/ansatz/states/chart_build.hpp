@@ -60,6 +60,7 @@ public:
     }
 
     /// The whole of it.
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved from
     static SharedChart<Context> make(Outline outline, const Bindings<Context>& names,
                                      std::optional<Outline> shown_as = {}) {
         auto chart = std::make_shared<Chart<Context>>();

@@ -203,6 +203,7 @@ struct Flag {
         it = b;
         return *this;
     }
+    // NOLINTNEXTLINE(google-explicit-constructor): it is a bool
     constexpr operator bool() const { return it; }
 };
 

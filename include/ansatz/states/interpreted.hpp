@@ -158,8 +158,8 @@ public:
     std::vector<StateId> leaves() const {
         std::vector<StateId> found;
         for (std::size_t s = 1; s < chart_->state_count(); ++s)
-            if (is_in(StateId(s)) && chart_->states_[s].end == s + 1) found.push_back(StateId(s));
-            else if (is_in(StateId(s)) && only_histories(s)) found.push_back(StateId(s));
+            if (is_in(StateId(s)) && (chart_->states_[s].end == s + 1 || only_histories(s)))
+                found.push_back(StateId(s));
         return found;
     }
     /// The names of all active states, outer ones first; empty before start.

@@ -91,8 +91,8 @@ template <std::size_t NS, std::size_t NT> struct Rows {
     bool parallel = false, history = false, acts = false;
 
     constexpr std::uint16_t find(std::string_view name) const {
-        for (std::uint16_t i = 1; i < NS; ++i)
-            if (states[i].name == name) return i;
+        for (std::size_t i = 1; i < NS; ++i)
+            if (states[i].name == name) return std::uint16_t(i);
         return nowhere;
     }
     /// Whether b is in a, or a itself.
@@ -135,7 +135,7 @@ constexpr void fill_transition(const T& transition, R& rows, std::uint16_t sourc
     each_part<part_then>(transition, [&](const auto&) { rows.acts = row.acts = true; });
 }
 
-template <class R> constexpr void resolve_states(R& rows, std::size_t count) {
+template <class R> constexpr void resolve_states(R& rows, std::uint16_t count) {
     for (std::uint16_t i = 0; i < count; ++i) {
         auto& row = rows.states[i];
         if (i > 0 && (row.name.empty() || rows.find(row.name) != i)) rows.wrong(Fault::duplicate, i);
@@ -159,7 +159,7 @@ template <class R> constexpr void resolve_states(R& rows, std::size_t count) {
     }
 }
 
-template <class R> constexpr void resolve_transitions(R& rows, std::size_t count) {
+template <class R> constexpr void resolve_transitions(R& rows, std::uint16_t count) {
     for (std::uint16_t t = 0; t < count; ++t) {
         auto& row = rows.transitions[t];
         if (rows.states[row.source].kind == Kind::final || is_history(rows.states[row.source].kind))

@@ -34,6 +34,7 @@ struct StatePattern {
 
         In() { current_ = &before_; }
         In(const In& other) : before_(), objects_(other.objects_) { point_to(other.leaf()); }
+        // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): it does no harm here
         In& operator=(const In& other) {
             objects_ = other.objects_;
             point_to(other.leaf());

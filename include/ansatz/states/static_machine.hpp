@@ -133,7 +133,7 @@ public:
     {
         return clock_.now;
     }
-    bool stuck() const { return stuck_(); } ///< one call raised events without end and was stopped
+    bool stuck() const { return was_stopped(); } ///< one call raised events without end and was stopped
     /// Raised, and no room for them.
     std::uint32_t dropped_events() const {
         if constexpr (can_raise) return queue_.dropped();
@@ -214,7 +214,7 @@ private:
         Quantity<unit::Time> now{}, dt{};
         std::array<Quantity<unit::Time>, M::state_count> entered{};
     };
-    bool stuck_() const {
+    bool was_stopped() const {
         if constexpr (loops) return stopped_;
         else return false;
     }

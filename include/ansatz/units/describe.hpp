@@ -18,6 +18,7 @@ namespace detail {
 template <class S> [[gnu::cold]] inline void append_number(std::string& text, const S& value) {
     if constexpr (std::is_arithmetic_v<S>) {
         if constexpr (std::is_floating_point_v<S>)
+            // NOLINTNEXTLINE(misc-redundant-expression): true for what is no number
             if (value != value) { // to_chars shows the sign of a NaN, which means nothing to a reader
                 text += "nan";
                 return;

@@ -56,6 +56,7 @@ struct Parameter
 
     /// Zero.
     constexpr Parameter() = default;
+    // NOLINTBEGIN(google-explicit-constructor): it stands for a quantity in a list of parameters
     /// From a quantity of this unit.
     constexpr Parameter(const Base& q) : Base(q) {}
     /// From a quantity of this unit with another built-in scalar, or with two components where
@@ -83,6 +84,7 @@ struct Parameter
         detail::refuse_unit<detail::symbol_of<typename Other::dimension_type>,
                             detail::symbol_of<typename Unit::dimension_type>>();
     }
+    // NOLINTEND(google-explicit-constructor)
 
 private:
     template <class Other> static constexpr Base make(const boost::units::quantity<Unit, Other>& q) {

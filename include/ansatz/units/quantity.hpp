@@ -208,6 +208,7 @@ public:
     using value_type = Eigen::Matrix<S, R, C, O, R, C>;
 
     /// Zero.
+    // NOLINTNEXTLINE(modernize-use-equals-default): or it would be zeroed
     [[gnu::always_inline]] quantity() {}
 
     /// The door for raw SI numbers; for makers and for the library's own lanes.
@@ -230,12 +231,15 @@ public:
     using value_type = Eigen::Matrix<S, R, C, O, R, C>;
 
     /// Zero.
+    // NOLINTNEXTLINE(modernize-use-equals-default): or it would be zeroed
     [[gnu::always_inline]] quantity() {}
     /// From the plain matrix.
+    // NOLINTNEXTLINE(google-explicit-constructor): a number without a unit
     [[gnu::always_inline]] quantity(const value_type& value) : Storage(value) {}
     /// From the plain matrix, as every quantity.
     [[gnu::always_inline]] static quantity from_value(const value_type& value) { return quantity(value); }
     /// To the plain matrix.
+    // NOLINTNEXTLINE(google-explicit-constructor)
     [[gnu::always_inline]] operator value_type() const { return this->value(); }
 };
 

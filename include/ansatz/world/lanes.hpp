@@ -34,6 +34,7 @@ template <class T> struct CacheLineAllocator {
     using value_type = T;
     static constexpr std::align_val_t alignment{alignof(T) > 64 ? alignof(T) : 64};
     CacheLineAllocator() = default;
+    // NOLINTNEXTLINE(google-explicit-constructor): as an allocator must
     template <class U> CacheLineAllocator(const CacheLineAllocator<U>&) {}
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
     void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, alignment); }

@@ -130,6 +130,7 @@ private:
         if constexpr (detail::depends_on_motion<Policy>) {
             const auto part =
                 detail::ask_jacobian<Policy, S>(get<Policy>(), row, detail::without_clock<Policy>{}, context);
+            // NOLINTNEXTLINE(bugprone-assignment-in-if-condition): nothing is assigned
             if constexpr (requires { total.position += part.position; }) {
                 total.position += part.position;
                 total.velocity += part.velocity;

@@ -54,6 +54,7 @@ struct Room {
         bodies = n;
         return *this;
     }
+    // NOLINTNEXTLINE(google-explicit-constructor)
     operator std::size_t() const { return bodies; }
 };
 

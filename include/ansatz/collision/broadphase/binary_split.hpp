@@ -89,6 +89,7 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
             for (std::size_t n = 0; n < taken; ++n) {
                 const std::uint32_t i = members[n * count / taken];
                 const Scalar centre = boxes.lower(axis)[i] / 2 + boxes.upper(axis)[i] / 2;
+                // NOLINTNEXTLINE(misc-redundant-expression): false for what is no number
                 centres[n] = centre == centre ? centre : Scalar(0); // nor has this one
             }
             const auto middle = centres.begin() + std::ptrdiff_t(taken / 2);

@@ -56,6 +56,7 @@ struct ConjugateGradient {
                     x *= unit;
                     return true;
                 }
+                // NOLINTNEXTLINE(misc-redundant-expression): false for what is no number
                 if (!(left - left == Scalar(0))) return false; // infinite, or not a number
                 scaled_ = preconditioner_.solve(residual_);
                 const Scalar steepness = sum(residual_, scaled_);

@@ -71,6 +71,7 @@ public:
             return *this;
         }
         /// The action itself.
+        // NOLINTNEXTLINE(google-explicit-constructor): the sentence ends in an action
         operator Action() const { return action_; }
 
     private:

@@ -102,6 +102,7 @@ struct GridIndex {
     using category = boost::readable_property_map_tag;
     std::uint32_t width; ///< columns of the grid
     [[gnu::always_inline]] friend std::size_t get(const GridIndex& map, Cell c) {
+        // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): a grid has fewer tiles than 2^32
         return std::size_t(detail::row(c) * map.width + detail::column(c));
     }
     /// The number of this tile.
