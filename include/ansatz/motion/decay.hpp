@@ -25,6 +25,7 @@ template <class Scalar> Scalar decay(const Scalar& x) {
     else if constexpr (!std::same_as<Scalar, double>)
         return exp(Scalar(-x)); // a class scalar brings its own exp, found by argument
     else {
+        // NOLINTNEXTLINE(misc-redundant-expression): false for what is no number
         if (!(x < 746)) return x == x ? 0 : x;
         // x = k ln 2 + r with |r| <= ln(2)/2, ln 2 in two parts so that k times the first is exact.
         const double k = std::floor(x * 1.4426950408889634 + 0.5);
