@@ -25,6 +25,4 @@ struct AppliedForces {
     };
 };
 
-static_assert(LawIn<AppliedForces, Space<>>);
-
 } // namespace ansatz

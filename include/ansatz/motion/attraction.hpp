@@ -90,6 +90,4 @@ struct Attraction {
     };
 };
 
-static_assert(CouplingIn<Attraction, Space<>>);
-
 } // namespace ansatz

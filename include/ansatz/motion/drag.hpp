@@ -41,6 +41,4 @@ struct Drag {
     };
 };
 
-static_assert(EffectIn<Drag, Space<>>);
-
 } // namespace ansatz

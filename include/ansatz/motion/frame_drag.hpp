@@ -40,6 +40,4 @@ struct FrameDrag {
     };
 };
 
-static_assert(EffectIn<FrameDrag, Space<>>);
-
 } // namespace ansatz

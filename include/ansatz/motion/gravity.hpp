@@ -38,6 +38,4 @@ struct Gravity {
     };
 };
 
-static_assert(LawIn<Gravity, Space<>>);
-
 } // namespace ansatz

@@ -67,6 +67,4 @@ struct QuadraticDrag {
     };
 };
 
-static_assert(LawIn<QuadraticDrag, Space<>>);
-
 } // namespace ansatz

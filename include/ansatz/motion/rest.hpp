@@ -78,6 +78,4 @@ struct Rest {
     };
 };
 
-static_assert(EffectIn<Rest, Space<>>);
-
 } // namespace ansatz

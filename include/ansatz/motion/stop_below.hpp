@@ -43,6 +43,4 @@ struct StopBelow {
     };
 };
 
-static_assert(EffectIn<StopBelow, Space<>>);
-
 } // namespace ansatz

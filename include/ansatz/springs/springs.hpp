@@ -199,6 +199,4 @@ template <class... Options> struct Ropes : detail::SpringForce<Rope, springs::Ac
     static constexpr std::string_view name = "Ropes"; ///< in a saved file
 };
 
-static_assert(CouplingIn<Springs<>, Space<>> && CouplingIn<Ropes<Breaking>, Space<float, 2>>);
-
 } // namespace ansatz

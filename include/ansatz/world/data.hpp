@@ -37,7 +37,7 @@ namespace detail {
 /// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
 struct Starts {
     enum State : std::uint8_t { begun, waits, forgotten };
-    std::vector<State> state;        // by id
+    std::vector<std::uint8_t> state; // State by id; of bytes, since every program compiles those anyway
     std::vector<std::uint32_t> list; // ids that wait or are forgotten, each once
 
     void reserve(std::size_t n) {

@@ -34,7 +34,4 @@ struct AllPairs {
     };
 };
 
-static_assert(BroadphaseIn<AllPairs, Space<>> && BroadphaseIn<AllPairs, Space<float, 2>> &&
-              !detail::needs_boxes<AllPairs>);
-
 } // namespace ansatz

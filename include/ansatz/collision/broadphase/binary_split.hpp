@@ -103,6 +103,4 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
     };
 };
 
-static_assert(BroadphaseIn<BinarySplit<>, Space<>> && BroadphaseIn<BinarySplit<SortAndSweep>, Space<float, 2>>);
-
 } // namespace ansatz

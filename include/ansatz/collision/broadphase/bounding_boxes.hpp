@@ -50,7 +50,4 @@ struct BoundingBoxes {
     };
 };
 
-static_assert(BroadphaseIn<BoundingBoxes, Space<>> && InsideIn<BoundingBoxes, Space<>> &&
-              InsideIn<BoundingBoxes, Space<float, 2>>);
-
 } // namespace ansatz

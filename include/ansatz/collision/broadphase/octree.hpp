@@ -81,6 +81,4 @@ template <class Inside = BoundingBoxes> struct Octree {
     };
 };
 
-static_assert(BroadphaseIn<Octree<>, Space<>> && BroadphaseIn<Octree<SortAndSweep>, Space<float, 2>>);
-
 } // namespace ansatz

@@ -168,7 +168,4 @@ struct SortAndSweep {
     };
 };
 
-static_assert(BroadphaseIn<SortAndSweep, Space<>> && InsideIn<SortAndSweep, Space<>> &&
-              InsideIn<SortAndSweep, Space<float, 2>>);
-
 } // namespace ansatz

@@ -187,6 +187,4 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
 /// `UniformGrid{1.0 * metre}` tests boxes in its cells.
 template <class Unit> UniformGrid(boost::units::quantity<Unit, double>) -> UniformGrid<>;
 
-static_assert(BroadphaseIn<UniformGrid<>, Space<>> && BroadphaseIn<UniformGrid<SortAndSweep>, Space<float, 2>>);
-
 } // namespace ansatz

@@ -92,6 +92,4 @@ struct Layers {
     };
 };
 
-static_assert(FilterIn<Layers, Space<>> && FilterIn<Layers, Space<float, 2>>);
-
 } // namespace ansatz

@@ -196,6 +196,4 @@ template <class... Options> struct Impulse {
     };
 };
 
-static_assert(ResponseIn<Impulse<>, Space<>> && ResponseIn<Impulse<Friction>, Space<float, 2>>);
-
 } // namespace ansatz

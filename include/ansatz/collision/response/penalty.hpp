@@ -292,8 +292,4 @@ struct Penalty {
     };
 };
 
-static_assert(DifferentiableCouplingIn<Penalty, Space<>> && DifferentiableCouplingIn<Penalty, Space<float, 2>>);
-
-static_assert(ResponseIn<Penalty, Space<>> && ResponseIn<Penalty, Space<float, 2>>);
-
 } // namespace ansatz

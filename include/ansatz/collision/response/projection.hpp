@@ -79,6 +79,4 @@ struct Projection {
     };
 };
 
-static_assert(ResponseIn<Projection, Space<>> && ResponseIn<Projection, Space<float, 2>>);
-
 } // namespace ansatz

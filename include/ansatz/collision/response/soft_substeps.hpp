@@ -118,6 +118,4 @@ template <class... Options> struct SoftSubsteps {
     };
 };
 
-static_assert(ResponseIn<SoftSubsteps<>, Space<>> && ResponseIn<SoftSubsteps<Friction>, Space<float, 2>>);
-
 } // namespace ansatz

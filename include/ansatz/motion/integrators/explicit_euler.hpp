@@ -26,6 +26,4 @@ struct ExplicitEuler {
     }
 };
 
-static_assert(StagedIntegratorIn<ExplicitEuler, Space<>>);
-
 } // namespace ansatz

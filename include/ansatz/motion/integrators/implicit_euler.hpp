@@ -121,6 +121,4 @@ private:
 /// Implicit Euler; where bodies are coupled, with conjugate gradients.
 using ImplicitEuler = ImplicitEulerBy<ConjugateGradient>;
 
-static_assert(SolvingIntegratorIn<ImplicitEuler, Space<>>);
-
 } // namespace ansatz

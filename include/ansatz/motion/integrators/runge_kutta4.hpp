@@ -57,6 +57,4 @@ struct RungeKutta4 {
     }
 };
 
-static_assert(StagedIntegratorIn<RungeKutta4, Space<>>);
-
 } // namespace ansatz

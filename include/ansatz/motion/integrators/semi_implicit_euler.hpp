@@ -28,6 +28,4 @@ struct SemiImplicitEuler {
     }
 };
 
-static_assert(StagedIntegratorIn<SemiImplicitEuler, Space<>>);
-
 } // namespace ansatz

@@ -38,6 +38,4 @@ struct VelocityVerlet {
     }
 };
 
-static_assert(StagedIntegratorIn<VelocityVerlet, Space<>>);
-
 } // namespace ansatz

@@ -68,6 +68,4 @@ struct Verlet {
     /// @}
 };
 
-static_assert(StagedIntegratorIn<Verlet, Space<>>);
-
 } // namespace ansatz
