@@ -25,7 +25,7 @@ template <class S> [[gnu::cold]] inline void append_number(std::string& text, co
             }
         char buffer[128];
         const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-        text.append(buffer, end);
+        text.append(buffer, std::size_t(end - buffer));
     } else text += value.str(); // a Boost.Multiprecision number
 }
 

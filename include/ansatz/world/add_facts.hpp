@@ -23,8 +23,8 @@ template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
 template <class T>
 inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
 template <class T>
-inline constexpr bool is_property =
-    is_given<T> || is_given_datum<T> || is_kind<T> || ShapeDescription<T> || std::same_as<T, Sensor>;
+inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T> || ShapeDescription<T> ||
+                                    std::same_as<T, Sensor> || std::same_as<T, Shapeless>;
 
 template <class C, class T> inline constexpr bool gives = false;
 template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
@@ -75,7 +75,8 @@ template <class C, class DatumT, class... Property> struct AddFacts {
 
     static constexpr bool properties = (is_property<Property> && ...);
     static constexpr bool one_kind = (0 + ... + int(is_kind<Property>)) <= 1;
-    static constexpr bool once = !(given_twice<Property>() || ...) && (0 + ... + int(is_given_datum<Property>)) <= 1;
+    static constexpr bool once = !(given_twice<Property>() || ...) && (0 + ... + int(is_given_datum<Property>)) <= 1 &&
+                                 (0 + ... + int(std::same_as<Property, Shapeless>)) <= 1;
     static constexpr bool mass_by_name = !(gives_column<InverseMass, Property> || ...);
     static constexpr bool no_history = !(gives_column<PreviousPosition, Property> || ...);
     static constexpr bool own_columns =
@@ -94,8 +95,12 @@ template <class C, class DatumT, class... Property> struct AddFacts {
         return true;
     }
     static constexpr bool shape_known = (is_known<Property>() && ...);
-    static constexpr bool sensor_has_shape =
-        !(std::same_as<Property, Sensor> || ...) || (ShapeDescription<Property> || ...);
+    static constexpr bool has_shape = (ShapeDescription<Property> || ...);
+    static constexpr bool is_sensor = (std::same_as<Property, Sensor> || ...);
+    static constexpr bool is_shapeless = (std::same_as<Property, Shapeless> || ...);
+    static constexpr bool sensor_has_shape = !is_sensor || has_shape;
+    static constexpr bool shape_or_none = !has_shape || !is_shapeless;
+    static constexpr bool shape_there = !C::collides || has_shape || is_shapeless || is_sensor;
     static constexpr bool mass_wanted = given<InverseMass> == 0 || C::has_mass;
     static constexpr bool mass_there = given<InverseMass> == 1 || !C::has_mass || immovable;
     static constexpr bool infinite_mass = given<InverseMass> == 0 || !immovable;
@@ -107,7 +112,7 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns &&
                                mass_wanted && mass_there && infinite_mass && fixed_stands && resting_stands &&
                                can_rest && shape_once && shape_wanted && shape_known && sensor_has_shape &&
-                               datum_kept && datum_fits;
+                               shape_or_none && shape_there && datum_kept && datum_fits;
 };
 template <class Facts> struct CheckAdd {
     static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
@@ -143,6 +148,11 @@ template <class Facts> struct CheckAdd {
     static_assert(Facts::sensor_has_shape || !Facts::shape_wanted,
                   "Ansatz: add: a sensor without a shape notices nobody; give it one, e.g. add(Sphere{2.0 * metre}, "
                   "sensor, fixed)");
+    static_assert(Facts::shape_or_none, "Ansatz: add: a body has a shape or is shapeless, not both; leave one out");
+    static_assert(
+        Facts::shape_there || !Facts::properties,
+        "Ansatz: add: bodies of this world collide, and this one would meet nothing; give it a shape that the "
+        "narrowphase knows, e.g. add(Sphere{0.5 * metre}, ...), or say so: add(shapeless, ...)");
     static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
     static_assert(Facts::datum_fits,
                   "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");

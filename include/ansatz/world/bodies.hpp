@@ -43,7 +43,8 @@ inline const char* name_of(Motion m) {
 }
 
 namespace detail {
-/// A handle that names nothing any more, or never did; of a body, or of a number of another kind.
+/// A handle that names nothing any more, or never did; of a body, or of a number of another kind. Here as in the other
+/// sentences that every program compiles, text is appended and numbers are of one type: std::string is a template.
 [[noreturn, gnu::cold, gnu::noinline]] inline void
 refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std::size_t given_out, const char* where) {
     std::string sentence(where);
@@ -53,15 +54,15 @@ refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std:
         sentence.append(": the handle is stale: ")
             .append(what)
             .append(" ")
-            .append(describe(id))
+            .append(describe(std::size_t(id)))
             .append(" of generation ")
-            .append(describe(generation));
+            .append(describe(std::size_t(generation)));
         sentence.append(" was removed; ask contains(handle) first");
     } else {
         sentence.append(": the handle names ")
             .append(what)
             .append(" ")
-            .append(describe(id))
+            .append(describe(std::size_t(id)))
             .append(", but this world has given out only ");
         sentence.append(describe(given_out)).append("; use a handle of this world or of the one it was copied from");
     }

@@ -32,7 +32,7 @@ struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
 
 /// The description of a shape, e.g. `Sphere{0.5 * metre}`; see collision/shapes.hpp. A world with a Narrowphase takes
-/// one for each body; a body without one meets nothing.
+/// one for each body, or `shapeless`.
 template <class T>
 concept ShapeDescription = std::same_as<typename T::shape, T>;
 
@@ -40,6 +40,13 @@ concept ShapeDescription = std::same_as<typename T::shape, T>;
 /// all.
 struct Sensor {};
 inline constexpr Sensor sensor{}; ///< notices who enters, and pushes nobody
+
+/// A body that meets nothing: forces, springs and effects act on it as on any other, but it has no shape to touch with,
+/// e.g. a particle of cloth, or the hook that a rope hangs from. Where bodies collide one says so, because a shape that
+/// was forgotten looks the same until something falls through the ground. Where none do it is true of all and may be
+/// said as well, so that code for any world can say it.
+struct Shapeless {};
+inline constexpr Shapeless shapeless{}; ///< meets nothing
 
 /// A value for a column.
 template <class C, class Q> struct Given {

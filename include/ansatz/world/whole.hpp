@@ -39,7 +39,7 @@ template <class... P> void World<P...>::wake(Handle body) {
 
 template <class... P> void World<P...>::reserve(std::size_t n) {
     if (n >= 0xffffffffu)
-        refuse_value("World::reserve", "n", std::to_string(n),
+        refuse_value("World::reserve", "n", describe(n),
                      "it is below 4294967295, the number of bodies that handles can name");
     data_.reserve(n);
     if constexpr (has_datum) user_.by_id.reserve(n);
@@ -87,9 +87,11 @@ template <class... P> void World<P...>::assign(World&& other) {
 }
 
 template <class... P> void World<P...>::refuse_lost(const char* where) {
-    refuse(Refusal::invalid_argument,
-           std::string(where) + ": this world is lost, because its last step was broken off by an exception; assign a "
-                                "copy that was made before, or load one");
+    std::string sentence(where);
+    sentence.append(
+        ": this world is lost, because its last step was broken off by an exception; assign a copy that was "
+        "made before, or load one");
+    refuse(Refusal::invalid_argument, sentence);
 }
 
 } // namespace ansatz
