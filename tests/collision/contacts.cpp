@@ -7,6 +7,7 @@
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/filter/layers.hpp>
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
+#include <ansatz/springs.hpp>
 #include <ansatz/world/save.hpp>
 #include <ansatz/world/save_collisions.hpp>
 #include <ansatz/world/save_parameters.hpp>
@@ -115,11 +116,71 @@ TEST_CASE("layers: who ignores whom", "[collision][contacts]") {
 TEST_CASE("a body without a shape meets nobody, and one with an infinite position is told of",
           "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<float, 2>{}, Impulse<>{}, Projection{});
-    world.add(mass(1.0 * kilogram));
+    world.add(shapeless, mass(1.0 * kilogram));
     const auto fast = world.add(Sphere{1.0 * metre}, velocity(metres_per_second(3e38, 0)), mass(1.0 * kilogram));
     world.add(Sphere{1.0 * metre}, position(metres(0.5, 0)), fixed);
     for (int i = 0; i < 3; ++i) world.step(1.0 * second);
     CHECK(world.status().first_not_finite == fast);
+}
+
+namespace {
+template <class S, class... P> void check_shapeless(const P&... policies) {
+    World world{S{},           policies...,        Gravity{}, Springs{}, Narrowphase<Sphere, Plane>{},
+                UniformGrid{}, SemiImplicitEuler{}};
+    using W = decltype(world);
+    // The same particles where nobody collides: what they meet must make no difference.
+    World alone{S{}, Gravity{}, Springs{}, SemiImplicitEuler{}};
+    std::mt19937_64 engine(7);
+    std::uniform_real_distribution<double> number(-1, 1);
+    auto vector = [&](double size) {
+        Vector<typename S::Scalar, S::dimension> v;
+        for (int k = 0; k < S::dimension; ++k) v[k] = typename S::Scalar(size * number(engine));
+        return v;
+    };
+    world.add(Plane::ground(), fixed);
+    std::vector<Handle> particles, images;
+    for (int i = 0; i < 40; ++i) {
+        const auto x = position(vector(2) * metre);
+        const auto v = velocity(vector(3) * metre_per_second);
+        const auto m = mass((1.5 + number(engine)) * kilogram);
+        if (i % 2 == 0) world.add(m, Sphere{0.4 * metre}, v, x);
+        // wherever the word stands among the properties
+        if (i % 3 == 0) particles.push_back(world.add(shapeless, x, v, m));
+        else if (i % 3 == 1) particles.push_back(world.add(x, shapeless, v, m));
+        else particles.push_back(world.add(x, v, m, shapeless));
+        images.push_back(alone.add(shapeless, x, v, m)); // said where it goes without saying
+    }
+    for (std::size_t i = 1; i < particles.size(); ++i) {
+        world.add(Spring{particles[i - 1], particles[i], 30.0 * newton_per_metre, 0.2 * newton_second_per_metre});
+        alone.add(Spring{images[i - 1], images[i], 30.0 * newton_per_metre, 0.2 * newton_second_per_metre});
+    }
+    std::stringstream file;
+    std::size_t met = 0;
+    for (int i = 0; i < 120; ++i) {
+        if (i == 60) { // they are shapeless in a copy and in a file too
+            save(world, file);
+            W loaded{S{},           policies...,        Gravity{}, Springs{}, Narrowphase<Sphere, Plane>{},
+                     UniformGrid{}, SemiImplicitEuler{}};
+            load(loaded, file);
+            CHECK(loaded.hash() == world.hash());
+            world = loaded;
+        }
+        world.step(1.0 / 120 * second);
+        alone.step(1.0 / 120 * second);
+        met += world.contacts().size();
+        for (const auto& contact : world.contacts())
+            for (const auto h : particles) CHECK((contact.first != h && contact.second != h));
+    }
+    CHECK(met > 0);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        CHECK((world.position(particles[i]) - alone.position(images[i])).value().norm() == 0);
+}
+} // namespace
+
+TEST_CASE("a shapeless body meets nobody and feels all else", "[collision][contacts]") {
+    check_shapeless<Space<double, 3>>(Impulse<>{}, Projection{});
+    check_shapeless<Space<float, 2>>(Impulse<Friction>{}, Projection{});
+    check_shapeless<Space<double, 2>>(Penalty{});
 }
 
 namespace {

@@ -271,7 +271,7 @@ template <class W> void laws(const W& world) {
             };
             CHECK(said(refusal([&] { now.step(1.0 / 120 * second); })));
             CHECK(said(refusal([&] { now.remove(ball); })));
-            CHECK(said(refusal([&] { now.add(position(metres(0, 1, 0)), mass(1.0 * kilogram)); })));
+            CHECK(said(refusal([&] { now.add(shapeless, position(metres(0, 1, 0)), mass(1.0 * kilogram)); })));
             CHECK(said(refusal([&] { now.set(Gravity{}); })));
             CHECK(said(refusal([&] {
                 std::ostringstream out;

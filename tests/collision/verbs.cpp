@@ -133,7 +133,7 @@ private:
         Known body;
         body.datum = 1000;
         both([&](W& world) {
-            const auto point = world.add(position(hook), fixed);
+            const auto point = world.add(shapeless, position(hook), fixed);
             body.handle = world.add(box(), position(place), mass(1.0 * kilogram), datum(body.datum));
             world.add(Spring{body.handle, point, 40.0 * newton_per_metre, 8.0 * newton_second_per_metre});
         });
