@@ -29,8 +29,10 @@ foreach(folder static archetypes)
 endforeach()
 
 # ------------------------------------------------------------------ not compiling is the test: check.cmake
-# With every compiler that is here, whichever one this build uses: a sentence must be readable in all of them.
-set(compilers g++ clang++ clang++-19)
+# With these compilers, whichever one this build uses: a sentence must be readable in all of them. The newest clang has a
+# stage of its own, `.ci/run clang-19-mistakes`: what it alone says otherwise is seen there, before a close.
+set(ANSATZ_MISTAKES_WITH "g++;clang++" CACHE STRING "The compilers that must refuse tests/must_not_compile")
+set(compilers ${ANSATZ_MISTAKES_WITH})
 set(found)
 foreach(compiler IN LISTS compilers)
     string(MAKE_C_IDENTIFIER "ANSATZ_CHECK_${compiler}" variable)
@@ -53,7 +55,7 @@ foreach(compiler IN LISTS found)
     set(call ${CMAKE_COMMAND} -DCOMPILER=${${variable}}
         "-DINCLUDES=${PROJECT_SOURCE_DIR}/include|${PROJECT_SOURCE_DIR}"
         "-DSYSTEM_INCLUDES=${boost}|${eigen}"
-        "-DPRECOMPILED=${PROJECT_BINARY_DIR}/scratch/must_not_compile/${compiler}/ansatz.hpp")
+        "-DPRECOMPILED=${PROJECT_BINARY_DIR}/scratch/must_not_compile/${compiler}")
 
     set(fixture precompiled.${compiler})
     if(mistakes)

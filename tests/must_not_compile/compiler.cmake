@@ -4,7 +4,9 @@
 #   COMPILER            g++ or clang++, of any version
 #   INCLUDES            folders, with | between them
 #   SYSTEM_INCLUDES     the same, for what we do not want to be warned about
-#   PRECOMPILED         the header that precompile.cmake made for this compiler; without it all is read each time
+#   PRECOMPILED         the folder of the headers that precompile.cmake made for this compiler; without it all is read
+#                       each time
+#   FILE                the mistake: what it includes says which of the headers it gets
 #
 # Sets family (g++ or clang++), compiler_name and flags.
 
@@ -27,9 +29,14 @@ endforeach()
 
 if(PRECOMPILED AND NOT MAKES_PRECOMPILED)
     if(family STREQUAL "clang++")
-        list(APPEND flags -include-pch ${PRECOMPILED}.pch)
+        list(APPEND flags -include-pch ${PRECOMPILED}/ansatz.hpp.pch)
     else()
-        list(APPEND flags -Winvalid-pch -include ${PRECOMPILED})
+        file(STRINGS ${FILE} included REGEX "^#include <ansatz/(paths|states)" LIMIT_COUNT 1)
+        set(group bodies)
+        if(included)
+            string(REGEX MATCH "paths|states" group "${included}")
+        endif()
+        list(APPEND flags -Winvalid-pch -include ${PRECOMPILED}/${group}.hpp)
     endif()
 endif()
 list(APPEND flags -fsyntax-only)

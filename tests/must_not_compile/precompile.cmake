@@ -2,24 +2,37 @@
 # The whole library, read once by a compiler for all the mistakes that it is to find; five times faster than reading it
 # for each. A test that those need, and not a part of the build: so it is never older than the library.
 #
-#   cmake -D COMPILER=... [what compiler.cmake reads] -D PRECOMPILED=<folder>/ansatz.hpp -D LIBRARY=<include> -P precompile.cmake
+#   cmake -D COMPILER=... [what compiler.cmake reads] -D PRECOMPILED=<folder> -D LIBRARY=<include> -P precompile.cmake
+#
+# For g++ three headers, one for each group of modules that mistakes take together: what templates a precompiled header has
+# begun, g++ finishes again in every file that reads it, 0.6 s for the whole library and 0.25 s for a group. For clang++,
+# which keeps them finished, one.
 set(MAKES_PRECOMPILED ON)
 include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 
-file(GLOB umbrellas RELATIVE ${LIBRARY} ${LIBRARY}/ansatz/*.hpp)
-set(text "")
-foreach(umbrella IN LISTS umbrellas)
-    string(APPEND text "#include <${umbrella}>\n")
-endforeach()
-file(WRITE ${PRECOMPILED} "${text}")
-
-set(result ${PRECOMPILED}.gch)
-if(family STREQUAL "clang++")
-    set(result ${PRECOMPILED}.pch)
-endif()
+file(GLOB umbrellas RELATIVE ${LIBRARY}/ansatz ${LIBRARY}/ansatz/*.hpp)
 list(REMOVE_ITEM flags -fsyntax-only)
+set(groups ansatz)
+set(suffix gch)
 if(family STREQUAL "clang++")
+    set(suffix pch)
     # What the library's own inline functions instantiate is kept with it: else every mistake instantiates it again.
     list(APPEND flags -fpch-instantiate-templates)
+else()
+    set(groups bodies paths states)
 endif()
-execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${PRECOMPILED} -o ${result} COMMAND_ERROR_IS_FATAL ANY)
+foreach(group IN LISTS groups)
+    set(text "")
+    foreach(umbrella IN LISTS umbrellas)
+        set(of bodies)
+        if(umbrella MATCHES "^(paths|states)")
+            set(of ${CMAKE_MATCH_1})
+        endif()
+        if(group STREQUAL "ansatz" OR group STREQUAL of)
+            string(APPEND text "#include <ansatz/${umbrella}>\n")
+        endif()
+    endforeach()
+    set(header ${PRECOMPILED}/${group}.hpp)
+    file(WRITE ${header} "${text}")
+    execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${header} -o ${header}.${suffix} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()

@@ -5,6 +5,7 @@
 #
 #   ./workbook doctor             fails where something needed is missing
 #   ./workbook doctor --times     where the time of the last ./workbook test went, by kind, beside the one before
+#   ./workbook doctor --checks    how many checks of each kind there are; nothing is built
 #
 # Those times are seconds of the clock, added up over all jobs; they are kept in build/logs/times.tsv.
 
@@ -32,6 +33,10 @@ verb_doctor() {
         times_table && return
         complain "no times are known yet; ./workbook test keeps them"
         return 1
+    fi
+    if [ "$*" = --checks ]; then
+        "$ROOT/tools/checks" "$ROOT"
+        return
     fi
     if [ $# -gt 0 ]; then complain "doctor takes no '$1'; ./workbook help doctor"; return 2; fi
     local name where package weight reason version missing=0
