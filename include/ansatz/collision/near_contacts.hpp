@@ -34,7 +34,9 @@ public:
         for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot) {
             auto& reach = reach_[slot];
             reach.pulled = norm(pull(Bodies::Slot(slot))).value() * step * step;
-            reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), norm(velocity(Bodies::Slot(slot))).value() * step - reach.pulled);
+            // Twice its way: who is parted from one that came towards him is moved by both of their ways.
+            const Scalar way = norm(velocity(Bodies::Slot(slot))).value() * step;
+            reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), way - reach.pulled);
         }
     }
     /// A body's box, made as much larger.

@@ -124,9 +124,11 @@ template <class... Options> struct Impulse {
             }
             if (any && parted) go_back(pushes, leads * dt.value(), pull);
             for (int round = 0; any && round < sweeps; ++round) any = pushes.bounce([&](auto& push) { return parting(push); });
-            // Who is about to bounce does so when he touches.
+            // Who comes faster than the threshold, or is so far away that he would have to, is stopped when he touches.
+            const Scalar slow = threshold.value();
             for (auto& push : pushes.pushes)
-                push.waits = !push.touches && (threshold.value() > Scalar(0) || push.restitution > Scalar(0)) && -(pushes.along(push) + push.ahead) > threshold.value();
+                push.waits = !push.touches && (slow > Scalar(0) || push.restitution > Scalar(0)) &&
+                             max(-(pushes.along(push) + push.ahead), -push.target) > slow;
             pushes.solve(sweeps);
             if constexpr (rubs)
                 for (int round = 0; round < 4; ++round) {
