@@ -188,7 +188,9 @@ private:
     void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
         auto& w = working_.value;
         if constexpr (C::anticipates) look_ahead(data, pull);
-        if constexpr (C::holds_near) w.near.begin(data.bodies, pull);
+        if constexpr (C::holds_near)
+            w.near.begin(data.bodies, pull,
+                         [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
         gather(data);
         auto pair = [&](std::size_t i, std::size_t j) { look(data, policies, w.ids[i], w.ids[j]); };
         if constexpr (Narrowphase::any_bounded) {

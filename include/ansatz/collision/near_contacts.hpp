@@ -2,14 +2,16 @@
 #pragma once
 
 /// \file
-/// `NearContacts`: who all but touches: pairs that are apart by less than what pulls at them takes them in a step.
-/// Where contacts are answered together, they are held, or a pile that was parted exactly would lie on its lowest
-/// bodies alone.
+/// `NearContacts`: who all but touches: pairs that are apart by less than what pulls at them, or their speed, takes
+/// them in a step. Where contacts are answered together, they are held, or a pile that was parted exactly would lie on
+/// its lowest bodies alone; and whoever is parted from one that he ran into, by as much as he moved in a step, would be
+/// pushed into the next.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/columns.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -25,23 +27,29 @@ public:
     Scalar step{};               ///< s, which was taken
 
     /// How far each body is taken.
-    /// \param pull a function of a slot: the acceleration of an awake body, m/s^2
-    template <class Pull> void begin(const Bodies& bodies, const Pull& pull) {
-        reach_.assign(bodies.size(), Scalar(0));
-        for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot)
-            reach_[slot] = norm(pull(Bodies::Slot(slot))).value() * step * step;
+    /// \param pull     a function of a slot: the acceleration of an awake body, m/s^2
+    /// \param velocity a function of a slot: its velocity, m/s
+    template <class Pull, class Going> void begin(const Bodies& bodies, const Pull& pull, const Going& velocity) {
+        reach_.assign(bodies.size(), Reach());
+        for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot) {
+            auto& reach = reach_[slot];
+            reach.pulled = norm(pull(Bodies::Slot(slot))).value() * step * step;
+            // Twice its way: who is parted from one that came towards him is moved by both of their ways.
+            const Scalar way = norm(velocity(Bodies::Slot(slot))).value() * step;
+            reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), way - reach.pulled);
+        }
     }
     /// A body's box, made as much larger.
     void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) const {
         auto by = lower.value();
-        for (int k = 0; k < S::dimension; ++k) by[k] = reach_[slot];
+        for (int k = 0; k < S::dimension; ++k) by[k] = reach_[slot].all;
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
     /// Looks at two that do not intersect.
     template <class Narrowphase, class Data>
     void look(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b) {
-        const Scalar margin = reach_[slot_a] + reach_[slot_b];
+        const Scalar margin = reach_[slot_a].all + reach_[slot_b].all;
         if (!(margin > Scalar(0))) return;
         auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
         // One of them is made larger, and which one changes the last bits: not the ids decide it, but the places.
@@ -54,7 +62,7 @@ public:
                                                      S::Length::from_value(margin), contact))
             return;
         if (turned) contact.normal = -contact.normal;
-        if (-contact.depth.value() <= margin / 64)
+        if (-contact.depth.value() <= (reach_[slot_a].pulled + reach_[slot_b].pulled) / 64)
             contact.depth = {}; // they touch; a little apart is what parting them left
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
@@ -62,7 +70,11 @@ public:
     }
 
 private:
-    std::vector<Scalar> reach_; // by slot, m
+    struct Reach {
+        Scalar pulled{}; // by what pulls at it, m
+        Scalar all{};    // by that or its velocity, m
+    };
+    std::vector<Reach> reach_; // by slot
 };
 
 } // namespace ansatz

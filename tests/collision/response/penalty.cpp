@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Penalty: hard cases C22 and C23, R8, the third law, and the step that it allows.
+// Penalty: hard cases C22 and C23, R8, the third law, energy from nothing (V3), and the step that it allows.
 
 #include "tests/collision/support.hpp"
 
@@ -8,6 +8,7 @@
 #include <ansatz/springs/step_limit.hpp>
 #include <ansatz/world/save.hpp>
 
+#include <random>
 #include <sstream>
 
 using namespace collision_tests;
@@ -188,6 +189,97 @@ TEST_CASE(
     CHECK(over >= turned - 1);
     CHECK(over <= turned + 1);
     CHECK(begun <= over + 1);
+}
+
+namespace {
+/// What became of the energy, that of the springs included, of a gas in a closed box without gravity, relative to the
+/// start.
+struct Course {
+    double most = 0;  // above the start, ever
+    double apart = 0; // above the last time that nobody touched, whenever nobody does
+};
+struct PenaltyGas {
+    double omega_h; // of a body against a wall, or of two that meet: of the stiffest pair
+    double zeta;
+    double radii_a_step;
+    int bodies;
+    bool boxes; // every other one
+};
+template <class I, class S> Course course(const PenaltyGas& gas) {
+    constexpr double k = 1e4, r = 0.1, mu = 0.5;
+    const double omega = std::sqrt(k / mu), h = gas.omega_h / omega, speed = gas.radii_a_step * r / h;
+    const double half = 0.25 * std::cbrt(gas.bodies) + 0.35 + (S::dimension == 2 ? 0.3 : 0.0);
+    World world{I{}, S{}, UniformGrid{}, Narrowphase<Sphere, Plane, Box>{},
+                Penalty{k * N_per_m, 2 * gas.zeta * std::sqrt(k * mu) * N_s_per_m}};
+    for (int d = 0; d < S::dimension; ++d)
+        for (const double side : {-1.0, 1.0})
+            world.add(Plane{Eigen::Vector3d(-side * Eigen::Vector3d::Unit(d)), -half * metre}, fixed);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> between(-1, 1);
+    const int row = int(std::ceil(std::pow(double(gas.bodies), 1.0 / S::dimension)));
+    for (int i = 0; i < gas.bodies; ++i) {
+        const auto place = [&](int n) { return ((n + 0.5) / row * 2 - 1) * (half - 0.12); };
+        Eigen::Vector3d v(between(random), between(random), S::dimension == 3 ? between(random) : 0);
+        v *= speed / v.norm();
+        const auto where = at<S>(place(i % row), place(i / row % row), place(i / row / row));
+        const auto how = velocity(vector_in<S, unit::Velocity>(v[0], v[1], v[2]));
+        const auto m = mass((i % 4 == 0 ? 4.0 : 1.0) * kilogram);
+        if (gas.boxes && i % 2 == 1) world.add(Box{vector_in<S, unit::Length>(0.8 * r, 0.9 * r, r)}, where, how, m);
+        else world.add(Sphere{r * metre}, where, how, m);
+    }
+    const double start = double(total_energy(world).value());
+    Course result;
+    double last_apart = start;
+    for (int i = 0; i < 2000; ++i) {
+        world.step(h * second);
+        const double now = double(total_energy(world).value());
+        result.most = std::max(result.most, now / start - 1);
+        bool touch = false;
+        for (const auto& contact : world.contacts()) touch = touch || contact.depth.value() > 0;
+        if (touch) continue;
+        result.apart = std::max(result.apart, (now - last_apart) / start);
+        last_apart = now;
+    }
+    return result;
+}
+/// Slow and fast ones, up to three radii a step, two bodies and thirty.
+template <class F> void for_each_gas(double zeta, F&& f) {
+    for (const double omega_h : {0.05, 0.2})
+        for (const double radii : {0.01, 0.1, 0.5, 3.0})
+            for (const int bodies : {2, 30})
+                for (const bool boxes : {false, true}) {
+                    INFO(bodies << " bodies, omega h = " << omega_h << ", " << radii << " radii a step"
+                                << (boxes ? ", boxes" : ""));
+                    f(PenaltyGas{omega_h, zeta, radii, bodies, boxes});
+                }
+}
+} // namespace
+
+TEST_CASE(
+    "V3: an undamped penalty whose contacts are resolved has the energy that it had, but for its integrator's swing",
+    "[collision][penalty]") {
+    // What semi-implicit Euler keeps is E - (h / 2) F . v, and |F . v| = k p v_N <= omega E: it swings by omega h / 2.
+    // Where contacts begin and end each method errs by up to (omega h)^2 / 4 of what is in the contact, either way; of
+    // a few thousand (omega h)^2.
+    for_each_gas(0, [](const PenaltyGas& gas) {
+        const double ends = gas.omega_h * gas.omega_h, swing = gas.omega_h / 2;
+        CHECK(course<VelocityVerlet, Space<>>(gas).most <= ends);
+        CHECK(course<SemiImplicitEuler, Space<>>(gas).most <= swing + ends);
+        CHECK(course<RungeKutta4, Space<float, 2>>(gas).most <= ends);
+    });
+}
+
+TEST_CASE("V3: a damped one never has more when all have parted than it had before they met", "[collision][penalty]") {
+    for (const double zeta : {0.1, 0.2, 0.7})
+        for_each_gas(zeta, [](const PenaltyGas& gas) {
+            const auto check = [&](const Course& seen, double most, double apart) {
+                CHECK(seen.most <= most);
+                CHECK(seen.apart <= apart);
+            };
+            check(course<VelocityVerlet, Space<>>(gas), gas.omega_h * gas.omega_h / 4, 1e-12); // where one begins
+            check(course<SemiImplicitEuler, Space<>>(gas), gas.omega_h / 2, 1e-12);
+            check(course<RungeKutta4, Space<float, 2>>(gas), 1e-5, 1e-5);
+        });
 }
 
 TEST_CASE("what passes by a corner feels nothing of it", "[collision][penalty]") {

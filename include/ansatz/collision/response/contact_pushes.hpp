@@ -57,6 +57,7 @@ public:
         Raw point{};     ///< where, m: they are gone through in this order, so that the order of adding decides nothing
         Scalar depth{};  ///< m; negative where they do not touch yet
         Scalar target{}; ///< t
+        Scalar kept{};   ///< t, while something else is solved
         Scalar along{};  ///< N . (u_a - u_b) when it was looked at last
         Scalar total{};  ///< what was pushed so far, bounces and all
         Scalar restitution{}; ///< of the two
@@ -105,11 +106,57 @@ public:
     }
 
     /// Up to `sweeps` of them, so that every contact has at least its target.
-    void solve(int sweeps) {
+    /// \param enough what may be missing of the targets, of what was
+    void solve(int sweeps, Scalar enough = Scalar(16) * std::numeric_limits<Scalar>::epsilon()) {
         cluster([](const Push& p) { return !p.waits; });
         for (int sweep = 0; sweep < sweeps; ++sweep) {
-            if (!choose(sweep == 0)) return;
+            if (!choose(sweep == 0, enough)) return;
             advance();
+        }
+    }
+
+    /// Whoever is to be parted by `depth` from one that he bounces off is given the velocity that he had where they
+    /// touched: parting them is the way back, and what pulls has worked on it. In a column it works on all that are
+    /// lifted, not on the two that meet alone; without that a column that is dropped is thrown up by being parted.
+    /// With the displacements \f$ \mathbf d \f$ that part them, u becomes \f$ \mathbf u + \gamma\mathbf d \f$
+    /// with \f$ \tfrac12\sum m\,|\mathbf u + \gamma\mathbf d|^2 = \tfrac12\sum m\,|\mathbf u|^2 + \sum m\,\mathbf
+    /// a\cdot\mathbf d \f$ in each cluster; for two alone that is \f$ v^2 + 2 a p \f$ along the normal.
+    /// \param lead    s, by how much u is ahead of the positions
+    /// \param bounces which contacts bounce
+    /// \param pull    N . (a_a - a_b) of a contact, m/s^2
+    template <class Bounces, class Pull>
+    void back_to_touch(int sweeps, Scalar lead, const Bounces& bounces, const Pull& pull) {
+        before_.clear();
+        for (auto& body : bodies) {
+            before_.push_back(body.u);
+            body.u = Raw::Zero();
+        }
+        for (auto& p : pushes) {
+            p.kept = p.target;
+            p.target = bounces(p) ? p.depth : std::min(p.depth, Scalar(0));
+        }
+        solve(sweeps, Scalar(1) / 64); // the energy is right for whatever displacements they are
+        // Of the pushes only those that part act; sums over contacts are those over bodies.
+        for (auto& c : scratch_) c.slope = c.curvature = c.mixed = Scalar(0);
+        for (auto& p : pushes) {
+            if (p.lambda > Scalar(0)) {
+                auto& c = scratch_[p.root];
+                const Scalar a = pull(p), now = dot(Raw(before_[p.a] - before_[p.b]), p.normal) + lead * a;
+                c.slope -= p.lambda * now;
+                c.curvature += p.lambda * along(p);
+                c.mixed += p.lambda * a;
+            }
+            p.lambda = p.total = Scalar(0);
+            p.target = p.kept;
+        }
+        for (auto& c : scratch_) {
+            const Scalar squared = c.slope * c.slope + Scalar(2) * c.curvature * c.mixed;
+            const bool meets = c.slope > Scalar(0) && c.curvature > Scalar(0);
+            c.length = !meets ? Scalar(0) : (c.slope - (squared > Scalar(0) ? sqrt(squared) : Scalar(0))) / c.curvature;
+        }
+        for (std::uint32_t n = 0; n < bodies.size(); ++n) {
+            auto& body = bodies[n];
+            body.u = body.weight > Scalar(0) ? Raw(before_[n] + scratch_[roots_.of(n)].length * body.u) : before_[n];
         }
     }
 
@@ -206,7 +253,7 @@ private:
         }
     }
     /// The direction of a sweep. \return whether there is one
-    bool choose(bool first) {
+    bool choose(bool first, Scalar enough) {
         for (auto& p : pushes) {
             if (p.waits) continue;
             auto& c = scratch_[p.root];
@@ -219,7 +266,6 @@ private:
             c.mixed += z * (p.residual - before);
         }
         bool any = false;
-        const Scalar enough = Scalar(16) * std::numeric_limits<Scalar>::epsilon();
         for (auto& c : scratch_) c.done = c.done || !(c.size > enough * enough * c.first);
         for (auto& p : pushes) {
             if (p.waits) continue;
@@ -268,6 +314,7 @@ private:
 
     std::vector<std::uint32_t> place_; // by slot
     std::vector<Cluster> scratch_;     // by who stands for it
+    std::vector<Raw> before_;          // velocities, while displacements are solved
     Islands roots_;
 };
 

@@ -126,12 +126,14 @@ template <class... Options> struct Impulse {
                 // Who does not touch yet may come as far as that.
                 if (!push.touches) push.target = push.depth / dt.value();
             }
+            if (any && parted) go_back(pushes, leads * dt.value(), pull);
             for (int round = 0; any && round < sweeps; ++round)
-                any = pushes.bounce([&](auto& push) { return parting(push, dt, leads, parted, pull); });
-            // Who is about to bounce does so when he touches.
+                any = pushes.bounce([&](auto& push) { return parting(push); });
+            // Who comes faster than the threshold, or is so far away that he would have to, is stopped when he touches.
+            const Scalar slow = threshold.value();
             for (auto& push : pushes.pushes)
-                push.waits = !push.touches && push.restitution > Scalar(0) &&
-                             -(pushes.along(push) + push.ahead) > threshold.value();
+                push.waits = !push.touches && (slow > Scalar(0) || push.restitution > Scalar(0)) &&
+                             max(-(pushes.along(push) + push.ahead), -push.target) > slow;
             pushes.solve(sweeps);
             if constexpr (rubs)
                 for (int round = 0; round < 4; ++round) {
@@ -157,23 +159,36 @@ template <class... Options> struct Impulse {
         }
 
     private:
+        /// Those that will be parted get the velocities of where they touched, if something pulls at them.
+        void go_back(auto& pushes, const typename S::Scalar& lead, const auto& pull) const {
+            using Scalar = typename S::Scalar;
+            const auto bounces = [&](const auto& push) {
+                return push.touches && push.restitution > Scalar(0) &&
+                       -(pushes.along(push) + push.ahead) > threshold.value();
+            };
+            bool any = false, pulled = false;
+            for (auto& push : pushes.pushes) {
+                push.bounces = bounces(push);
+                any = any || push.bounces;
+            }
+            for (const auto& push : pushes.pushes) pulled = pulled || (any && pull(push).value() != Scalar(0));
+            if (!pulled) return;
+            pushes.back_to_touch(
+                sweeps, lead, [](const auto& push) { return push.bounces; },
+                [&](const auto& push) { return pull(push).value(); });
+        }
         /// The speed at which a contact is to part that bounces. What pulls is accounted for once in a step.
-        std::optional<typename S::Scalar> parting(auto& push, const typename S::Time& dt,
-                                                  const typename S::Scalar& leads, bool parted,
-                                                  const auto& pull) const {
+        std::optional<typename S::Scalar> parting(auto& push) const {
             using Scalar = typename S::Scalar;
             const auto& e = push.restitution;
             if (!push.touches || !(e > Scalar(0))) return {};
-            const typename S::Speed along = S::Speed::from_value(push.along);
             if (push.bounced)
                 return -push.along > threshold.value() ? std::optional<Scalar>(-e * push.along) : std::nullopt;
-            const auto force = [&] { return pull(push); };
             if (!(-(push.along + push.ahead) > threshold.value())) return {};
-            const auto speed = bounce(Touch<S>{{}, push.normal, S::Length::from_value(push.depth)}, along, e,
-                                      ContactContext<S, decltype(force)>{dt, leads, parted, force});
+            const auto speed = -e * (push.along + push.ahead) - push.ahead;
             push.bounced = true;
-            push.target = min(speed.value(), Scalar(0));
-            return speed.value();
+            push.target = min(speed, Scalar(0));
+            return speed;
         }
         /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they
         /// do not bounce.
