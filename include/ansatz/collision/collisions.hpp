@@ -31,13 +31,6 @@
 
 namespace ansatz {
 
-/// Two bodies that do not intersect any more.
-struct ContactEnd {
-    Handle first;                                                           ///< the one with the smaller id
-    Handle second;                                                          ///< the other; either may have been removed
-    friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
-};
-
 template <class C> class SweptCollisions;
 
 namespace detail {

@@ -42,4 +42,11 @@ template <class S> struct Contact : Touch<S> {
     bool begins() const { return steps == 0; }
 };
 
+/// Two bodies that do not intersect any more.
+struct ContactEnd {
+    Handle first;                                                           ///< the one with the smaller id
+    Handle second;                                                          ///< the other; either may have been removed
+    friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
+};
+
 } // namespace ansatz

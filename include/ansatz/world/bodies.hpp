@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,20 @@ refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std:
             .append(", but this world has given out only ");
         sentence.append(describe(given_out)).append("; use a handle of this world or of the one it was copied from");
     }
+    refuse(Refusal::out_of_range, sentence);
+}
+/// A component that a column does not have.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_component(std::string_view column, int component,
+                                                                    std::size_t components) {
+    std::string sentence("World::lane: component ");
+    sentence.append(describe(component)).append(" of ").append(column).append(": it has ");
+    sentence.append(describe(components)).append(", counted from 0");
+    refuse(Refusal::out_of_range, sentence);
+}
+/// A slot that no body has.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_slot(std::size_t slot, std::size_t bodies) {
+    std::string sentence("World::body_at: slot ");
+    sentence.append(describe(slot)).append(": there are ").append(describe(bodies)).append(", counted from 0");
     refuse(Refusal::out_of_range, sentence);
 }
 } // namespace detail

@@ -31,6 +31,22 @@ void World<P...>::take(Row_& row, const Property& property) {
     }
 }
 
+template <class... P> template <class... C> void World<P...>::column_changes() {
+    if constexpr (composition::collides)
+        data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
+    if constexpr ((composition::template couplings_read<C> || ...)) forces_change();
+}
+
+template <class... P> void World<P...>::wake_slot([[maybe_unused]] Slot slot) {
+    if constexpr (composition::rests) {
+        data_.lanes.template set<RestTime>(slot, typename S::Time());
+        if (data_.bodies.motion(slot) != Motion::resting) return;
+        data_.events.between_steps({Event::Kind::woke, data_.bodies.handle(slot)});
+        if (!data_.waiting(slot)) data_.begin_again(slot);
+        data_.move(slot, Motion::awake);
+    }
+}
+
 /// Who lay on a body, or held it, does not know any more whether it stays.
 template <class... P> void World<P...>::wake_contacts([[maybe_unused]] std::uint32_t id) {
     if constexpr (composition::rests && composition::collides)

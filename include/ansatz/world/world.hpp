@@ -219,17 +219,13 @@ public:
     template <class C> std::span<const Scalar> lane(int component = 0) const {
         need_column<C>();
         if (component < 0 || std::size_t(component) >= lanes_of<C>(S::dimension))
-            refuse(Refusal::out_of_range, std::string("World::lane: component ") + std::to_string(component) + " of " +
-                                              std::string(C::name) + ": it has " +
-                                              std::to_string(lanes_of<C>(S::dimension)) + ", counted from 0");
+            detail::refuse_component(C::name, component, lanes_of<C>(S::dimension));
         return {data_.lanes.template lane<C>(component), size()};
     }
     /// The body of a slot.
     /// \throws std::out_of_range for a slot that is not below size()
     Handle body_at(std::size_t slot) const {
-        if (slot >= size())
-            refuse(Refusal::out_of_range, "World::body_at: slot " + std::to_string(slot) + ": there are " +
-                                              std::to_string(size()) + ", counted from 0");
+        if (slot >= size()) detail::refuse_slot(slot, size());
         return data_.bodies.handle(slot);
     }
     /// @}
@@ -361,26 +357,14 @@ private:
     void hold_velocity(Slot slot);
     void hold_velocities();
     void forces_change();
-    template <class... C> void column_changes() {
-        if constexpr (composition::collides)
-            data_.collisions.make_stale(); // whom it may meet in the next step is looked for again
-        if constexpr ((composition::template couplings_read<C> || ...)) forces_change();
-    }
+    template <class... C> void column_changes();
     // What keeps it whole: whole.hpp.
     void assign(const World& other);
     void assign(World&& other);
     void get_ready(const char* where);
     [[noreturn, gnu::cold, gnu::noinline]] static void refuse_lost(const char* where);
 
-    void wake_slot(Slot slot) {
-        if constexpr (composition::rests) {
-            data_.lanes.template set<RestTime>(slot, typename S::Time());
-            if (data_.bodies.motion(slot) != Motion::resting) return;
-            data_.events.between_steps({Event::Kind::woke, data_.bodies.handle(slot)});
-            if (!data_.waiting(slot)) data_.begin_again(slot);
-            data_.move(slot, Motion::awake);
-        }
-    }
+    void wake_slot(Slot slot);
     void wake_contacts(std::uint32_t id);
     void wake_pierced(std::uint32_t id);
     void wake_ends(const auto& state, std::uint32_t id);
