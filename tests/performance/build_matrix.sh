@@ -141,7 +141,7 @@ for compiler in "${compilers[@]}"; do
     same "${compiler##*/} -O3, compiled again" "$(file_of "$compiler" -O3).txt" "$(file_of "$compiler" -O3)-again.txt"
 done
 # The pile, pinned: whoever changes what it comes to does so on purpose, and puts the new number here.
-pinned=069e4dce1871c9e1
+pinned=e5e462111e68ed8d
 if grep -q "UniformGrid.*SoftSubsteps<Friction>.* $pinned\$" "$reference.txt"; then
     printf '%-28s as pinned\n' "the pile"
 else
