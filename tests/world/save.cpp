@@ -163,7 +163,7 @@ TEST_CASE("a world goes through a file on disk, and a path that cannot be opened
           "load: " + path + " cannot be opened for reading");
     const std::string nowhere = path + "/in/no/folder";
     CHECK(sentence<std::invalid_argument>([&] { save(world, nowhere); }) ==
-          "save: " + nowhere + " cannot be opened for writing");
+          "save: " + nowhere + " cannot be opened for writing: No such file or directory");
     CHECK(loaded.position(body) == metres(1, 2, 3));
 }
 

@@ -16,6 +16,7 @@
 #include <ansatz/world/save_collisions.hpp>
 #include <ansatz/world/save_elements.hpp>
 #include <ansatz/world/save_parameters.hpp>
+#include <ansatz/world/whole_file.hpp>
 #include <ansatz/world/world.hpp>
 
 #include <nlohmann/json.hpp>
@@ -305,14 +306,11 @@ template <class... P> void save(const World<P...>& world, std::ostream& out) {
     out << Archive::write(world).dump(1) << '\n';
     if (!out) refuse(Refusal::invalid_argument, "save: the stream could not be written to the end");
 }
-/// Writes the state of a world to a file.
-/// \throws std::invalid_argument if the file cannot be written
+/// Writes the state of a world to a file, whole or not at all: it is written beside the file, as <path>.part, which
+/// then takes the file's place. \throws std::invalid_argument if the file cannot be written; what was there before is
+/// there as it was
 template <class... P> void save(const World<P...>& world, const std::string& path) {
-    std::ofstream out(path);
-    if (!out) refuse(Refusal::invalid_argument, "save: " + path + " cannot be opened for writing");
-    out << Archive::write(world).dump(1) << '\n';
-    out.close(); // what the stream still holds is written now, or not at all
-    if (!out) refuse(Refusal::invalid_argument, "save: " + path + " could not be written to the end");
+    detail::write_whole_file(path, Archive::write(world).dump(1) + '\n');
 }
 
 /// Reads the state of a world; handles of the saved world name its bodies.
