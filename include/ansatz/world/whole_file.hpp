@@ -6,6 +6,8 @@
 /// writes worlds with it; it is no interface of its own. Not provided: that the file outlives a power cut, which only
 /// the operating system can promise.
 
+// not in the umbrella: it is a part of save.hpp, which includes it
+
 #include <ansatz/world/error.hpp>
 
 #include <cerrno>
