@@ -24,10 +24,10 @@ template <class World_> struct Chain {
     int fell_asleep = 0; ///< steps
     Chain(const World_& empty, bool moves, int n = 5) : world(empty) {
         using S = typename World_::S;
-        hook = moves ? world.add(at<S>(0), moving) : world.add(at<S>(0), fixed);
+        hook = moves ? world.add(shapeless, at<S>(0), moving) : world.add(shapeless, at<S>(0), fixed);
         auto above = hook;
         for (int i = 1; i <= n; ++i) {
-            links.push_back(world.add(at<S>(0.2 * i, -0.3 * i), mass(0.5 * kilogram)));
+            links.push_back(world.add(shapeless, at<S>(0.2 * i, -0.3 * i), mass(0.5 * kilogram)));
             springs.push_back(world.add(Spring{above, links.back(), 300.0 * N_per_m, 2.0 * N_s_per_m, 0.3 * metre}));
             above = links.back();
         }
@@ -82,7 +82,7 @@ template <class... P> void check_chains(P... policies) {
         });
         wakes_by("gravity", [&](auto& w) { w.set(Gravity{metres_per_second_squared(0, -9.8, 0)}); });
         wakes_by("a link that is gone",
-                 [&](auto& w) { w.remove(chain.links[4]), w.add(at<S>(50), mass(1.0 * kilogram)); });
+                 [&](auto& w) { w.remove(chain.links[4]), w.add(shapeless, at<S>(50), mass(1.0 * kilogram)); });
         wakes_by("a push", [&](auto& w) { w.set_velocity(chain.links[4], vector_in<S, unit::Velocity>(0.01, 0)); });
     }
 }
