@@ -18,8 +18,8 @@ struct NothingMore {
 
 /// What a program does with a world: adds, steps, copies, reads.
 template <class World_> auto use(World_ world) {
-    if constexpr (World_::composition::has_mass) world.add(mass(1.0 * kilogram));
-    else world.add();
+    if constexpr (World_::composition::has_mass) world.add(shapeless, mass(1.0 * kilogram));
+    else world.add(shapeless);
     world.step(1.0 / 60 * second);
     const auto copy = world;
     return copy.hash();
