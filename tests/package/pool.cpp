@@ -5,8 +5,13 @@
 using namespace ansatz;
 
 int main() {
-    World pool{SemiImplicitEuler{},          Gravity{}, Rest{},      SortAndSweep{},
-               Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}};
+    World pool{SemiImplicitEuler{}, // how bodies move
+               Gravity{},
+               Rest{},                       // who lies still falls asleep
+               SortAndSweep{},               // who may touch
+               Narrowphase<Sphere, Plane>{}, // who does, and where
+               Impulse{},                    // what it does to velocities
+               Projection{}};                // and to positions
     pool.add(Plane::ground(), fixed);
     auto ball = pool.add(Sphere{0.5 * metre}, position(metres(0, 10, 0)), mass(2.0 * kilogram), restitution(0.8));
     for (int i = 0; i < 600; ++i) pool.step(1.0 / 60 * second);

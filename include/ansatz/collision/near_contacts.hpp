@@ -39,10 +39,14 @@ public:
             reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), way - reach.pulled);
         }
     }
-    /// A body's box, made as much larger.
-    void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) const {
+    /// A body's box, made as much larger. It is not taken farther than it is thick: who is faster goes through others
+    /// in a step, or is swept.
+    void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
+        auto& reach = reach_[slot];
+        const Scalar thick = (upper - lower).value().minCoeff() / Scalar(2);
+        reach.all = std::max(reach.pulled, std::min(reach.all, reach.pulled + thick));
         auto by = lower.value();
-        for (int k = 0; k < S::dimension; ++k) by[k] = reach_[slot].all;
+        for (int k = 0; k < S::dimension; ++k) by[k] = reach.all;
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
