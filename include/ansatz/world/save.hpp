@@ -306,7 +306,7 @@ template <class... P> void save(const World<P...>& world, std::ostream& out) {
     out << Archive::write(world).dump(1) << '\n';
     if (!out) refuse(Refusal::invalid_argument, "save: the stream could not be written to the end");
 }
-/// Writes the state of a world to a file, whole or not at all: it is written beside the file, as <path>.part, which
+/// Writes the state of a world to a file, whole or not at all: it is written beside the file, as `path`.part, which
 /// then takes the file's place. \throws std::invalid_argument if the file cannot be written; what was there before is
 /// there as it was
 template <class... P> void save(const World<P...>& world, const std::string& path) {
