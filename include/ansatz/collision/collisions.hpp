@@ -359,7 +359,8 @@ private:
     }
 
     /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is
-    /// looked at with it, but may lie there without any depth. \return whether some may be there twice
+    /// looked at with it, but may lie there without any depth.
+    /// \return whether some may be there twice
     template <class Data> bool keep_those_at_rest(const Data& data) {
         bool twice = false;
         if constexpr (C::rests)

@@ -62,7 +62,8 @@ template <class Number> auto restitution(const Number& e) {
     return detail::coefficient<Restitution>("restitution", "e", e);
 }
 /// Coulomb's coefficient of a body, finite and not negative; of two that meet the geometric mean counts. 0 if it is not
-/// given. \throws std::invalid_argument for another number
+/// given.
+/// \throws std::invalid_argument for another number
 template <class Number> auto friction(const Number& mu) { return detail::coefficient<Friction>("friction", "mu", mu); }
 
 } // namespace ansatz

@@ -37,7 +37,8 @@ class Stamps {
 public:
     std::uint32_t open() const { return open_; }
     std::uint32_t closed() const { return open_ + 1; }
-    /// A new query. \return false when the stamps must be cleared, because they begin again
+    /// A new query.
+    /// \return false when the stamps must be cleared, because they begin again
     bool next() {
         if (open_ >= std::numeric_limits<std::uint32_t>::max() - 3) {
             open_ = 2;

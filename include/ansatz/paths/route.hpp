@@ -60,7 +60,8 @@ public:
     const Vertex& next() const { return arrived() || path_.empty() ? here_ : path_[at_ + 1]; }
     std::span<const Vertex> ahead() const { return std::span(path_).subspan(path_.empty() ? 0 : at_); } ///< with here()
     std::size_t searches() const { return searches_; } ///< how often it searched
-    /// The walker has reached next(). \return where it stands
+    /// The walker has reached next().
+    /// \return where it stands
     const Vertex& step() {
         if (outcome_ == Outcome::found && !arrived()) here_ = path_[++at_];
         return here_;
@@ -76,7 +77,8 @@ public:
         if constexpr (requires { g.version(); }) version_ = g.version(); // so much is known of it
         return false;
     }
-    /// Searches again from here if the rule asks for it. \return whether it did
+    /// Searches again from here if the rule asks for it.
+    /// \return whether it did
     bool renew() {
         if (!needs_new_path()) return false;
         again();

@@ -51,14 +51,16 @@ public:
     using Length = Quantity<unit::Length>;           ///< m
     using Speed = Quantity<unit::Velocity>;          ///< m/s
 
-    /// A place. \return its number, from 0
+    /// A place.
+    /// \return its number, from 0
     /// \throws std::invalid_argument for coordinates that are not finite
     std::size_t add(const Place& at) {
         require_finite("Waypoints::add", "the place", at);
         places_.push_back({at, true, {}});
         return places_.size() - 1;
     }
-    /// A road in one direction, as long as its ends are apart. \return its number
+    /// A road in one direction, as long as its ends are apart.
+    /// \return its number
     template <class M = Measure>
         requires std::is_same_v<M, ByLength>
     std::size_t connect(std::size_t from, std::size_t to) {

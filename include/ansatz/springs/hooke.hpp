@@ -115,8 +115,10 @@ template <Acts How, class Force, class X, class V, class R, class K, class C>
 
 /// \f$ \mathbf F_a = T \mathbf n \f$ with \f$ \mathbf n = \mathbf d / |\mathbf d| \f$: the force of a spring on its first end;
 /// on the second it is the opposite (notes 1.3). Damped is what moves along the axis, nothing else. Ends in one place
-/// have no axis and feel nothing. \param to        d, m: from the first end to the second \param departing m/s: the
-/// velocity of the second end less that of the first \return a vector in N
+/// have no axis and feel nothing.
+/// \param to        d, m: from the first end to the second
+/// \param departing m/s: the velocity of the second end less that of the first
+/// \return a vector in N
 template <Acts How = Acts::both_ways, class X, class V, class R, class K, class C>
 [[gnu::always_inline]] inline auto between(const X& to, const V& departing, const R& rest_length, const K& stiffness,
                                            const C& damping) {

@@ -76,8 +76,9 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         /// How the force on the first end changes with its position and velocity: on the second end it is the opposite,
         /// and with the second end's position and velocity too. Of a slack or pushing spring only the part along the
         /// axis is given, so that the system of an implicit step stays positive definite; so is the turning of the axis
-        /// left out of what the damping does. Newton's method arrives at the same state without them. \param add called
-        /// with the slots of the ends (or `view.size()` for a point) and the matrices in N/m and N s/m
+        /// left out of what the damping does. Newton's method arrives at the same state without them.
+        /// \param add called with the slots of the ends (or `view.size()` for a point) and the matrices in N/m and N
+        /// s/m
         void jacobian(const auto& view, const auto&, auto&& add) const {
             using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>;
             each(view, [&](std::uint32_t id, const Link& link, std::size_t a) {

@@ -95,8 +95,10 @@ template <class I> bool is_stable(double stiffness, double damping) {
 } // namespace detail
 
 /// The largest time step that integrator `I` takes without growing, for one oscillator: s, zero if it grows with every
-/// step, infinite if it never does. \param stiffness omega^2 = k/m, 1/s^2, finite, not negative \param damping   gamma
-/// = c/m, 1/s, finite, not negative \throws std::invalid_argument for other values
+/// step, infinite if it never does.
+/// \param stiffness omega^2 = k/m, 1/s^2, finite, not negative
+/// \param damping   gamma = c/m, 1/s, finite, not negative
+/// \throws std::invalid_argument for other values
 template <class I>
 Quantity<unit::Time> stable_step(const Quantity<unit::FrequencySquared>& stiffness,
                                  const Quantity<unit::Frequency>& damping = 0.0 * hertz) {

@@ -146,7 +146,8 @@ template <class... P> constexpr State<P...> final_state(std::string_view name, P
     return {name, Kind::final, {parts...}};
 }
 /// Where its parent was when it was left last: the state directly in it (shallow_history) or the innermost one
-/// (deep_history). \param parts  `to("...")`: where to go the first time
+/// (deep_history).
+/// \param parts  `to("...")`: where to go the first time
 template <class... P> constexpr State<P...> shallow_history(std::string_view name, P... parts) {
     return {name, Kind::shallow_history, {parts...}};
 }

@@ -122,8 +122,8 @@ public:
 
     /// Another chart, between two updates. The machine stays in the states of the same names, with what they hold;
     /// where an active state is gone, it goes to what is left around it and enters the initial states there. Histories
-    /// and times stay with their states; what guards remember begins anew. \throws std::invalid_argument for none, or
-    /// from within an action; the machine is as it was
+    /// and times stay with their states; what guards remember begins anew.
+    /// \throws std::invalid_argument for none, or from within an action; the machine is as it was
     Reloaded reload(Context& context, SharedChart<Context> chart) {
         if (chart == nullptr) refuse(Refusal::invalid_argument, "Machine::reload: there is no chart");
         if (busy_)

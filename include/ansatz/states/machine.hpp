@@ -38,8 +38,9 @@ template <class D, class... O> struct MachineOf<D, Interpreted, O...> {
 
 /// A finite state machine.
 /// \tparam Description     a struct with `Context` and `machine`, see describe.hpp; `InFile<Context>` for one from a
-/// file \tparam Representation  Switch, StatePattern, Table or Interpreted \tparam Options         what happens to
-/// unhandled events, and watchers, see options.hpp
+/// file
+/// \tparam Representation  Switch, StatePattern, Table or Interpreted
+/// \tparam Options         what happens to unhandled events, and watchers, see options.hpp
 template <class Description, class Representation = Switch, class... Options>
 using Machine = typename states::MachineOf<Description, Representation, Options...>::type;
 

@@ -36,8 +36,9 @@ public:
 
     // ------------------------------------------------------------ driving it
     /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and
-    /// begins anew: events that wait, as those behind an action that threw, and stuck() are forgotten. \throws
-    /// std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies outside
+    /// begins anew: events that wait, as those behind an action that threw, and stuck() are forgotten.
+    /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies
+    /// outside
     void start(Context& context) {
         if constexpr (can_raise) {
             if (busy_)
@@ -69,9 +70,10 @@ public:
 
     /// One update of the fixed clock: guards that remember look, then the conditions of the active states are asked,
     /// inner states first, and the first that holds is taken (one an update); then what the active states do, outer
-    /// states first. \param dt  s; may be left out where no guard and no state counts time \return whether a condition
-    /// led to a transition \throws std::invalid_argument before start, and for a negative or non-finite dt, before
-    /// anything changes
+    /// states first.
+    /// \param dt  s; may be left out where no guard and no state counts time
+    /// \return whether a condition led to a transition
+    /// \throws std::invalid_argument before start, and for a negative or non-finite dt, before anything changes
     bool update(Context& context, Parameter<unit::Time> dt) {
         if (!(dt.value() >= 0 && dt.value() <= std::numeric_limits<double>::max())) refuse_dt(dt);
         if (!started()) refuse_not_started();

@@ -81,7 +81,9 @@ template <class C, class Policies> template <class Transient, bool Later> void S
 
 /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
 /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed into
-/// it. \param h s, the part \return whether somebody was woken
+/// it.
+/// \param h s, the part
+/// \return whether somebody was woken
 template <class C, class Policies> bool Step<C, Policies>::wake_the_hit(auto& contacts, Scalar h) {
     if (data_.bodies.count(Motion::resting) == 0) return false;
     auto& hit = data_.sleep.value.sleepers;

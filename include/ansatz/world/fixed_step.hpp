@@ -23,8 +23,9 @@ namespace ansatz {
 class FixedStep {
 public:
     /// \param dt       length of a step, finite and greater than zero; at least 0.25 ns, or with a shorter clamp a
-    /// billionth of that \param longest  time beyond which a frame's arrears are dropped, at least dt; a quarter of a
-    /// second by default \throws std::invalid_argument for other values
+    /// billionth of that
+    /// \param longest  time beyond which a frame's arrears are dropped, at least dt; a quarter of a second by default
+    /// \throws std::invalid_argument for other values
     explicit FixedStep(Parameter<unit::Time> dt, Parameter<unit::Time> longest = 0.25 * second) : dt_(dt) {
         if (!is_finite(dt) || !(dt.value() > 0))
             refuse_value("FixedStep", "dt", describe(dt), "a step is finite and greater than 0 s");
@@ -66,7 +67,8 @@ public:
     }
     /// The same, calling `before_step(world)` before each step: the place for forces from outside, which act during one
     /// step, so that a body is pushed alike on a screen of 30 and of 144 pictures a second, and for reading the events
-    /// of each step, of which the world keeps the last step's only. \return how many steps were taken
+    /// of each step, of which the world keeps the last step's only.
+    /// \return how many steps were taken
     template <class World_, class BeforeStep>
     std::uint64_t advance(World_& world, Parameter<unit::Time> frame_time, BeforeStep&& before_step) {
         if (!is_finite(frame_time) || frame_time.value() < 0)

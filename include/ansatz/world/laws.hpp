@@ -89,7 +89,8 @@ public:
     }
 
     /// The sum of the accelerations, as listed; without any law a zero that the compiler knows, so that no instruction
-    /// and no lane is spent on it. \param row a `Row` with at least the columns of `reads`
+    /// and no lane is spent on it.
+    /// \param row a `Row` with at least the columns of `reads`
     template <class R> [[gnu::always_inline]] auto acceleration(const R& row, const Context<S>& context) const {
         if constexpr (sizeof...(P) == 0) return Zero<typename S::Acceleration>();
         else return sum<R, P...>(row, context);

@@ -307,8 +307,8 @@ template <class... P> void save(const World<P...>& world, std::ostream& out) {
     if (!out) refuse(Refusal::invalid_argument, "save: the stream could not be written to the end");
 }
 /// Writes the state of a world to a file, whole or not at all: it is written beside the file, as `path`.part, which
-/// then takes the file's place. \throws std::invalid_argument if the file cannot be written; what was there before is
-/// there as it was
+/// then takes the file's place.
+/// \throws std::invalid_argument if the file cannot be written; what was there before is there as it was
 template <class... P> void save(const World<P...>& world, const std::string& path) {
     detail::write_whole_file(path, Archive::write(world).dump(1) + '\n');
 }

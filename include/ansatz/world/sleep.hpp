@@ -112,7 +112,8 @@ template <class C> void join_by_elements(const WorldData<C>& data, SleepScratch<
 /// \param slow_long whether the body of a slot has been slow for long enough
 /// \param pull      the acceleration that the body of a slot would have at rest
 /// \param push      `push(add)` calls `add(slot, acceleration)` with what each contact does to each of its bodies,
-/// where contacts know it \param balanced  whether an acceleration is next to nothing
+/// where contacts know it
+/// \param balanced  whether an acceleration is next to nothing
 template <class C, class SlowLong, class Pull, class Push, class Balanced>
 void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratch, const SlowLong& slow_long,
                    const Pull& pull, const Push& push, const Balanced& balanced) {

@@ -74,7 +74,8 @@ public:
     void look_around();
     /// Takes it.
     /// \tparam Transient the columns that are set back to zero behind it: none where it is a part of a step and not the
-    /// last \tparam Later     whether it is a part of a step and not the first
+    /// last
+    /// \tparam Later     whether it is a part of a step and not the first
     template <class Transient = typename C::transient, bool Later = false> void run(const typename S::ClockTime& dt) {
         if constexpr (C::rests && C::Laws::time_dependent && !C::coupled) wake_the_pulled();
         if constexpr (C::islands) wake_neighbours();
@@ -301,7 +302,8 @@ private:
     static constexpr bool pull_varies =
         C::coupled || C::Laws::time_dependent || detail::contains<Position, typename C::Laws::needs>;
     /// What swings is slow, and at its lowest point nothing pulls it: there its time must be balanced, too, not a
-    /// moment of it. \param touched whether a contact may hold the body of a slot
+    /// moment of it.
+    /// \param touched whether a contact may hold the body of a slot
     void begin_anew(const auto& rest, const auto& touched) {
         auto* time = data_.lanes.template lane<RestTime>();
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)

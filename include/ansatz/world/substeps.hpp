@@ -62,7 +62,8 @@ public:
         }
     }
     /// What impacts have changed. Who was struck within the substep has moved, or will have, with his new velocity for
-    /// what was left of it, and not for all of it. \param factor 1/s, of what he comes late
+    /// what was left of it, and not for all of it.
+    /// \param factor 1/s, of what he comes late
     template <class Body>
     void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts,
                       const Scalar& factor, const Time& last) {

@@ -78,7 +78,8 @@ public:
 
     /// Removes a body. Other handles stay valid; this one becomes stale. What was polled (`contacts()`, `events()`,
     /// `handles()`) stays as it was until the next step, so that a loop over it may remove bodies; ask `contains`
-    /// before you use a handle of it. \throws std::out_of_range for a stale handle
+    /// before you use a handle of it.
+    /// \throws std::out_of_range for a stale handle
     void remove(Handle body);
     /// Whether the handle names a body that is in this world.
     bool contains(Handle body) const { return data_.bodies.contains(body); }

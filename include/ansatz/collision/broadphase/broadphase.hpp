@@ -88,8 +88,8 @@ template <class P, class S> consteval bool check_broadphase() {
 using IndexPair = std::pair<std::size_t, std::size_t>;
 
 /// The pairs of boxes that a broadphase finds, sorted. For each step of a loop keep an `In<S>` of your own instead,
-/// which allocates nothing. \throws std::invalid_argument for a parameter that its `check` refuses, and for boxes that
-/// are not finite
+/// which allocates nothing.
+/// \throws std::invalid_argument for a parameter that its `check` refuses, and for boxes that are not finite
 template <class P, class S> std::vector<IndexPair> find_pairs(const P& broadphase, const Boxes<S>& boxes) {
     std::vector<IndexPair> pairs;
     if constexpr (check_broadphase<P, S>()) {

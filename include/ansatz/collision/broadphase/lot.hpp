@@ -18,7 +18,8 @@
 namespace ansatz {
 
 /// Boxes in the order in which a broadphase put them, each with the index it has among all. Box by box and not in
-/// lanes: runs are short, and one box is one line of the cache. \tparam S the space
+/// lanes: runs are short, and one box is one line of the cache.
+/// \tparam S the space
 template <class S> class Lot {
 public:
     using Scalar = typename S::Scalar;             ///< of the space

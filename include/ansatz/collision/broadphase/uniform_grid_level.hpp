@@ -169,7 +169,8 @@ private:
 
     /// One row of cells with itself and with the rows after it. Of two neighbours one is after the other: no pair of
     /// cells comes twice, and where cells wrap around there are three on the axis at least, so that none is on both
-    /// sides. \tparam join_cells the lists of a row of cells are tested as one
+    /// sides.
+    /// \tparam join_cells the lists of a row of cells are tested as one
     template <bool join_cells, class Inside, class F>
     void row(Inside& inside, const Lot<S>& lot, std::int64_t y, std::int64_t z, F& touch) const {
         const std::int64_t base = base_of(y, z);

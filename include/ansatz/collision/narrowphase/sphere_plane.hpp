@@ -16,7 +16,9 @@
 namespace ansatz {
 
 /// Whether a sphere reaches into a plane, and how. However deep its centre is, it is pushed out along the plane's
-/// normal. \param xs where the sphere's centre is, m \param xp where the plane's body is, m
+/// normal.
+/// \param xs where the sphere's centre is, m
+/// \param xp where the plane's body is, m
 template <class S>
 [[gnu::always_inline]] inline bool collide(const Sphere::In<S>& sphere, const typename S::Position& xs,
                                            const Plane::In<S>& plane, const typename S::Position& xp, Touch<S>& touch) {

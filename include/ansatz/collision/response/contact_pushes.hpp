@@ -252,7 +252,8 @@ private:
             ++scratch_[p.root].count;
         }
     }
-    /// The direction of a sweep. \return whether there is one
+    /// The direction of a sweep.
+    /// \return whether there is one
     bool choose(bool first, Scalar enough) {
         for (auto& p : pushes) {
             if (p.waits) continue;

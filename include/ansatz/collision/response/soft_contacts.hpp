@@ -202,8 +202,9 @@ public:
     /// Contacts take energy and do not give it. An island whose contacts have given it some, because they parted bodies
     /// that lay in each other, gets the share of its impulses that leaves it the least kinetic energy. Where something
     /// accelerates an island, up to `most_given` times the energy of that acceleration in a substep is let pass: with
-    /// less, columns tremble. \param before by slot: the velocities before the last pass, m/s \return whether there was
-    /// such an island; its bodies' velocities are not those of before
+    /// less, columns tremble.
+    /// \param before by slot: the velocities before the last pass, m/s
+    /// \return whether there was such an island; its bodies' velocities are not those of before
     bool calm(const std::vector<Raw>& before) {
         bool given = platforms_; // an island is given something only where one of its bodies is
         for (std::size_t slot = 0; slot < pushed.size(); ++slot) {

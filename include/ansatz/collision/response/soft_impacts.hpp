@@ -60,8 +60,10 @@ public:
     std::vector<Pair> pairs; ///< those of this step
 
     /// Answers all impacts of a substep. The bodies have the velocities that they will have at its end, minus half of
-    /// what acceleration does in it; they are put to where they would have come from with it. \param h         s, the
-    /// substep \param threshold m/s, slower ones are no impacts \return whether there were any
+    /// what acceleration does in it; they are put to where they would have come from with it.
+    /// \param h         s, the substep
+    /// \param threshold m/s, slower ones are no impacts
+    /// \return whether there were any
     bool answer(auto& contacts, Scalar h, Scalar threshold) {
         bodies_.assign(contacts.bodies.size(), Struck());
         bool any = false;

@@ -33,9 +33,10 @@ struct Performance {
 };
 
 /// One tick: looks whether the plan still holds, begins the action that is due unless it is being done already, and
-/// asks how it goes. An action goes on when there is another plan that begins with it. \param state_of a function that
-/// answers with the state of the world at this moment; it is asked again behind the action \return whether there is
-/// anything left to do
+/// asks how it goes. An action goes on when there is another plan that begins with it.
+/// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the
+/// action
+/// \return whether there is anything left to do
 template <class Planner, Performer P, class StateOf>
 bool perform(Runner<Planner>& runner, P& performer, Performance& performance, StateOf&& state_of) {
     runner.look(state_of());

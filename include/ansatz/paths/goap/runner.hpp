@@ -66,8 +66,8 @@ public:
         return goal_.holds_in(s);
     }
     /// The world has changed, or may have: plans anew if that has broken the plan. Call it when you like, every frame
-    /// if need be: where there is no plan it asks for one when the state or the domain is another. \return whether
-    /// there is a new plan
+    /// if need be: where there is no plan it asks for one when the state or the domain is another.
+    /// \return whether there is a new plan
     bool look(const State& now) {
         if (goal_.holds_in(now)) { // reached, by us or by luck
             outcome_ = Outcome::found;
@@ -78,7 +78,8 @@ public:
         again(now);
         return true;
     }
-    /// action() has been done: on to the next. \param now what the world has become
+    /// action() has been done: on to the next.
+    /// \param now what the world has become
     void done(const State& now) {
         failures_ = 0;
         if (at_ < actions_.size()) ++at_;

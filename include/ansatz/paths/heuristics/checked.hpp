@@ -59,8 +59,9 @@ using CostWith =
 
 /// The node at which a heuristic is most above the true cost; none if it never is. It is judged as a search with the
 /// same policies would use it: `check_heuristic(map, Octile{}, goal)`, `check_heuristic(roads, h, goal,
-/// WeightsOf{lengths})`. \tparam Number   in which to estimate; without it that of the search: on a Grid whole, 33461 a
-/// tile \param policies  `WeightsOf{map}` and `CostIn<Number>{}`, where the search has them
+/// WeightsOf{lengths})`.
+/// \tparam Number   in which to estimate; without it that of the search: on a Grid whole, 33461 a tile
+/// \param policies  `WeightsOf{map}` and `CostIn<Number>{}`, where the search has them
 template <class Number = void, class Graph, class Heuristic, class... Policies>
 std::optional<Overestimate<VertexOf<Graph>>> check_heuristic(const Graph& g, const Heuristic& heuristic,
                                                              const GoalOf<Graph>& goal, const Policies&... policies) {
