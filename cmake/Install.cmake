@@ -8,7 +8,7 @@ set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/Ansatz)
 install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-install(TARGETS ansatz EXPORT AnsatzTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS ansatz ansatz_precompiled EXPORT AnsatzTargets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT AnsatzTargets NAMESPACE Ansatz:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/AnsatzConfig.cmake.in ${PROJECT_BINARY_DIR}/package/AnsatzConfig.cmake
     INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)

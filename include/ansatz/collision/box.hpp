@@ -37,7 +37,7 @@ struct Box {
         explicit In(const Box& box) : half(S::convert("Box::half", box.half)) {
             for (int k = 0; k < S::dimension; ++k)
                 if (!is_finite(half) || !(half.value()[k] > 0))
-                    refuse_value("Box", "half", describe(box.half),
+                    refuse_value("Box", "half", box.half,
                                  S::dimension == 2 ? "two lengths, finite and greater than zero"
                                                    : "three lengths, finite and greater than zero");
         }

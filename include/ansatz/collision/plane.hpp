@@ -46,7 +46,7 @@ struct Plane {
     void check() const {
         require_finite("Plane", "normal", normal);
         if (!(normal.value().cwiseAbs().maxCoeff() > 0))
-            refuse_value("Plane", "normal", describe(normal), "it has a direction; the ground's is (0, 1, 0)");
+            refuse_value("Plane", "normal", normal, "it has a direction; the ground's is (0, 1, 0)");
         require_finite("Plane", "offset", offset);
     }
 

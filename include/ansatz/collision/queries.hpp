@@ -37,8 +37,7 @@ struct Ray {
         require_finite("Ray", "origin", origin);
         require_finite("Ray", "direction", direction);
         if (!(direction.value().cwiseAbs().maxCoeff() > 0))
-            refuse_value("Ray", "direction", describe(direction),
-                         "it has a length; along the first axis it is (1, 0, 0)");
+            refuse_value("Ray", "direction", direction, "it has a length; along the first axis it is (1, 0, 0)");
         require_not_negative("Ray", "longest", longest);
     }
 };

@@ -51,7 +51,7 @@ auto coefficient(const char* what, [[maybe_unused]] const char* symbol, const Nu
     static_assert(plain, "Ansatz: restitution and friction take a plain number, e.g. restitution(0.8), friction(0.3)");
     double value = 0;
     if constexpr (plain) value = static_cast<double>(given);
-    if (!is_finite(value) || !in_range<C>(value)) refuse_value(what, symbol, describe(value), "it is " + range_of<C>());
+    if (!is_finite(value) || !in_range<C>(value)) refuse_value(what, symbol, value, "it is " + range_of<C>());
     return with<C>(Quantity<unit::Dimensionless>(value));
 }
 } // namespace detail

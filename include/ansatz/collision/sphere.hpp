@@ -34,8 +34,7 @@ struct Sphere {
         /// \throws std::invalid_argument for a radius that is nothing, or too much, in the scalar of the space
         explicit In(const Sphere& sphere) : radius(S::convert(sphere.radius)) {
             if (!(radius.value() > 0))
-                refuse_value("Sphere", "radius", describe(sphere.radius),
-                             "it is greater than zero in the world's scalar");
+                refuse_value("Sphere", "radius", sphere.radius, "it is greater than zero in the world's scalar");
         }
         /// A larger one.
         [[gnu::always_inline]] In grown(const typename S::Length& by) const {

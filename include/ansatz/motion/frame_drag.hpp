@@ -28,8 +28,7 @@ struct FrameDrag {
     static void parameters(auto& self, auto&& visit) { visit("factor", self.factor); }
     void check() const {
         if (!(factor.value() > 0) || !(factor.value() <= 1))
-            refuse_value("FrameDrag", "factor", describe(factor),
-                         "a damping factor is above 0 and at most 1 (1 damps nothing)");
+            refuse_value("FrameDrag", "factor", factor, "a damping factor is above 0 and at most 1 (1 damps nothing)");
     }
 
     template <class S> struct In {

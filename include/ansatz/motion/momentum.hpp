@@ -130,7 +130,7 @@ void require_collision(const PointMass<Scalar, Value>& first, const PointMass<Sc
     require_finite("mechanics::collide", "velocity", second.velocity);
     if (!(restitution >= Scalar(0) && restitution <= Scalar(1)))
         refuse_value("mechanics::collide", "restitution",
-                     describe(Quantity<unit::Dimensionless, Scalar>::from_value(restitution)),
+                     Quantity<unit::Dimensionless, Scalar>::from_value(restitution),
                      "it is from 0 (the bodies stay together) to 1 (no energy is lost)");
 }
 } // namespace detail

@@ -35,7 +35,7 @@ struct Buckets {
     double width = 0;
     void check() const {
         if (!(width >= 0) || !std::isfinite(width))
-            refuse_value("Buckets", "width", describe(width), "it must be finite, and 0 to have the graph choose");
+            refuse_value("Buckets", "width", width, "it must be finite, and 0 to have the graph choose");
     }
 
     template <class Cost, class Vertex> class In {

@@ -205,8 +205,7 @@ private:
     }
     void require_length(const char* where, std::size_t from, std::size_t to, Length length) const {
         if (!is_finite(length) || length.value() < apart(from, to).value() * (1 - 1e-12))
-            refuse_value(where, "the length from place " + std::to_string(from) + " to " + std::to_string(to),
-                         describe(length),
+            refuse_value(where, "the length from place " + std::to_string(from) + " to " + std::to_string(to), length,
                          "it must be finite and at least the straight distance, " + describe(apart(from, to)));
     }
     Length apart(std::size_t a, std::size_t b) const {

@@ -164,15 +164,14 @@ public:
         in.link.stiffness = S::convert("stiffness", spring.stiffness).value();
         if constexpr (Damped) in.link.damping = S::convert("damping", spring.damping).value();
         else if (spring.damping.value() != 0)
-            refuse_value(where, "damping", describe(spring.damping), "the springs of this world are Undamped");
+            refuse_value(where, "damping", spring.damping, "the springs of this world are Undamped");
         if (spring.rest_length) {
             require_not_negative(where, "rest length", *spring.rest_length);
             in.link.rest_length = S::convert("rest length", *spring.rest_length).value();
         } else {
             const auto distance = norm(to);
             if (!is_finite(distance))
-                refuse_value(where, "rest length", describe(distance),
-                             "give it, since the ends are infinitely far apart");
+                refuse_value(where, "rest length", distance, "give it, since the ends are infinitely far apart");
             in.link.rest_length = distance.value();
         }
         (add_limit(where, in, limit), ...);
@@ -314,14 +313,13 @@ private:
         // In the world's scalar, in which it is kept: what is 0 there would break at once, and no file would take it
         // back.
         if (!(Scalar(limit.force.value()) > Scalar(0)))
-            refuse_value(where, "break force", describe(limit.force), "it is greater than 0 N in the world's scalar");
+            refuse_value(where, "break force", limit.force, "it is greater than 0 N in the world's scalar");
         if (!(Scalar(limit.strain) > Scalar(0)))
-            refuse_value(where, "break strain", describe(limit.strain), "it is greater than 0 in the world's scalar");
+            refuse_value(where, "break strain", limit.strain, "it is greater than 0 in the world's scalar");
         static_cast<void>(S::convert("break force", limit.force)); // one that is finite is none that never breaks
         static_cast<void>(S::convert("break strain", Quantity<unit::Dimensionless>::from_value(limit.strain)));
         if (limit.strain < std::numeric_limits<double>::infinity() && !(in.link.rest_length > Scalar(0)))
-            refuse_value(where, "break strain", describe(limit.strain),
-                         "a spring of rest length 0 has no strain; give a force");
+            refuse_value(where, "break strain", limit.strain, "a spring of rest length 0 has no strain; give a force");
         if (limit.force < in.limit.force) in.limit.force = limit.force;
         if (limit.strain < in.limit.strain) in.limit.strain = limit.strain;
     }

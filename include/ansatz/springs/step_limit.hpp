@@ -43,9 +43,8 @@ template <class Beyond = void> struct StepLimit {
     static constexpr std::string_view name = "StepLimit";
     static void parameters(auto&, auto&&) {}
     void check() const {
-        if (!(part > 0) || !(part <= 1))
-            refuse_value("StepLimit", "part", describe(part), "it is greater than 0 and at most 1");
-        if (most_parts < 1) refuse_value("StepLimit", "most_parts", describe(most_parts), "it is at least 1");
+        if (!(part > 0) || !(part <= 1)) refuse_value("StepLimit", "part", part, "it is greater than 0 and at most 1");
+        if (most_parts < 1) refuse_value("StepLimit", "most_parts", most_parts, "it is at least 1");
     }
 
     /// What it keeps between steps, so that a step that is warm allocates nothing.
@@ -90,7 +89,7 @@ private:
         else
             better = "the longest that is stable for these springs is " + describe(rounded_down(limit)) +
                      ", and most_parts is " + describe(most_parts) + "; take a shorter step, or ImplicitEuler";
-        refuse_value("World::step", "dt", describe(dt), better);
+        refuse_value("World::step", "dt", dt, better);
     }
 };
 

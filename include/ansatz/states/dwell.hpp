@@ -22,7 +22,7 @@ constexpr bool reached(Quantity<unit::Time> passed, Quantity<unit::Time> wanted)
 
 constexpr void check_dwell(std::string_view where, Quantity<unit::Time> t) {
     if (!(t.value() >= 0 && t.value() <= std::numeric_limits<double>::max()))
-        refuse_value(where, "the time", describe(t), "a time to wait is finite and not negative");
+        refuse_value(where, "the time", t, "a time to wait is finite and not negative");
 }
 } // namespace detail
 

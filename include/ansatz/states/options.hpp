@@ -146,7 +146,7 @@ template <class... O> struct Options : O... {
 }
 /// Throws std::invalid_argument: the time of an update, s, is negative or not finite.
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_dt(Quantity<unit::Time> dt) {
-    refuse_value("Machine::update", "dt", describe(dt), "the time of an update is finite and not negative");
+    refuse_value("Machine::update", "dt", dt, "the time of an update is finite and not negative");
 }
 
 } // namespace states

@@ -37,7 +37,7 @@ public:
         if (turns < 1 || turns >= most_turns)
             refuse_value("OscillationReport", "turns", std::to_string(turns), "it is 1 to 31");
         if (!(within.value() > 0) || !is_finite(within))
-            refuse_value("OscillationReport", "within", describe(within), "it is finite and greater than 0 s");
+            refuse_value("OscillationReport", "within", within, "it is finite and greater than 0 s");
     }
 
     /// A transition goes from the outermost state that it leaves to the outermost that it enters.

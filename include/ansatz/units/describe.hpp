@@ -4,13 +4,17 @@
 /// \file
 /// A quantity as text for error sentences and labels: "-3 kg", "(0, 9.5, 0) m". Numbers are the
 /// shortest that read back as the same value; no streams, no locale. For output with a chosen
-/// precision use print.hpp.
+/// precision use print.hpp. Text is appended by one function of std::string, since every program compiles what it
+/// takes.
 
 #include <ansatz/units/quantity.hpp>
 #include <ansatz/units/symbol.hpp>
+#include <ansatz/world/error.hpp>
 
 #include <charconv>
+#include <concepts>
 #include <string>
+#include <string_view>
 
 namespace ansatz {
 namespace detail {
@@ -20,7 +24,7 @@ template <class S> [[gnu::cold]] inline void append_number(std::string& text, co
         if constexpr (std::is_floating_point_v<S>)
             // NOLINTNEXTLINE(misc-redundant-expression): true for what is no number
             if (value != value) { // to_chars shows the sign of a NaN, which means nothing to a reader
-                text += "nan";
+                text.append("nan", 3);
                 return;
             }
         char buffer[128];
@@ -32,15 +36,16 @@ template <class S> [[gnu::cold]] inline void append_number(std::string& text, co
 template <class S, int R, int C, int O>
 [[gnu::cold]] inline void append_number(std::string& text, const Dense<S, R, C, O>& m) {
     for (int i = 0; i < R; ++i) {
-        text += i == 0 ? "(" : ", ";
-        if constexpr (C != 1) text += '(';
+        if (i == 0) text.append("(", 1);
+        else text.append(", ", 2);
+        if constexpr (C != 1) text.append("(", 1);
         for (int j = 0; j < C; ++j) {
-            text += j == 0 ? "" : ", ";
+            if (j != 0) text.append(", ", 2);
             append_number(text, m.coeff(i, j));
         }
-        if constexpr (C != 1) text += ')';
+        if constexpr (C != 1) text.append(")", 1);
     }
-    text += ')';
+    text.append(")", 1);
 }
 
 } // namespace detail
@@ -50,8 +55,8 @@ template <class Unit, class Value> [[gnu::cold]] std::string describe(const boos
     std::string text;
     detail::append_number(text, q.value());
     if (constexpr auto unit_symbol = symbol<Unit>(); !unit_symbol.empty()) {
-        text += ' ';
-        text += unit_symbol;
+        text.append(" ", 1);
+        text.append(unit_symbol.data(), unit_symbol.size());
     }
     return text;
 }
@@ -66,6 +71,15 @@ template <class S, int R, int C, int O> [[gnu::cold]] std::string describe(const
     std::string text;
     detail::append_number(text, value);
     return text;
+}
+
+/// The sentence about a value, of the value itself: what makes the text of it stands in no function that is not
+/// refused.
+template <class Value>
+    requires(!std::convertible_to<const Value&, std::string_view>)
+[[noreturn, gnu::cold, gnu::noinline]] void refuse_value(std::string_view where, std::string_view what,
+                                                         const Value& value, std::string_view accepted) {
+    refuse_value(where, what, std::string_view(describe(value)), accepted);
 }
 
 } // namespace ansatz

@@ -241,7 +241,7 @@ template <class U, class S, int N, int O>
 inline detail::Dense<S, N, 1, O> direction(const boost::units::quantity<U, detail::Dense<S, N, 1, O>>& v) {
     detail::Dense<S, N, 1, O> result;
     if (!detail::unit_vector(v.value(), result))
-        refuse_value("direction", "the vector", describe(v), "a vector has a direction when it is finite and not zero");
+        refuse_value("direction", "the vector", v, "a vector has a direction when it is finite and not zero");
     return result;
 }
 

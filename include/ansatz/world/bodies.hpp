@@ -44,44 +44,31 @@ inline const char* name_of(Motion m) {
 }
 
 namespace detail {
-/// A handle that names nothing any more, or never did; of a body, or of a number of another kind. Here as in the other
-/// sentences that every program compiles, text is appended and numbers are of one type: std::string is a template.
+/// A handle that names nothing any more, or never did; of a body, or of a number of another kind. Numbers are
+/// of one type, for which every program compiles `describe` once.
 [[noreturn, gnu::cold, gnu::noinline]] inline void
 refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std::size_t given_out, const char* where) {
-    std::string sentence(where);
+    const auto number = describe(std::size_t(id));
     if (id == Handle{}.id && generation == Handle{}.generation)
-        sentence.append(": the handle is empty; use one that World::add returned");
-    else if (id < given_out) {
-        sentence.append(": the handle is stale: ")
-            .append(what)
-            .append(" ")
-            .append(describe(std::size_t(id)))
-            .append(" of generation ")
-            .append(describe(std::size_t(generation)));
-        sentence.append(" was removed; ask contains(handle) first");
-    } else {
-        sentence.append(": the handle names ")
-            .append(what)
-            .append(" ")
-            .append(describe(std::size_t(id)))
-            .append(", but this world has given out only ");
-        sentence.append(describe(given_out)).append("; use a handle of this world or of the one it was copied from");
-    }
-    refuse(Refusal::out_of_range, sentence);
+        refuse(Refusal::out_of_range, joined({where, ": the handle is empty; use one that World::add returned"}));
+    if (id < given_out)
+        refuse(Refusal::out_of_range,
+               joined({where, ": the handle is stale: ", what, " ", number, " of generation ",
+                       describe(std::size_t(generation)), " was removed; ask contains(handle) first"}));
+    refuse(Refusal::out_of_range,
+           joined({where, ": the handle names ", what, " ", number, ", but this world has given out only ",
+                   describe(given_out), "; use a handle of this world or of the one it was copied from"}));
 }
 /// A component that a column does not have.
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_component(std::string_view column, int component,
                                                                     std::size_t components) {
-    std::string sentence("World::lane: component ");
-    sentence.append(describe(component)).append(" of ").append(column).append(": it has ");
-    sentence.append(describe(components)).append(", counted from 0");
-    refuse(Refusal::out_of_range, sentence);
+    refuse(Refusal::out_of_range, joined({"World::lane: component ", describe(component), " of ", column, ": it has ",
+                                          describe(components), ", counted from 0"}));
 }
 /// A slot that no body has.
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_slot(std::size_t slot, std::size_t bodies) {
-    std::string sentence("World::body_at: slot ");
-    sentence.append(describe(slot)).append(": there are ").append(describe(bodies)).append(", counted from 0");
-    refuse(Refusal::out_of_range, sentence);
+    refuse(Refusal::out_of_range,
+           joined({"World::body_at: slot ", describe(slot), ": there are ", describe(bodies), ", counted from 0"}));
 }
 } // namespace detail
 
@@ -132,7 +119,7 @@ public:
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
     /// Room for so many bodies, at once.
-    void reserve(std::size_t n) {
+    [[gnu::cold]] void reserve(std::size_t n) {
         id_at_.reserve(n);
         slot_of_.reserve(n);
         generation_.reserve(n);
@@ -167,15 +154,15 @@ public:
         std::uint32_t id;
         if (free_.empty()) {
             id = std::uint32_t(slot_of_.size());
-            slot_of_.push_back(none);
-            generation_.push_back(0);
+            append(slot_of_, none);
+            append(generation_, 0);
             if (free_.capacity() < slot_of_.size()) free_.reserve(slot_of_.capacity());
         } else {
             id = free_.back();
             free_.pop_back();
         }
         slot_of_[id] = Slot(id_at_.size());
-        id_at_.push_back(id);
+        append(id_at_, id);
         ++end_[3];
         return {id, generation_[id]};
     }
@@ -203,7 +190,7 @@ public:
         --end_[3];
         slot_of_[id] = none;
         ++generation_[id];
-        free_.push_back(id);
+        append(free_, id);
     }
 
     /// The same bodies in the same slots, and the same handles to come.
@@ -233,6 +220,9 @@ private:
         std::size_t& operator[](std::size_t i) { return end[i]; }
         const std::size_t& operator[](std::size_t i) const { return end[i]; }
     };
+
+    /// One function for the four of them: what a vector does when it grows is most of what compiling `add` takes.
+    [[gnu::noinline]] static void append(std::vector<std::uint32_t>& to, std::uint32_t value) { to.push_back(value); }
 
     template <class Swap> void exchange(Slot i, Slot j, Swap& swap) {
         if (i == j) return;

@@ -41,8 +41,7 @@ typename S::template VectorOf<Unit> finite_vector([[maybe_unused]] std::string_v
     if constexpr (fits && same_dimension) {
         result = scalar_cast<typename S::Scalar>(q);
         if (!is_finite(result))
-            refuse_value(where, what, describe(q),
-                         "every component is a finite number that the world's scalar can hold");
+            refuse_value(where, what, q, "every component is a finite number that the world's scalar can hold");
     }
     return result;
 }
@@ -57,8 +56,7 @@ typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_v
     typename S::template ScalarOf<Unit> result{};
     if constexpr (fits) {
         result = scalar_cast<typename S::Scalar>(q);
-        if (!is_finite(result))
-            refuse_value(where, what, describe(q), "it is a finite number that the world's scalar can hold");
+        if (!is_finite(result)) refuse_value(where, what, q, "it is a finite number that the world's scalar can hold");
     }
     return result;
 }
@@ -68,7 +66,7 @@ template <class S, class C, class Q> value_of<C, S> value_for(std::string_view w
     if constexpr (C::shape == Shape::vector) return finite_vector<S, typename C::Unit>(where, C::name, q);
     else {
         const auto value = finite_scalar<S, typename C::Unit>(where, C::name, q);
-        if (!in_range<C>(value.value())) refuse_value(where, C::name, describe(q), "it is " + range_of<C>());
+        if (!in_range<C>(value.value())) refuse_value(where, C::name, q, joined({"it is ", range_of<C>()}));
         return value;
     }
 }
@@ -80,7 +78,7 @@ template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_
     const auto inverse = Scalar(1) / given;
     if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
         refuse_value(
-            where, "mass", describe(m),
+            where, "mass", m,
             "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
     return inverse;
 }

@@ -40,7 +40,7 @@ struct Starts {
     std::vector<std::uint8_t> state; // State by id; of bytes, since every program compiles those anyway
     std::vector<std::uint32_t> list; // ids that wait or are forgotten, each once
 
-    void reserve(std::size_t n) {
+    [[gnu::cold]] void reserve(std::size_t n) {
         state.reserve(n);
         list.reserve(n);
     }
@@ -186,7 +186,7 @@ template <class C> struct WorldData {
     }
 
     /// Room for so many bodies in everything.
-    void reserve(std::size_t n) {
+    [[gnu::cold]] void reserve(std::size_t n) {
         lanes.reserve(n);
         bodies.reserve(n);
         if constexpr (C::collides) collisions.reserve(n);

@@ -176,7 +176,7 @@ template <class... P> template <class Q> void World<P...>::apply_impulse(Handle 
     if (!(inverse.value() > Scalar(0))) return;
     settle();
     const auto v = velocity_at(slot) + inverse * impulse;
-    if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", describe(j), "the velocity after it is finite");
+    if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", j, "the velocity after it is finite");
     column_changes<ansatz::Velocity>();
     data_.set_velocity(slot, v);
     wake_slot(slot);
@@ -190,8 +190,7 @@ template <class... P> template <class Q> void World<P...>::apply_force(Handle bo
     const auto force = detail::finite_vector<S, unit::Force>("World::apply_force", "force", f);
     if (!(data_.lanes.template get<ansatz::InverseMass>(slot).value() > Scalar(0))) return;
     const auto total = data_.lanes.template get<AppliedForce>(slot) + force;
-    if (!is_finite(total))
-        refuse_value("World::apply_force", "force", describe(f), "the sum of the forces applied is finite");
+    if (!is_finite(total)) refuse_value("World::apply_force", "force", f, "the sum of the forces applied is finite");
     // The velocity now is what it was before the force; the history begins anew with both.
     hold_velocity(slot);
     if constexpr (composition::history) column_changes<ansatz::Velocity>(); // forces see the velocity that is held now
@@ -268,14 +267,12 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
     detail::refuse_whole_numbers<T>();
     const auto h = detail::finite_scalar<S, unit::Time>("World::step", "dt", dt);
     if constexpr (detail::fits_scalar<unit::Time, T>) {
-        if (h.value() < Scalar(0))
-            refuse_value("World::step", "dt", describe(dt), "a time step is finite and not negative");
+        if (h.value() < Scalar(0)) refuse_value("World::step", "dt", dt, "a time step is finite and not negative");
         if (!is_finite(data_.clock.now() + scalar_cast<typename S::ClockScalar>(dt)))
-            refuse_value("World::step", "dt", describe(dt), "the time after the step is finite");
+            refuse_value("World::step", "dt", dt, "the time after the step is finite");
         if (h.value() == Scalar(0)) {
             if (!(dt.value() == 0))
-                refuse_value("World::step", "dt", describe(dt),
-                             "a time step is 0 or one that the world's scalar can hold");
+                refuse_value("World::step", "dt", dt, "a time step is 0 or one that the world's scalar can hold");
             return;
         }
         get_ready("World::step");

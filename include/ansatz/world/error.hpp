@@ -15,6 +15,7 @@
 
 #include <ansatz/core/compiler_flags.hpp>
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -36,12 +37,20 @@ enum class Refusal { invalid_argument, out_of_range };
 [[noreturn]] void refuse(Refusal kind, const std::string& sentence);
 #endif
 
+namespace detail {
+/// The pieces of a sentence as one text. std::string is a template: what a sentence calls of it, every program with a
+/// world compiles, so that all of them call this.
+[[gnu::cold, gnu::noinline]] inline std::string joined(std::initializer_list<std::string_view> pieces) {
+    std::string text;
+    for (const std::string_view piece : pieces) text.append(piece.data(), piece.size());
+    return text;
+}
+} // namespace detail
+
 /// The library's one form of a sentence about a value: "<where>: <what> is <value>; <accepted>".
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_value(std::string_view where, std::string_view what,
                                                                 std::string_view value, std::string_view accepted) {
-    std::string sentence;
-    sentence.append(where).append(": ").append(what).append(" is ").append(value).append("; ").append(accepted);
-    refuse(Refusal::invalid_argument, sentence);
+    refuse(Refusal::invalid_argument, detail::joined({where, ": ", what, " is ", value, "; ", accepted}));
 }
 
 } // namespace ansatz

@@ -28,13 +28,12 @@ public:
     /// \throws std::invalid_argument for other values
     explicit FixedStep(Parameter<unit::Time> dt, Parameter<unit::Time> longest = 0.25 * second) : dt_(dt) {
         if (!is_finite(dt) || !(dt.value() > 0))
-            refuse_value("FixedStep", "dt", describe(dt), "a step is finite and greater than 0 s");
+            refuse_value("FixedStep", "dt", dt, "a step is finite and greater than 0 s");
         if (!is_finite(longest) || longest.value() < dt.value())
-            refuse_value("FixedStep", "longest", describe(longest),
-                         "the clamp is finite and at least one step, " + describe(dt));
+            refuse_value("FixedStep", "longest", longest, "the clamp is finite and at least one step, " + describe(dt));
         const auto usual = std::min(longest.value(), 0.25) * second; // a longer clamp is one that shall not act
         if (!(usual.value() / dt.value() <= most_in_a_frame))
-            refuse_value("FixedStep", "dt", describe(dt),
+            refuse_value("FixedStep", "dt", dt,
                          "a frame of " + describe(usual) + " would not end; a step is at least " +
                              describe(usual / most_in_a_frame) + ", or the clamp is shorter");
         // The clamp is a whole number of steps, so that it cannot lose part of one; 0.25 s is 15 steps of 1/60 s,
@@ -72,8 +71,7 @@ public:
     template <class World_, class BeforeStep>
     std::uint64_t advance(World_& world, Parameter<unit::Time> frame_time, BeforeStep&& before_step) {
         if (!is_finite(frame_time) || frame_time.value() < 0)
-            refuse_value("FixedStep::advance", "frame_time", describe(frame_time),
-                         "a frame's time is finite and not negative");
+            refuse_value("FixedStep::advance", "frame_time", frame_time, "a frame's time is finite and not negative");
         // Counted in steps: the fraction of a step that is left never mixes with large sums.
         double owed = std::min(left_ + frame_time.value() / dt_.value(), std::numeric_limits<double>::max());
         // A spike of exactly n steps is n steps, whichever way the division was rounded.
@@ -82,7 +80,7 @@ public:
         const double whole = std::floor(owed);
         const auto steps = std::uint64_t(std::min(whole, double(most_)));
         if (!(double(steps) <= most_in_a_frame))
-            refuse_value("FixedStep::advance", "frame_time", describe(frame_time),
+            refuse_value("FixedStep::advance", "frame_time", frame_time,
                          "a frame of so many steps would not end; it is at most " + describe(most_in_a_frame * dt_));
         for (std::uint64_t i = 0; i < steps; ++i) {
             before_step(world);

@@ -149,10 +149,10 @@ public:
     std::size_t size() const { return size_; }
 
     /// Room for so many bodies.
-    void reserve(std::size_t n) {
+    [[gnu::cold]] void reserve(std::size_t n) {
         if (n <= stride_) return;
         if (n > std::numeric_limits<std::size_t>::max() / (2 * bytes_per_body + 64) - 4096)
-            refuse_value("Lanes::reserve", "n", describe(n), "so many bodies cannot be addressed");
+            refuse_value("Lanes::reserve", "n", n, "so many bodies cannot be addressed");
         const std::size_t stride = stride_for(n);
         Block grown(width * stride);
         for (std::size_t k = 0; k < width; ++k) std::copy_n(lane_at(k), size_, grown.data() + k * stride);

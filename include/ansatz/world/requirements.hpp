@@ -15,18 +15,17 @@ namespace ansatz {
 /// \throws std::invalid_argument unless every component is finite
 template <class Unit, class Value>
 void require_finite(std::string_view where, std::string_view what, const boost::units::quantity<Unit, Value>& q) {
-    if (!is_finite(q)) refuse_value(where, what, describe(q), "it must be finite");
+    if (!is_finite(q)) refuse_value(where, what, q, "it must be finite");
 }
 /// \throws std::invalid_argument unless finite and at least zero
 template <class Unit, class Value>
 void require_not_negative(std::string_view where, std::string_view what, const boost::units::quantity<Unit, Value>& q) {
-    if (!is_finite(q) || q.value() < 0) refuse_value(where, what, describe(q), "it must be finite and not negative");
+    if (!is_finite(q) || q.value() < 0) refuse_value(where, what, q, "it must be finite and not negative");
 }
 /// \throws std::invalid_argument unless finite and greater than zero
 template <class Unit, class Value>
 void require_positive(std::string_view where, std::string_view what, const boost::units::quantity<Unit, Value>& q) {
-    if (!is_finite(q) || !(q.value() > 0))
-        refuse_value(where, what, describe(q), "it must be finite and greater than zero");
+    if (!is_finite(q) || !(q.value() > 0)) refuse_value(where, what, q, "it must be finite and greater than zero");
 }
 
 } // namespace ansatz

@@ -69,7 +69,7 @@ void refuse_short_step([[maybe_unused]] const WorldData<C>& data, [[maybe_unused
                        const typename C::S::Time& h, const auto& given) {
     using Scalar = typename C::S::Scalar;
     auto is_at_least = [&](const char* why, const Scalar& least) {
-        refuse_value("World::step", "dt", describe(given), why + describe(C::S::Time::from_value(least)));
+        refuse_value("World::step", "dt", given, joined({why, describe(C::S::Time::from_value(least))}));
     };
     if constexpr (C::history) {
         Scalar parts(1);

@@ -66,8 +66,7 @@ template <class ScalarT = double, int Dim = 3> struct Space {
     template <class Unit, detail::ScalarValue From>
     static constexpr ScalarOf<Unit> convert(std::string_view what, const ansatz::Quantity<Unit, From>& q) {
         const auto converted = ScalarOf<Unit>::from_value(static_cast<Scalar>(q.value()));
-        if (is_finite(q) && !is_finite(converted))
-            refuse_value("World", what, describe(q), "the world's scalar can hold it");
+        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, q, "the world's scalar can hold it");
         return converted;
     }
 
@@ -78,13 +77,11 @@ template <class ScalarT = double, int Dim = 3> struct Space {
     static VectorOf<Unit> convert(std::string_view what, const VectorQuantity<Unit, 3, From>& q) {
         if constexpr (Dim == 2)
             if (!(q.value()[2] == From(0)))
-                refuse_value("World", what, describe(q),
-                             "this world has two dimensions, so its third component must be 0");
+                refuse_value("World", what, q, "this world has two dimensions, so its third component must be 0");
         Vector<Scalar, Dim> v;
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
         const auto converted = VectorOf<Unit>::from_value(v);
-        if (is_finite(q) && !is_finite(converted))
-            refuse_value("World", what, describe(q), "the world's scalar can hold it");
+        if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, q, "the world's scalar can hold it");
         return converted;
     }
     /// A vector in the scalar of the space.

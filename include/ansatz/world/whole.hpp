@@ -39,8 +39,7 @@ template <class... P> void World<P...>::wake(Handle body) {
 
 template <class... P> void World<P...>::reserve(std::size_t n) {
     if (n >= 0xffffffffu)
-        refuse_value("World::reserve", "n", describe(n),
-                     "it is below 4294967295, the number of bodies that handles can name");
+        refuse_value("World::reserve", "n", n, "it is below 4294967295, the number of bodies that handles can name");
     data_.reserve(n);
     if constexpr (has_datum) user_.by_id.reserve(n);
     capacity_ = std::max<std::size_t>(capacity_, n); // last: where one table found no memory, it is asked for again
@@ -87,11 +86,9 @@ template <class... P> void World<P...>::assign(World&& other) {
 }
 
 template <class... P> void World<P...>::refuse_lost(const char* where) {
-    std::string sentence(where);
-    sentence.append(
-        ": this world is lost, because its last step was broken off by an exception; assign a copy that was "
-        "made before, or load one");
-    refuse(Refusal::invalid_argument, sentence);
+    refuse(Refusal::invalid_argument,
+           detail::joined({where, ": this world is lost, because its last step was broken off by an exception; "
+                                  "assign a copy that was made before, or load one"}));
 }
 
 } // namespace ansatz

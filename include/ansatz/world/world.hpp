@@ -89,7 +89,7 @@ public:
     std::size_t count(Motion m) const { return data_.bodies.count(m); }
     /// Makes room, so that adding `n` bodies in all does not allocate.
     /// \throws std::invalid_argument for more bodies than handles can name
-    void reserve(std::size_t n);
+    [[gnu::cold]] void reserve(std::size_t n);
     /// The handles of all bodies, by id: a list of your own, for loops that add or remove.
     std::vector<Handle> handles() const {
         std::vector<Handle> all;

@@ -100,7 +100,7 @@ template <class... Options> struct Impulse {
     /// \throws std::invalid_argument for parameters that are not acceptable
     void check() const {
         require_not_negative("Impulse", "threshold", threshold);
-        if (sweeps < 1) refuse_value("Impulse", "sweeps", describe(sweeps), "it is at least 1");
+        if (sweeps < 1) refuse_value("Impulse", "sweeps", sweeps, "it is at least 1");
     }
 
     template <class S> struct In {

@@ -47,8 +47,8 @@ struct Projection {
     void check() const {
         require_not_negative("Projection", "slop", slop);
         if (!(share > 0) || !(share <= 1))
-            refuse_value("Projection", "share", describe(share), "it is greater than 0 and at most 1");
-        if (sweeps < 1) refuse_value("Projection", "sweeps", describe(sweeps), "it is at least 1");
+            refuse_value("Projection", "share", share, "it is greater than 0 and at most 1");
+        if (sweeps < 1) refuse_value("Projection", "sweeps", sweeps, "it is at least 1");
     }
 
     template <class S> struct In {

@@ -66,11 +66,10 @@ template <class... Options> struct SoftSubsteps {
     }
     /// \throws std::invalid_argument for parameters that are not acceptable
     void check() const {
-        if (parts < 1) refuse_value("SoftSubsteps", "parts", describe(parts), "it is at least 1");
+        if (parts < 1) refuse_value("SoftSubsteps", "parts", parts, "it is at least 1");
         require_positive("SoftSubsteps", "frequency", frequency);
         if (!(damping_ratio > 0) || !is_finite(damping_ratio))
-            refuse_value("SoftSubsteps", "damping_ratio", describe(damping_ratio),
-                         "it is finite and greater than zero");
+            refuse_value("SoftSubsteps", "damping_ratio", damping_ratio, "it is finite and greater than zero");
         require_not_negative("SoftSubsteps", "slop", slop);
         require_positive("SoftSubsteps", "push_out", push_out);
         require_not_negative("SoftSubsteps", "threshold", threshold);

@@ -83,7 +83,7 @@ public:
               std::string_view done = "done")
         : machine_(&machine), context_(&context), dt_(dt), done_(find(done)) {
         if (!std::isfinite(dt.value()) || dt.value() < 0)
-            refuse_value("goap::ByMachine", "dt", describe(dt), "the time of a tick is finite and not negative");
+            refuse_value("goap::ByMachine", "dt", dt, "the time of a tick is finite and not negative");
         if (done_ == StateId::none)
             refuse_value("goap::ByMachine", quoted(done), "no state of the machine",
                          "actions end in it; add state(" + quoted(done) + "), or give the name of the one that it is");

@@ -97,7 +97,7 @@ public:
     /// \throws std::invalid_argument for another cost, and for a name that there is already
     Building action(std::string_view name, double cost = 1) {
         if (!std::isfinite(cost) || cost < 0)
-            refuse_value("goap::Domain::action", "the cost of \"" + std::string(name) + "\"", describe(cost),
+            refuse_value("goap::Domain::action", "the cost of \"" + std::string(name) + "\"", cost,
                          "it must be finite and not negative");
         for (const auto& other : names_)
             if (other == name)
@@ -112,7 +112,7 @@ public:
     void set_cost(Action a, double cost) {
         require(a);
         if (!std::isfinite(cost) || cost < 0)
-            refuse_value("goap::Domain::set_cost", "the cost of \"" + names_[a] + "\"", describe(cost),
+            refuse_value("goap::Domain::set_cost", "the cost of \"" + names_[a] + "\"", cost,
                          "it must be finite and not negative");
         rules_[a].cost = cost;
         ++version_;

@@ -146,7 +146,7 @@ public:
     Cell cell_at(const VectorQuantity<unit::Length, 2>& place) const {
         const double x = std::floor(place.value()[0] / tile_.value()), y = std::floor(place.value()[1] / tile_.value());
         if (!(x >= 0 && y >= 0 && x < double(width_) && y < double(height_)))
-            refuse_value("Grid::cell_at", "the place", describe(place), "the map has " + size_in_words());
+            refuse_value("Grid::cell_at", "the place", place, "the map has " + size_in_words());
         return Cell{std::uint16_t(x), std::uint16_t(y)};
     }
     /// @}

@@ -89,7 +89,7 @@ public:
     ///         large for a whole-number cost
     void set(std::size_t i, double weight, const std::string& where, Cell cell) {
         if (!std::isfinite(weight) || weight < 0 || weight > heaviest)
-            refuse_value(where, "the weight of " + name_of(cell), describe(weight),
+            refuse_value(where, "the weight of " + name_of(cell), weight,
                          "it must be from 0 to 60000 (to block a tile, say set_passable(cell, false))");
         ++counts_[weight];
         const auto old = counts_.find(kept_[i].weight);

@@ -27,8 +27,7 @@ template <class Heuristic> struct Weighted {
     double weight = 1; ///< finite, not negative
     /// \throws std::invalid_argument for a weight that is negative, infinite or not a number
     Weighted(Heuristic h, double w) : of(h), weight(w) {
-        if (!std::isfinite(w) || w < 0)
-            refuse_value("Weighted", "weight", describe(w), "it must be finite and not negative");
+        if (!std::isfinite(w) || w < 0) refuse_value("Weighted", "weight", w, "it must be finite and not negative");
     }
     template <class Cost, class Graph> auto bind(const Graph& g, const GoalOf<Graph>& goal) const {
         return [h = of.template bind<Cost>(g, goal), w = weight](const VertexOf<Graph>& v) {
