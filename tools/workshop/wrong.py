@@ -17,8 +17,9 @@ Below each @@ stand lines of the solution (without the marks of its tasks), as i
 those that come a plus, those that stay a blank. They are found by what they say, wherever they are, so that they must
 stand there once: what stands nowhere, or twice, is refused with its place.
 
-`git apply` and `patch` are no help here: both want line numbers behind @@, take what stands twice at the place that is
-nearest to them, and say of a line that is not there only that a hunk has failed.
+`git apply` and `patch` are no help here: both want line numbers behind @@, take lines that stand twice at the place
+which is nearest to those, put lines that only come wherever the number says, and name the place in the solution, but
+neither the line of wrong.diff nor the answer.
 """
 
 from __future__ import annotations

@@ -96,6 +96,12 @@ class FirstError(unittest.TestCase):
                     f"In file included from {ANSWER}:3,",
                     "/p/exercises/1-a/b/test.cpp:4:1: error: 'f' is not a member of 'exercise'")
 
+    def test_no_line_of_the_answer(self) -> None:
+        """Where nobody names one."""
+        self.expect(0, "include/ansatz/x.hpp:5:3", "wrong", "/p/include/ansatz/x.hpp:5:3: error: wrong")
+        self.expect(0, "cc1plus", f"{ANSWER}: No such file or directory",
+                    f"cc1plus: fatal error: {ANSWER}: No such file or directory")
+
     def test_where_an_earlier_instantiation_came_from_is_forgotten(self) -> None:
         """With the next file that is included."""
         self.expect(0, "include/ansatz/x.hpp:5:3", "wrong",
@@ -118,6 +124,17 @@ class FirstError(unittest.TestCase):
                     "explicitly deleted",
                     "Ansatz_units_this_adds_or_compares_quantities_of_different_units "
                     "operator+=(quantity<Unit1, X>&, const quantity<Unit2, Y>&) = delete;")
+
+    def test_a_sentence_without_two_units(self) -> None:
+        """One alone would be a riddle."""
+        self.expect_error("this is not done", "use of deleted function 'Ansatz_units_this_is_not_done f(A) "
+                          f"[with Unit1 = {unit(LENGTH)}]'")
+
+    def test_a_candidate_is_not_what_was_chosen(self) -> None:
+        """What might have been called has its sentence too, but it is not the error."""
+        self.expect(8, f"{SHOWN}:8:11", "no matching function for call to 'f'",
+                    f"{ANSWER}:8:11: error: no matching function for call to 'f'",
+                    "Ansatz_units_this_adds_or_compares operator+=(quantity<Unit1, X>&) = delete;")
 
     def test_types_by_their_units(self) -> None:
         """Mass comes first, as people write it."""

@@ -113,6 +113,16 @@ class Command(unittest.TestCase):
         self.assertEqual(skeleton.read(os.path.join(self.folder, "skeleton.1.hpp")), FIRST_SOLVED)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "skeleton.2.hpp")))
 
+    def test_a_solution_without_tasks_has_one_skeleton(self) -> None:
+        """Itself."""
+        self.assertEqual(self.run_it("--all", self.folder, self.put("plain.hpp", "int x;\n")), (0, "skeleton\n", ""))
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "skeleton.1.hpp")))
+
+    def test_one_solution_at_a_time(self) -> None:
+        """More would be one text without a seam."""
+        with self.assertRaises(SystemExit):
+            self.run_it(self.solution, self.solution)
+
     def test_untouched_is_letter_by_letter(self) -> None:
         """A blank more is an answer that was begun; what has no answer, or is no exercise, is not named."""
         self.assertEqual(self.run_it("--untouched", self.folder), (0, "", ""))

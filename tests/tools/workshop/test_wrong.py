@@ -274,10 +274,14 @@ class Refusing(InAFolder):
         """It would be told to nobody."""
         self.refused("=== head\nBecause: w\n@@\n-    return x + y;\n", 2,
                      "head: 'Because: w' is neither Mistake:, Why:, Read: or Fails: nor below @@")
+        self.refused("=== head\n    more\n@@\n-    return x + y;\n", 2,
+                     "head: '    more' is neither Mistake:, Why:, Read: or Fails: nor below @@")
 
     def test_a_line_without_a_sign(self) -> None:
         """Below @@."""
         self.refused("=== sign\n@@\n-    return x + y;\nreturn 0;\n", 4,
+                     "sign: a line below @@ begins with a minus, a plus or a blank")
+        self.refused("=== sign\n@@\n-    return x + y;\nreturn 0;", 4,
                      "sign: a line below @@ begins with a minus, a plus or a blank")
 
     def test_all_that_is_wrong_is_said_at_once(self) -> None:
