@@ -14,7 +14,7 @@ cp -R "$project"/{CMakeLists.txt,CMakePresets.json,README.md,workbook,cmake,incl
 cp "$project"/exercises/{CMakeLists.txt,precompiled.cpp} "$tree/exercises/" && cp -R "$project/exercises/1-motion/explicit_euler" "$tree/exercises/1-motion/" || exit 1
 cp "$project/exercises/.clang-format" "$tree/exercises/" 2> /dev/null
 exercise=$tree/exercises/1-motion/explicit_euler
-awk -f "$project/tools/exercises/skeleton.awk" "$exercise/solution.hpp" > "$exercise/exercise.hpp"
+python3 "$project/tools/workshop/skeleton.py" "$exercise/solution.hpp" > "$exercise/exercise.hpp" || exit 1
 
 passed=0
 failed=0

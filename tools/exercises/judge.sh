@@ -174,17 +174,22 @@ mistake_of() {
     MISTAKES=$(sed -n 's|^.*/wrong\.\(.*\)\.probes$|\1|p' "$JUDGE_SCRATCH/printed")
 }
 
+# read_heads <the exercise's folder>: HEADS is what its wrong answers say of themselves, read once for all that is asked
+# of them: name<TAB>word<TAB>text, a line each.
+read_heads() {
+    HEADS_OF=$1 HEADS=''
+    [ -f "$1/wrong.diff" ] || return 0
+    HEADS=$(python3 "$(dirname "${BASH_SOURCE[0]}")/../workshop/wrong.py" heads "$1/wrong.diff")
+}
+
 # line_of <the exercise's folder> <wrong answer> <word>: what a wrong answer says of itself: Mistake: ..., Why, Read, Fails;
 # continued lines are joined.
 line_of() {
-    awk -v name="$2" -v word="$3:" '
-        /^=== / { here = $2 == name; head = 1; on = 0; next }
-        /^@@/ { head = 0; on = 0 }
-        !here || !head { next }
-        index($0, word) == 1 { text = substr($0, length(word) + 1); on = 1; next }
-        on && /^ +[^ ]/ { sub(/^ +/, " "); text = text $0; next }
-        { on = 0 }
-        END { sub(/^ +/, "", text); print text }' "$1/wrong.diff"
+    local line
+    [ "${HEADS_OF:-}" = "$1" ] || read_heads "$1"
+    while IFS= read -r line; do
+        case $line in "$2"$'\t'"$3"$'\t'*) printf '%s\n' "${line#*$'\t'*$'\t'}"; return ;; esac
+    done <<< "$HEADS"
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then

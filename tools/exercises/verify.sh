@@ -129,19 +129,9 @@ verify_wrong() {
 
 # Each level of each task's hints, with a text below its heading.
 verify_hints() {
-    local task level
-    for task in $(seq 1 "$TASKS"); do
-        for level in question place shape line; do
-            case $(awk -v task="## Task $task: " -v level="$level" '
-                /^## / { on = index($0, task) == 1 && index(tolower($0), level) > 0; found = found || on; next }
-                on && /[^ ]/ { said = 1 }
-                END { print found + 0, said + 0 }' "$EXERCISE/hints.md" 2> /dev/null) in
-                "1 1") ;;
-                "1 0") fault "hints.md has no text below '## Task $task: the $level'" ;;
-                *) fault "hints.md has no '## Task $task: the $level'" ;;
-            esac
-        done
-    done
+    local sentence
+    while IFS= read -r sentence; do fault "$sentence"; done < <(
+        python3 "$PROJECT/tools/workshop/hints.py" "$EXERCISE/hints.md" "$TASKS")
 }
 
 verify_texts() {
@@ -197,6 +187,7 @@ verify() {
     TESTS=$LISTED
     TASKS=$(printf '%s\n' "$TESTS" | cut -f 1 | grep -x '[0-9]*' | sort -n | tail -n 1)
     TASKS=${TASKS:-0}
+    read_heads "$EXERCISE"
     verify_texts
     verify_list
     printf '%s\n' "${PROGRAMS##*/}"

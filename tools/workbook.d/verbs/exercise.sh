@@ -126,6 +126,7 @@ name_the_mistake() {
         echo "  ${DIM}They are ready after $(duration $(($(now) - start))).$PLAIN"
     fi
     mistake_of "$FOLDER" "$BUILD/exercises/$ID" student "$tasks"
+    [ -z "$MISTAKES" ] || read_heads "$FOLDER"
     for wrong in $MISTAKES; do
         echo
         say "${YELLOW}Your numbers equal those of: $(line_of "$FOLDER" "$wrong" Mistake).$PLAIN" | sed 's/^/  /'

@@ -63,6 +63,7 @@ list_exercises() {
     echo
     heading "Exercises"
     digits=$(longest_number "$index")
+    find_untouched
     while IFS=$SEP read -r number id title folder; do
         state=$(state_of_exercise "$id" "$folder")
         count=$((count + 1))

@@ -9,6 +9,7 @@ verb_reset() {
     one_exercise reset 1 "$@" || return 2
     choose_exercise "$1" || return 2
     files_there solution.hpp || return 1
+    python_there || return 1
     local answer=$FOLDER/exercise.hpp aside
     if skeleton_of "$FOLDER" | cmp -s - "$answer"; then
         echo "$answer is as it was at the beginning; nothing to do"
