@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSL-1.0
 # Measures time.
 #
-# A program with one world costs at most 2 times what including Eigen/Core and Boost.Units SI alone costs, with the
-# compiler of the build. tools/compile_time measures it, as the compiler's own CPU time, in turn, three times, and more
-# often while the bound does not hold.
+# What a program with one world costs, and one whose bodies collide, beside including Eigen/Core and Boost.Units SI alone,
+# with the compiler of the build. tools/compile_time has the bounds and measures, as the compiler's own CPU time, in turn,
+# three times, and more often while a bound does not hold.
 #
 # usage: compile_time.sh <folder of the project>       with CXX in the environment, as ctest sets it
 set -euo pipefail
