@@ -19,6 +19,12 @@ TEST_CASE("a refusal is of its kind, and has the sentence that it was given", "[
     CHECK(sentence<std::out_of_range>([] { refuse(Refusal::out_of_range, "a sentence"); }) == "a sentence");
     CHECK(sentence<std::invalid_argument>([] { refuse_value("here", "this", "3 kg", "that"); }) ==
           "here: this is 3 kg; that");
+    // The value itself, with its unit, or a number.
+    CHECK(sentence<std::invalid_argument>([] { refuse_value("here", "this", 3.0 * kilogram, "that"); }) ==
+          "here: this is 3 kg; that");
+    CHECK(sentence<std::invalid_argument>([] { refuse_value("here", "this", metres(0, 1.5, 0), "that"); }) ==
+          "here: this is (0, 1.5, 0) m; that");
+    CHECK(sentence<std::invalid_argument>([] { refuse_value("here", "this", 3, "that"); }) == "here: this is 3; that");
 }
 
 TEST_CASE("parameters are held to be finite, not negative or positive, each with its own sentence",
