@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Steps that are too long for the springs of a world: refused with the number, or divided.
 
+#include <ansatz/collision.hpp>
 #include <ansatz/springs/step_limit.hpp>
 
 #include "tests/springs/support.hpp"
@@ -36,6 +37,26 @@ TEST_CASE("a step beyond the limit is refused with the longest that would do, an
     auto implicit = stiff<ImplicitEuler>(1e6, StepLimit<Refuse>{});
     implicit.step(10.0 * second);
     CHECK(implicit.tick() == 1);
+}
+
+TEST_CASE("a refused step leaves the contacts that act in the next one as they were", "[springs]") {
+    World world{SemiImplicitEuler{},   Gravity{}, Springs{}, StepLimit<Refuse>{}, AllPairs{},
+                Narrowphase<Sphere>{}, Penalty{}};
+    const auto a = world.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), mass(1.0 * kilogram));
+    const auto b = world.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)), mass(1.0 * kilogram));
+    world.add(Spring{a, b, 1e6 * N_per_m});
+    for (int i = 0; i < 8; ++i) {
+        CAPTURE(i);
+        const auto before = world.hash();
+        const auto copy = world;
+        CHECK_THROWS_AS(world.step(0.1 * second), std::invalid_argument);
+        CHECK(world.hash() == before);
+        auto never_asked = copy;
+        never_asked.step(0.0005 * second);
+        world.step(0.0005 * second);
+        CHECK(world.hash() == never_asked.hash());
+        world.set_position(b, metres(0.9 - 0.05 * i, 0, 0)); // what acts next is to be found anew
+    }
 }
 
 TEST_CASE("a divided step is so many steps, to the bit, and lasts as long as it was asked to", "[springs]") {

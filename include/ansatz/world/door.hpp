@@ -278,34 +278,25 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
         get_ready("World::step");
         data_.reserve_notes_of_step();
         detail::refuse_short_step(data_, policies_, h, dt);
-        if constexpr (composition::acts_next) {
-            lost_ = true; // until everybody has been looked at
-            step_of(h).look_around();
-            lost_ = false;
-        }
-        const auto whole = scalar_cast<typename S::ClockScalar>(dt);
-        if constexpr (composition::controlled) {
+        int parts = 1;
+        if constexpr (composition::controlled) { // it may refuse the step, so that it is asked before anything changes
             constexpr bool understood = StepControlFor<std::decay_t<decltype(control())>, World>;
             static_assert(
                 understood,
                 "Ansatz: a policy that decides how a step is taken, with a wrong signature; it needs `struct Kept` and "
                 "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
-            if constexpr (understood) {
-                const int parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
-                lost_ = true; // until it is taken
-                Step<composition, Policies>::begin(data_);
-                const auto part = whole / typename S::ClockScalar(parts);
-                if (parts == 1) take_step<typename composition::transient>(part);
-                else {
-                    take_step<Columns<>>(part);
-                    for (int i = 2; i < parts; ++i) take_step<Columns<>, true>(part);
-                    take_step<typename composition::transient, true>(part);
-                }
-            }
-        } else {
-            lost_ = true; // until it is taken
-            Step<composition, Policies>::begin(data_);
-            take_step<typename composition::transient>(whole);
+            if constexpr (understood) parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
+        }
+        lost_ = true; // until it is taken
+        if constexpr (composition::acts_next) step_of(h).look_around();
+        Step<composition, Policies>::begin(data_);
+        const auto whole = scalar_cast<typename S::ClockScalar>(dt);
+        if (!composition::controlled || parts == 1) take_step<typename composition::transient>(whole);
+        else if constexpr (composition::controlled) {
+            const auto part = whole / typename S::ClockScalar(parts);
+            take_step<Columns<>>(part);
+            for (int i = 2; i < parts; ++i) take_step<Columns<>, true>(part);
+            take_step<typename composition::transient, true>(part);
         }
         lost_ = false;
     }
