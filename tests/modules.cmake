@@ -100,7 +100,7 @@ foreach(module IN LISTS folders)
     endif()
 
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${module}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/planted/")    # programs of planted.sh, with faults in them
+    list(FILTER sources EXCLUDE REGEX "/(planted|programs)/")    # what scripts compile; the planted ones have faults
     sort_out(sources libraries ${module})
     set(measuring ${sources})
     list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")

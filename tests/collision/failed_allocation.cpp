@@ -12,61 +12,24 @@
 #include <ansatz/world/save.hpp>
 #include <ansatz/world/whole.hpp>
 
+#include "tests/operator_new.hpp"
+
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <sstream>
-
-#if defined(__GNUC__) && !defined(__clang__)
-// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a
-// mismatch.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-#endif
-
-namespace {
-long until_failure = -1;             // negative: none fails
-std::size_t smallest_that_fails = 0; // bytes
-
-void* perhaps(std::size_t size, std::size_t alignment) noexcept {
-    if (until_failure >= 0 && size >= smallest_that_fails && until_failure-- == 0) return nullptr;
-    size = size == 0 ? 1 : size;
-    return alignment == 0 ? std::malloc(size)
-                          : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-}
-void* or_throw(void* p) {
-    if (p == nullptr) throw std::bad_alloc();
-    return p;
-}
-} // namespace
-
-void* operator new(std::size_t size) { return or_throw(perhaps(size, 0)); }
-void* operator new[](std::size_t size) { return or_throw(perhaps(size, 0)); }
-void* operator new(std::size_t size, std::align_val_t a) { return or_throw(perhaps(size, std::size_t(a))); }
-void* operator new[](std::size_t size, std::align_val_t a) { return or_throw(perhaps(size, std::size_t(a))); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return perhaps(size, 0); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return perhaps(size, 0); }
-void* operator new(std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept {
-    return perhaps(size, std::size_t(a));
-}
-void* operator new[](std::size_t size, std::align_val_t a, const std::nothrow_t&) noexcept {
-    return perhaps(size, std::size_t(a));
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, std::align_val_t, const std::nothrow_t&) noexcept { std::free(p); }
 
 using namespace collision_tests;
 
 namespace {
+
+long until_failure = -1;             // negative: none fails
+std::size_t smallest_that_fails = 0; // bytes
+[[maybe_unused]] const bool asked = [] {
+    ansatz::test::before_allocation = [](std::size_t bytes) noexcept {
+        return !(until_failure >= 0 && bytes >= smallest_that_fails && until_failure-- == 0);
+    };
+    return true;
+}();
 
 /// Calls `f` with the n-th allocation failing.
 /// \return whether it failed

@@ -5,43 +5,24 @@
 #include <ansatz/world.hpp>
 
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/operator_new.hpp"
 
 namespace {
 
 std::size_t bytes_taken = 0; // from the heap, since the program began
 std::size_t allocations = 0;
-
-void* take(std::size_t bytes, std::size_t alignment) noexcept {
-    bytes_taken += bytes;
-    ++allocations;
-    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-}
-void* take_or_throw(std::size_t bytes, std::size_t alignment) {
-    void* const block = take(bytes == 0 ? 1 : bytes, alignment);
-    if (block == nullptr) throw std::bad_alloc();
-    return block;
-}
+[[maybe_unused]] const bool counted = [] {
+    ansatz::test::before_allocation = [](std::size_t bytes) noexcept {
+        bytes_taken += bytes;
+        return ++allocations > 0;
+    };
+    return true;
+}();
 
 } // namespace
-
-// Those without `nothrow` would be enough, if the address sanitizer did not bring its own of the others.
-void* operator new(std::size_t bytes) { return take_or_throw(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-    return take_or_throw(bytes, std::size_t(alignment));
-}
-void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept { return take(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-    return take(bytes, std::size_t(alignment));
-}
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t) noexcept { std::free(block); }
-void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
 
 using namespace ansatz;
 

@@ -15,7 +15,7 @@
 set -euo pipefail
 export LC_ALL=C
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
-source "$project/tests/performance/common.bash"
+source "$project/tests/programs.bash"
 flight_limit=1.02 rest_limit=1.01
 
 command -v valgrind callgrind_annotate > /dev/null || skip "no valgrind (on Debian: apt install valgrind)"

@@ -13,7 +13,7 @@
 set -euo pipefail
 export LC_ALL=C
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
-source "$project/tests/performance/common.bash"
+source "$project/tests/programs.bash"
 command -v nm > /dev/null || skip "no nm (on Debian: apt install binutils)"
 scratch=${ANSATZ_SCRATCH:-$(mktemp -d)}
 mkdir -p "$scratch"

@@ -19,32 +19,18 @@
 #include <ansatz/states/scxml_write.hpp>
 #include <ansatz/states/static_machine.hpp>
 
+#include "tests/operator_new.hpp"
 #include "tests/states/support.hpp"
-
-#include <cstdlib>
-#include <new>
 
 using namespace states_tests;
 
 namespace {
 std::size_t allocations = 0;
-}
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define ANSATZ_ADDRESS_SANITIZER
-#endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define ANSATZ_ADDRESS_SANITIZER
-#endif
-#ifndef ANSATZ_ADDRESS_SANITIZER // it replaces them itself, and knows who took what; the other builds count
-[[gnu::noinline]] void* operator new(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size)) return p;
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-#endif
+[[maybe_unused]] const bool counted = [] {
+    ansatz::test::before_allocation = [](std::size_t) noexcept { return ++allocations > 0; };
+    return true;
+}();
+} // namespace
 
 namespace {
 

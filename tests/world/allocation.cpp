@@ -2,72 +2,25 @@
 // A step does not allocate: every call of operator new in this executable is counted while a step runs.
 
 #include "tests/catch.hpp"
+#include "tests/operator_new.hpp"
 #include "tests/world/worlds.hpp"
 
 #include <cstddef>
-#include <cstdlib>
 #include <new>
-
-#if defined(__GNUC__) && !defined(__clang__)
-// g++ sees free() where it has inlined the delete below and not the new: with the sanitizers it takes them for a
-// mismatch.
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-#endif
-
-namespace {
-bool counting = false;
-std::size_t allocations = 0;
-
-void* counted_or_null(std::size_t size, std::size_t alignment) noexcept {
-    if (counting) ++allocations;
-    size = size == 0 ? 1 : size;
-    return alignment == 0 ? std::malloc(size)
-                          : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-}
-void* counted(std::size_t size, std::size_t alignment) {
-    void* p = counted_or_null(size, alignment);
-    if (p == nullptr) throw std::bad_alloc();
-    return p;
-}
-} // namespace
-
-void* operator new(std::size_t size) { return counted(size, 0); }
-void* operator new[](std::size_t size) { return counted(size, 0); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return counted(size, std::size_t(alignment)); }
-void* operator new[](std::size_t size, std::align_val_t alignment) { return counted(size, std::size_t(alignment)); }
-// These too: the address sanitizer has its own, whose memory must not go to free.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size, 0); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size, 0); }
-void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-    return counted_or_null(size, std::size_t(alignment));
-}
-void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
-    return counted_or_null(size, std::size_t(alignment));
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, std::align_val_t, const std::nothrow_t&) noexcept { std::free(p); }
 
 using namespace ansatz;
 using namespace ansatz::test;
 
 namespace {
 
+std::size_t allocations = 0;
+
 /// How often `f` allocates.
 template <class F> std::size_t allocations_of(F&& f) {
     allocations = 0;
-    counting = true;
+    before_allocation = [](std::size_t) noexcept { return ++allocations > 0; };
     f();
-    counting = false;
+    before_allocation = nullptr;
     return allocations;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-# What the scripts of this folder share; they read it with `source`.
+# What scripts share that compile programs of their own, tests/<module>/programs/*.cpp; they read it with `source`.
 
 # Not an error: something that the test needs is not on this machine. ctest reports the test as skipped.
 skip() {
@@ -48,4 +48,14 @@ all_done() {
     local job
     for job in "${jobs_started[@]}"; do wait "$job" || { echo "a job failed; its output is above"; exit 1; }; done
     jobs_started=()
+}
+
+# Compiles a program of the project with the compiler of the build and runs it, in the folder of the test.
+#   run_program <source, from the project's folder> [options...]
+run_program() {
+    local source=$1 scratch=${ANSATZ_SCRATCH:-$(mktemp -d)}
+    shift
+    mkdir -p "$scratch"
+    compile "${CXX:-c++}" "$project/$source" "$scratch/program" -O1 "$@"
+    "$scratch/program"
 }

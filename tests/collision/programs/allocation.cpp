@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSL-1.0
+// Warm worlds in which spheres and boxes fall, bounce and come to rest. The script of this name says what it shows.
+#define EIGEN_RUNTIME_NO_MALLOC
+#include <cstdio>
+#include <cstdlib>
+#define eigen_assert(ok) ((ok) ? (void)0 : (std::puts("Eigen allocated: " #ok), std::exit(1)))
+#include <ansatz/collision.hpp>
+#include <ansatz/world.hpp>
+
+#include "tests/operator_new.hpp"
+
+/// While this holds, an allocation ends the program.
+static bool forbidden = false;
+static int step_now = 0;
+static const char* case_now = "";
+static bool allowed(std::size_t) noexcept {
+    if (forbidden) std::printf("%s: operator new was called in step %d\n", case_now, step_now), std::exit(1);
+    return true;
+}
+
+using namespace ansatz;
+
+/// Spheres and boxes fall into a heap, are thrown up again and again, and come to rest where they may.
+template <class... P> void pile(const char* name, P... policies) {
+    case_now = name;
+    World world{Gravity{}, Narrowphase<Sphere, Plane, Box>{}, policies...};
+    world.add(Plane::ground(), fixed);
+    world.add(Box{metres(3, 0.5, 3)}, position(metres(0, 0.5, 0)), fixed, sensor);
+    for (const double side : {-1.0, 1.0}) {
+        world.add(Plane{Eigen::Vector3d(side, 0, 0), -1.0 * metre}, fixed);
+        world.add(Plane{Eigen::Vector3d(0, 0, side), -1.0 * metre}, fixed);
+    }
+    std::vector<Handle> balls;
+    for (int i = 0; i < 60; ++i) {
+        const auto at =
+            position(metres(-0.8 + 0.4 * (i % 5) + 0.01 * (i / 5), 0.3 + 0.45 * (i / 20), -0.6 + 0.4 * (i / 5 % 4)));
+        balls.push_back(i % 7 == 0 ? world.add(Box{metres(0.15, 0.15, 0.15)}, at, mass(1.0 * kilogram))
+                                   : world.add(Sphere{0.2 * metre}, at, mass(1.0 * kilogram)));
+        if constexpr (decltype(world)::composition::template stores<Friction>)
+            world.template write<Friction>(balls.back(), Quantity<unit::Dimensionless>(0.4));
+    }
+    const auto beginning = world;
+    std::size_t most = 0, ended = 0;
+    const auto run = [&](bool strict) {
+        for (step_now = 0; step_now < 240; ++step_now) {
+            if (step_now % 80 == 79)
+                for (const auto ball : balls) world.apply_impulse(ball, newton_seconds(0, 4, 0));
+            forbidden = strict;
+            Eigen::internal::set_is_malloc_allowed(!strict);
+            world.step(1.0 / 120 * second);
+            Eigen::internal::set_is_malloc_allowed(true);
+            forbidden = false;
+            most = std::max(most, world.contacts().size());
+            ended += world.contacts_ended().size();
+        }
+    };
+    for (int warm = 0; warm < WARM_UPS; ++warm) {
+        run(false);
+        world = beginning;
+    }
+    most = ended = 0;
+    run(true);
+    if (most < 60 || ended < 20)
+        std::printf("%s: only %zu contacts, %zu ended: the case has lost its point\n", name, most, ended), std::exit(1);
+    std::printf("%s: up to %zu contacts, %zu ended, nothing allocated\n", name, most, ended);
+}
+
+int main() {
+    test::before_allocation = allowed;
+    using I = SemiImplicitEuler;
+    const auto with = [](const char* name, auto broadphase) { pile(name, I{}, broadphase, Impulse<>{}, Projection{}); };
+    with("AllPairs", AllPairs{});
+    with("BoundingBoxes", BoundingBoxes{});
+    with("SortAndSweep", SortAndSweep{});
+    with("UniformGrid", UniformGrid<>{});
+    with("UniformGrid<SortAndSweep>", UniformGrid<SortAndSweep>{});
+    with("Octree", Octree<>{.threshold = 4});
+    with("Octree<SortAndSweep>", Octree<SortAndSweep>{.threshold = 4});
+    with("BinarySplit", BinarySplit<>{.threshold = 4});
+    pile("Impulse", I{}, SortAndSweep{}, Impulse<>{});
+    pile("Impulse<Friction>, Projection, Layers, Rest", I{}, SortAndSweep{}, Impulse<Friction>{.sweeps = 2},
+         Projection{}, Layers{}, Rest{});
+    pile("Penalty", I{}, SortAndSweep{}, Penalty{2e4 * newton_per_metre, 50.0 * newton_second_per_metre});
+    pile("Penalty, Verlet, Rest", Verlet{}, SortAndSweep{},
+         Penalty{2e4 * newton_per_metre, 50.0 * newton_second_per_metre}, Rest{});
+    pile("Penalty, RungeKutta4", RungeKutta4{}, SortAndSweep{},
+         Penalty{2e4 * newton_per_metre, 50.0 * newton_second_per_metre});
+    pile("SoftSubsteps", I{}, SortAndSweep{}, SoftSubsteps<>{});
+    pile("SoftSubsteps<Friction>, Rest", I{}, SortAndSweep{}, SoftSubsteps<Friction>{}, Rest{});
+    pile("SoftSubsteps, Verlet", Verlet{}, UniformGrid<>{}, SoftSubsteps<>{});
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSL-1.0
+// Every broadphase, warm, finds the pairs of bodies that move on. The script of this name says what it shows.
+#include "tests/collision/broadphase/scenes.hpp"
+
+#include "tests/operator_new.hpp"
+#include <cstdio>
+#include <cstdlib>
+
+/// While this holds, an allocation ends the program.
+static bool forbidden = false;
+static bool allowed(std::size_t) noexcept {
+    if (forbidden) std::puts("operator new was called"), std::exit(1);
+    return true;
+}
+
+using namespace broadphase_tests;
+
+template <class S> void steps_of_all(const char* space) {
+    each_policy([&](const char* name, const auto& policy) {
+        typename std::remove_cvref_t<decltype(policy)>::template In<S> bound(policy);
+        for (const std::uint64_t seed :
+             {4u, 9u, 14u, 19u}) { // 400 bodies: uniform, clustered, in a column, of mixed radii
+            const auto scene = seeded_scene(seed);
+            auto boxes = boxes_of<S>(scene);
+            std::size_t pairs = 0;
+            for (int step = 0; step < 60; ++step) {
+                for (std::size_t i = 0; i < scene.boxes.size(); ++i) { // each swings about its place
+                    auto moved = scene.boxes[i];
+                    for (std::size_t k = 0; k < 3; ++k) {
+                        const double by = 0.2 * std::sin(0.7 * step + double(i + k));
+                        moved.lower[k] += by, moved.upper[k] += by;
+                    }
+                    Vector<typename S::Scalar, S::dimension> low, high;
+                    for (int k = 0; k < S::dimension; ++k)
+                        low[k] = typename S::Scalar(moved.lower[std::size_t(k)]),
+                        high[k] = typename S::Scalar(moved.upper[std::size_t(k)]);
+                    boxes.set(i, S::Position::from_value(low), S::Position::from_value(high));
+                }
+                forbidden = step >= 20;
+                bound.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
+                forbidden = false;
+            }
+            if (pairs == 0) std::puts("no pairs: the case has lost its point"), std::exit(1);
+        }
+        std::printf("%s, %s: nothing allocated\n", name, space);
+    });
+}
+
+int main() {
+    ansatz::test::before_allocation = allowed;
+    steps_of_all<Space<>>("space");
+    steps_of_all<Space<float, 2>>("plane");
+}
