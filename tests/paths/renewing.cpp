@@ -125,7 +125,8 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
         for (int frame = 0; frame < 60; ++frame) {
             if (random() % 3 == 0) {
                 auto& from = net.streets[random() % n];
-                if (!from.empty()) net.set(from[random() % from.size()], double(1 + random() % 9));
+                const std::size_t which = random(), weight = 1 + random() % 9;
+                if (!from.empty()) net.set(from[which % from.size()], double(weight));
             }
             bool due = false; // by the table in route.hpp
             if (route.outcome() == Outcome::no_path) due = Tells ? net.cheaper != cheaper : net.changes != changes;
@@ -165,16 +166,18 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
 TEST_CASE("an action is begun once, also when a new plan begins with it", "[goap]") {
     std::mt19937 random(72);
     int kept = 0, begun = 0;
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 300; ++k) {
         goap::Domain<> domain;
         std::vector<goap::Fact> facts;
         for (int f = 0; f < 6; ++f) facts.push_back(domain.fact("fact " + std::to_string(f)));
         for (int a = 0; a < 12; ++a) {
             const std::size_t needed = random() % 6, made = (needed + 1 + random() % 5) % 6;
             const auto needs = facts[needed], makes = facts[made];
-            domain.action("action " + std::to_string(a), 1 + random() % 5)
-                .needs(random() % 2 ? needs : !needs)
-                .makes(random() % 3 ? makes : !makes);
+            const auto cost = 1 + random() % 5;
+            const bool without = random() % 2 == 0, undoes = random() % 3 == 0; // drawn in one order by every compiler
+            domain.action("action " + std::to_string(a), cost)
+                .needs(without ? !needs : needs)
+                .makes(undoes ? !makes : makes);
         }
         goap::Planner planner{domain};
         goap::Runner runner{planner};
@@ -183,7 +186,10 @@ TEST_CASE("an action is begun once, also when a new plan begins with it", "[goap
         goap::Performance performance;
         runner.go(now, domain.condition({facts[0], facts[1], facts[2]}));
         for (int tick = 0; tick < 400; ++tick) {
-            if (random() % 3 == 0) now.set(random() % 6, random() % 2 == 0); // the world goes on
+            if (random() % 3 == 0) { // the world goes on
+                const std::size_t fact = random() % 6;
+                now.set(fact, random() % 2 == 0);
+            }
             const std::size_t plans = runner.plans();
             const auto before = clerk.at_work;
             const int begins = clerk.begun;

@@ -204,6 +204,7 @@ struct PenaltyGas {
     double radii_a_step;
     int bodies;
     bool boxes; // every other one
+    unsigned seed = 7;
 };
 template <class I, class S> Course course(const PenaltyGas& gas) {
     constexpr double k = 1e4, r = 0.1, mu = 0.5;
@@ -214,12 +215,13 @@ template <class I, class S> Course course(const PenaltyGas& gas) {
     for (int d = 0; d < S::dimension; ++d)
         for (const double side : {-1.0, 1.0})
             world.add(Plane{Eigen::Vector3d(-side * Eigen::Vector3d::Unit(d)), -half * metre}, fixed);
-    std::mt19937 random(7);
+    std::mt19937 random(gas.seed);
     std::uniform_real_distribution<double> between(-1, 1);
     const int row = int(std::ceil(std::pow(double(gas.bodies), 1.0 / S::dimension)));
     for (int i = 0; i < gas.bodies; ++i) {
         const auto place = [&](int n) { return ((n + 0.5) / row * 2 - 1) * (half - 0.12); };
-        Eigen::Vector3d v(between(random), between(random), S::dimension == 3 ? between(random) : 0);
+        const double x = between(random), y = between(random), z = S::dimension == 3 ? between(random) : 0;
+        Eigen::Vector3d v(x, y, z);
         v *= speed / v.norm();
         const auto where = at<S>(place(i % row), place(i / row % row), place(i / row / row));
         const auto how = velocity(vector_in<S, unit::Velocity>(v[0], v[1], v[2]));
@@ -269,17 +271,31 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("V3: a damped one never has more when all have parted than it had before they met", "[collision][penalty]") {
+TEST_CASE("V3: when all have parted, a damped one has no more than before they met, but for what a graze errs by",
+          "[collision][penalty]") {
+    // Who touches for about a step is pressed in by no more than v_N h: (omega h)^2 of the energy is in the contact, of
+    // which its beginning and its end err by up to (omega h)^2 / 4, and damping has had no time to take that. Whoever
+    // touches longer loses more than that.
+    const auto graze = [](double omega_h) { return std::pow(omega_h, 4) / 4; };
     for (const double zeta : {0.1, 0.2, 0.7})
-        for_each_gas(zeta, [](const PenaltyGas& gas) {
-            const auto check = [&](const Course& seen, double most, double apart) {
+        for_each_gas(zeta, [&](const PenaltyGas& gas) {
+            const auto check = [&](const Course& seen, double most) {
                 CHECK(seen.most <= most);
-                CHECK(seen.apart <= apart);
+                CHECK(seen.apart <= graze(gas.omega_h));
             };
-            check(course<VelocityVerlet, Space<>>(gas), gas.omega_h * gas.omega_h / 4, 1e-12); // where one begins
-            check(course<SemiImplicitEuler, Space<>>(gas), gas.omega_h / 2, 1e-12);
-            check(course<RungeKutta4, Space<float, 2>>(gas), 1e-5, 1e-5);
+            check(course<VelocityVerlet, Space<>>(gas), gas.omega_h * gas.omega_h / 4); // where one begins
+            check(course<SemiImplicitEuler, Space<>>(gas), gas.omega_h / 2);
+            check(course<RungeKutta4, Space<float, 2>>(gas), std::max(1e-5, gas.omega_h * gas.omega_h / 4));
         });
+    double most = 0; // two that fly in a box, wherever they began: some graze, and the law has no room to spare
+    for (const double omega_h : {0.05, 0.2})
+        for (unsigned seed = 1; seed <= 30; ++seed) {
+            CAPTURE(omega_h, seed);
+            const auto seen = course<VelocityVerlet, Space<>>({omega_h, 0.05, 3.0, 2, true, seed});
+            CHECK(seen.apart <= graze(omega_h));
+            most = std::max(most, seen.apart / graze(omega_h));
+        }
+    CHECK(most > 0.1);
 }
 
 TEST_CASE("what passes by a corner feels nothing of it", "[collision][penalty]") {
