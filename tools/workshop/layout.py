@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSL-1.0
+"""The navigation of the site: chapters with their sections, the programs and the exercises, in place of the remarks
+<!-- chapters -->, <!-- programs --> and <!-- exercises --> of Doxygen's layout.
+
+    layout.py --programs <the list of programs> --exercises <that of exercises> docs/site/layout.xml docs/*.md
+
+prints the layout. Both lists are pages that pages.py makes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+
+
+def read(file: str) -> list[str]:
+    """Its lines, without their ends."""
+    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
+        return stream.read().removesuffix("\n").split("\n")
+
+
+def attributes(url: str, title: str, kind: str = "user") -> str:
+    """Of a tab."""
+    title = title.replace("&", "&amp;").replace("<", "&lt;").replace('"', "&quot;")
+    return f'type="{kind}" visible="yes" url="{url}" title="{title}"'
+
+
+def chapter(lines: list[str]) -> list[str]:
+    """A chapter with its sections; nothing of a page that is no chapter."""
+    tabs: list[str] = []
+    page = ""
+    for line in lines:
+        heading = re.match(r"#+ *(.*?) *\{#((?:chapter|section)_[A-Za-z0-9_]+)\} *$", line)
+        if not heading:
+            continue
+        title, label = re.sub("[`*]", "", heading[1]), heading[2]
+        if label.startswith("chapter_") and not page:
+            page = label
+            tabs.append(f"    <tab {attributes(f'@ref {label}', title, 'usergroup')}>")
+        elif page:
+            tabs.append(f"      <tab {attributes(f'{page}.html#{label}', title)}/>")
+    return tabs + ["    </tab>"] if page else []
+
+
+def programs(lines: list[str]) -> list[str]:
+    """From the rows of their list."""
+    rows = (re.match(r'\| \\ref (program_[a-z0-9_A-Z]+)[^"]*"([^"]*)', line) for line in lines)
+    return [f"      <tab {attributes(f'@ref {row[1]}', row[2])}/>" for row in rows if row]
+
+
+def exercises(lines: list[str]) -> list[str]:
+    """From the rows of their list, with their sections."""
+    rows = (re.match(r'\| ([0-9][^ |]*) \|[^|]*(exercise_[a-z0-9_]+)[^"|]*"([^|]*)" *\|', line) for line in lines)
+    return [f"      <tab {attributes(f'@ref {row[2]}', f'{row[1]} {row[3]}')}/>" for row in rows if row]
+
+
+def main(arguments: list[str]) -> int:
+    """Prints it."""
+    parser = argparse.ArgumentParser(prog="layout.py", description="The navigation of the site.")
+    parser.add_argument("--programs", required=True, help="the page that lists the programs")
+    parser.add_argument("--exercises", required=True, help="the page that lists the exercises")
+    parser.add_argument("layout", help="Doxygen's layout, with the places of the three")
+    parser.add_argument("pages", nargs="+", help="the chapters, and other pages")
+    given = parser.parse_args(arguments)
+    out: list[str] = []
+    for line in read(given.layout):
+        if "<!-- chapters -->" in line:
+            out += [tab for page in given.pages for tab in chapter(read(page))]
+        elif "<!-- programs -->" in line:
+            out += programs(read(given.programs))
+        elif "<!-- exercises -->" in line:
+            out += exercises(read(given.exercises))
+        else:
+            out.append(line)
+    sys.stdout.buffer.write("".join(line + "\n" for line in out).encode("utf-8", "surrogateescape"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSL-1.0
+"""What is changed in the pages that Doxygen made.
+
+    site_pages.py head <header> <lines>    prints a page's header with these lines before the end of its head
+    site_pages.py mend <html>              changes the pages of the site
+
+What a concept asks for is said in words: where its definition is made of names of namespace detail, which nobody else
+uses, it stands in the header and not on the page. And x, y and z are components where they are called; a parameter of
+that name is none of them, and no link.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import sys
+
+DEFINITION = '<h2 class="groupheader">Concept definition</h2>'
+FRAGMENT = "<!-- fragment -->"
+COMPONENT = re.compile(r'<a class="(?:el|code hl_function)" href="[^"\n]*">([xyz])</a>( ?[^( \n])')
+
+
+def read(file: str) -> str:
+    """The text of a file."""
+    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
+        return stream.read()
+
+
+def without_details(page: str) -> str:
+    """The page of a concept without a definition that shows namespace detail."""
+    out: list[str] = []
+    block: list[str] = []
+    for line in re.findall(r"[^\n]*\n|[^\n]+", page):
+        if not block and DEFINITION not in line:
+            out.append(line)
+            continue
+        block.append(line)
+        if FRAGMENT in line:
+            shown = any("detail::" in part for part in block)
+            out += [line.rpartition(FRAGMENT)[2]] if shown else block
+            block = []
+    return "".join(out + block)
+
+
+def without_components(page: str) -> str:
+    """x as a word where it is not called."""
+    while (mended := COMPONENT.sub(r"\1\2", page)) != page:
+        page = mended
+    return page
+
+
+def with_head(header: str, lines: str) -> str:
+    """The header of a page, with lines before each line that ends its head."""
+    return re.sub("^(?=.*</head>)", lambda _: lines, header, flags=re.MULTILINE)
+
+
+def mend(folder: str) -> None:
+    """Writes the pages that change."""
+    for place, _, files in os.walk(folder):
+        for file in (f"{place}/{name}" for name in files if name.endswith(".html")):
+            page = read(file)
+            mended = without_components(page)
+            if place == folder and file.rpartition("/")[2].startswith("concept"):
+                mended = without_details(mended)
+            if mended != page:
+                with open(file, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
+                    stream.write(mended)
+
+
+def main(arguments: list[str]) -> int:
+    """One of the two."""
+    parser = argparse.ArgumentParser(prog="site_pages.py", description="What is changed in the pages of Doxygen.")
+    kinds = parser.add_subparsers(dest="kind", required=True)
+    head = kinds.add_parser("head", help="prints a page's header with more lines in its head")
+    head.add_argument("header", help="Doxygen's own header of a page")
+    head.add_argument("lines", help="the file of the lines")
+    kinds.add_parser("mend", help="changes the pages of the site").add_argument("html", help="its folder")
+    given = parser.parse_args(arguments)
+    if given.kind == "head":
+        text = with_head(read(given.header), read(given.lines))
+        sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
+    else:
+        mend(given.html.rstrip("/"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
