@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """The listings that are pasted into text pages: a program is quoted from a file that is compiled.
 
-    listings.py <texts>        prints file:line of each
+    listings.py <texts>        prints a fault, and a line, each
 
 It may stand in a \\code, in a fence that names C++ or only holds what looks like it, four spaces in, or in <pre>.
 """
@@ -64,7 +64,8 @@ def main(arguments: list[str]) -> int:
         with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
             lines = stream.read().removesuffix("\n").split("\n")
         for number in pasted(lines):
-            sys.stdout.buffer.write(f"{file}:{number}\n".encode("utf-8", "surrogateescape"))
+            fault = f"a pasted listing, {file}:{number}; quote it with \\snippet from a file that is compiled\n"
+            sys.stdout.buffer.write(fault.encode("utf-8", "surrogateescape"))
     return 0
 
 

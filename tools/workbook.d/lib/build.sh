@@ -179,7 +179,7 @@ keep_times() {
     [ ${#logs[@]} -gt 0 ] || return 0
     day=$(date '+%Y-%m-%d %H:%M')
     mkdir -p build/logs
-    awk -v since="$1" -f tools/workbook.d/times.awk "${logs[@]}" | sort -t "$(printf '\t')" -k 3,3rg |
+    python3 tools/workshop/times.py --since "$1" "${logs[@]}" |
         sed "s/^/$day	/" >> "$TIMES"
 }
 # The last block, with what each kind took in the block before that; times_table [how many kinds]

@@ -15,6 +15,7 @@ Catch2|header catch2/catch.hpp catch2/catch_all.hpp|catch2|needed|the tests
 nlohmann-json|header nlohmann/json.hpp|nlohmann-json3-dev|needed|cost tables as JSON
 pugixml|header pugixml.hpp|libpugixml-dev|needed|state machines in files
 Google Benchmark|header benchmark/benchmark.h|libbenchmark-dev|needed|what accuracy costs
+Python 3|command python3|python3|needed|what reads and writes the pages, the exercises, the logs
 gnuplot|command gnuplot|gnuplot-nox|wanted|the pictures; without it they are skipped
 Doxygen (docs)|command doxygen|doxygen|docs|only for the site of ./workbook docs
 theme (docs)|file '"${ANSATZ_DOXYGEN_THEME:-/usr/share/doxygen-awesome-css}"'/doxygen-awesome.css|doxygen-awesome-css|docs|only for the look of that site

@@ -16,6 +16,7 @@ version_of() {
     local where=$2
     case $1 in
         "C++ compiler") "$where" --version 2>/dev/null | head -n 1 ;;
+        "Python 3") "$where" --version 2>/dev/null | sed 's/Python //' ;;
         CMake) "$where" --version 2>/dev/null | sed -n '1s/cmake version //p' ;;
         "make or ninja") printf '%s %s' "${where##*/}" "$("$where" --version 2>/dev/null | sed -n '1s/GNU Make //p;1s/^\([0-9.]*\)$/\1/p' | head -n 1)" ;;
         Boost) sed -n 's/^#define BOOST_LIB_VERSION "\(.*\)"/\1/p' "${where%units/quantity.hpp}version.hpp" | tr _ . ;;
