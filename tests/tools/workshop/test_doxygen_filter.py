@@ -58,8 +58,8 @@ class Links(OfAProject):
     def test_names(self) -> None:
         """Of what headers are named after, with the namespace; a declaration is no type; fences are left alone."""
         self.assertEqual(self.page("`Drag`, `Cell`, `Later`.", "# `Drag`", "```", "`Drag`", "```"), [
-            '<code>\\ref ansatz::Drag "Drag"</code>, <code>\\ref ansatz::paths::Cell "Cell"</code>, `Later`.', "# `Drag`",
-            "```", "`Drag`", "```"])
+            '<code>\\ref ansatz::Drag "Drag"</code>, <code>\\ref ansatz::paths::Cell "Cell"</code>, `Later`.',
+            "# `Drag`", "```", "`Drag`", "```"])
 
     def test_names_in_concepts(self) -> None:
         """Doxygen finds none of these itself; in other headers it does."""
@@ -96,7 +96,8 @@ class Pages(OfAProject):
         sections = ["## a", "## b", "## c"]
         self.assertEqual(self.page("# Title", *sections), ["# Title", "", "[TOC]", *sections])
         self.assertEqual(self.page("# Title", *sections[:2]), ["# Title", *sections[:2]])
-        self.assertEqual(self.page("# Title", *sections, "\\tableofcontents"), ["# Title", *sections, "\\tableofcontents"])
+        own = ["# Title", *sections, "\\tableofcontents"]
+        self.assertEqual(self.page(*own), own)
 
     def test_exercise(self) -> None:
         """Its title says its number, its second paragraph its command; the first section of a line is a link."""
@@ -117,13 +118,16 @@ class Headers(OfAProject):
     """What is told twice, and what is told once for all."""
 
     def test_the_policy_is_told_of(self) -> None:
-        """The page of Drag, which has no comment of its own, tells what the header tells; both say where it is taught."""
-        taught = ["/// \\par In the course", '/// Section \\ref section_1_7 "1.7", exercise \\ref exercise_motion_drag "drag".']
+        """The page of Drag, which has no comment of its own, tells what the header tells; both say where it is
+        taught."""
+        taught = ["/// \\par In the course",
+                  '/// Section \\ref section_1_7 "1.7", exercise \\ref exercise_motion_drag "drag".']
         told = ["/// Drag (notes \\ref section_1_7 \"1.7\").", "///", "/// When to use it."]
         self.assertEqual(
             self.header("drag", "/// \\file", "/// Drag (notes 1.7).", "///", "// a remark", "/// When to use it.", "",
                         "struct Drag;", "struct Drag {"),
-            ["/// \\file", told[0], "///", "///", told[2], *taught, "", "struct Drag;", "///", *told, *taught, "struct Drag {"])
+            ["/// \\file", told[0], "///", "///", told[2], *taught, "", "struct Drag;",
+             "///", *told, *taught, "struct Drag {"])
 
     def test_a_comment_of_its_own(self) -> None:
         """Is its first sentence: the header's is not told again. One that begins with a command is none."""
@@ -137,25 +141,29 @@ class Headers(OfAProject):
         """That every policy has, before or behind; not with a comment of their own, and no others."""
         self.assertEqual(self.header(
             "a", "    using role = Force;", "    static constexpr int order = 2; ///< mine", "    using mine = int;",
-            "    void check() const {}", "    static constexpr Set reads = columns{}", "    template <class Cost, class Graph>"), [
+            "    void check() const {}", "    static constexpr Set reads = columns{}",
+            "    template <class Cost, class Graph>"), [
                 "    /** the role that it has in a world */ using role = Force;",
                 "    static constexpr int order = 2; ///< mine", "    using mine = int;",
                 "    /** refuses parameters out of their range: std::invalid_argument with name, value and range */ "
                 "void check() const {}",
                 "    static constexpr Set reads = columns{} ///< the columns that it reads",
-                "    /** the estimate for one graph and goal: a function of a vertex */ template <class Cost, class Graph>"])
+                "    /** the estimate for one graph and goal: a function of a vertex */ "
+                "template <class Cost, class Graph>"])
 
     def test_functions_of_boost(self) -> None:
         """Without a comment before them."""
         self.assertEqual(
-            self.header("a", "inline int source(Edge e) {", "/// Mine.", "inline int source(Edge e) {", "void source(Edge);"),
+            self.header("a", "inline int source(Edge e) {", "/// Mine.", "inline int source(Edge e) {",
+                        "void source(Edge);"),
             ["/** the vertex that an edge leaves */ inline int source(Edge e) {", "/// Mine.",
              "inline int source(Edge e) {", "void source(Edge);"])
 
     def test_inside_a_world(self) -> None:
         """What a policy is there is hidden up to the brace of the same indentation."""
         self.assertEqual(self.header("a", "    struct In {", "        };", "    };", "    struct In { int i; };"),
-                         ["/** \\cond */     struct In {", "        };", "    }; /** \\endcond */", "    struct In { int i; };"])
+                         ["/** \\cond */     struct In {", "        };", "    }; /** \\endcond */",
+                          "    struct In { int i; };"])
 
     def test_refusal(self) -> None:
         """It takes one file."""

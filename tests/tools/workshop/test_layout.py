@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSL-1.0
+"""The navigation of the site (tools/workshop/layout.py)."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+
+from workshop import layout
+
+
+class Tabs(unittest.TestCase):
+    """Of chapters, programs and exercises."""
+
+    def test_chapter(self) -> None:
+        """With its sections; a heading without a label, and what stands before the chapter's, is none of them."""
+        self.assertEqual(
+            layout.chapter(["# Before {#section_0}", "# Chapter 1: *motion* {#chapter_motion}",
+                            "## 1.7 `v` & \"<drag>\" {#section_1_7}", "## None", "text {#section_1}"]), [
+                '    <tab type="usergroup" visible="yes" url="@ref chapter_motion" title="Chapter 1: motion">',
+                '      <tab type="user" visible="yes" url="chapter_motion.html#section_1_7" '
+                'title="1.7 v &amp; &quot;&lt;drag>&quot;"/>', "    </tab>"])
+        self.assertEqual(layout.chapter(["# A page {#page_world}", "## One {#section_1}"]), [])
+
+    def test_rows(self) -> None:
+        """Of the lists that pages.py makes."""
+        head = ["# List", "| program | what |", "|---|---|"]
+        self.assertEqual(layout.programs([*head, '| \\ref program_motion_1_7_drag "1.7-drag.cpp" | a "b" |']),
+                         ['      <tab type="user" visible="yes" url="@ref program_motion_1_7_drag" '
+                          'title="1.7-drag.cpp"/>'])
+        self.assertEqual(layout.exercises([*head, '| 1.7 | \\ref exercise_motion_drag "Drag" | `./workbook` |']),
+                         ['      <tab type="user" visible="yes" url="@ref exercise_motion_drag" title="1.7 Drag"/>'])
+
+
+class Program(unittest.TestCase):
+    """The layout whole."""
+
+    def test_places(self) -> None:
+        """Each list in the place of its remark, in the order of the pages."""
+        with tempfile.TemporaryDirectory() as folder:
+            def write(name: str, text: str) -> str:
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
+                    stream.write(text)
+                return os.path.join(folder, name)
+            arguments = ["--programs", write("p.md", '| \\ref program_a "A" |\n'),
+                         "--exercises", write("e.md", '| 1 | \\ref exercise_b "B" | c |\n'),
+                         write("l.xml", "<a>\n<!-- exercises -->\n<!-- chapters -->\n<!-- programs -->\n</a>\n"),
+                         write("2.md", "# Two {#chapter_two}\n"), write("1.md", "# One {#chapter_one}\n")]
+            out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(out):
+                self.assertEqual(layout.main(arguments), 0)
+            out.seek(0)
+            said = [line.partition('title="')[2].partition('"')[0] or line for line in out.read().split("\n")]
+            self.assertEqual(said, ["<a>", "1 B", "Two", "    </tab>", "One", "    </tab>", "A", "</a>", ""])
+
+    def test_refusal(self) -> None:
+        """Without the list of the programs."""
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
+            layout.main(["--exercises", "e", "l.xml", "1.md"])
+        self.assertEqual(end.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSL-1.0
+"""The pages that follow from the tree (tools/workshop/pages.py)."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+
+from workshop import pages
+
+
+class OfAProject(unittest.TestCase):
+    """Each works in an empty folder."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(folder.name)
+
+    def write(self, file: str, *lines: str) -> None:
+        """A file of the project."""
+        os.makedirs(os.path.dirname(file), exist_ok=True)
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write("".join(line + "\n" for line in lines))
+
+    def text(self, file: str) -> str:
+        """What was written."""
+        with open(file, encoding="utf-8") as stream:
+            return stream.read()
+
+
+class Exercises(OfAProject):
+    """Their list."""
+
+    def test_in_the_order_of_their_sections(self) -> None:
+        """1.9 before 1.10, and 1.6 before 1.6.1."""
+        for name, number in (("a", "1.10"), ("b", "1.9"), ("c", "1.6.1"), ("d", "1.6")):
+            self.write(f"exercises/1-motion/{name}/README.md", f"# {number} The {name}", "", "Text.")
+        rows = [line for line in pages.exercises().split("\n") if "\\ref" in line]
+        self.assertEqual([row.split()[1] for row in rows], ["1.6", "1.6.1", "1.9", "1.10"])
+        self.assertEqual(rows[0], '| 1.6 | \\ref exercise_motion_d "The d" | `./workbook exercise d` |')
+
+
+class Library(OfAProject):
+    """The headers."""
+
+    def test_first_sentences(self) -> None:
+        """Up to where a sentence ends and another begins; the end of the first paragraph ends it too."""
+        for lines, sentence in (
+                (["/// \\file", "/// One", "/// two. Three.", "/// Four."], "One two."),
+                (["/// \\file", "/// It is 1.7 e.g. that:", "///", "/// Two."], "It is 1.7 e.g. that."),
+                (["// remark", "/// before", "/// \\file", "/// After. `This` too."], "After."), (["int i;"], "")):
+            self.assertEqual(pages.first_sentence(lines), sentence)
+
+    def test_modules(self) -> None:
+        """A table for each umbrella, of what stands below it; a bar would end the cell."""
+        self.write("include/ansatz/motion.hpp", "/// \\file", "/// All.")
+        self.write("include/ansatz/motion/drag.hpp", "/// \\file", "/// |v|.")
+        self.assertEqual(pages.library().partition("\n\n## ")[2],
+                         "motion {#headers_motion}\n\n| header | what it holds |\n|---|---|\n"
+                         '| \\ref ansatz/motion/drag.hpp "motion/drag.hpp" | \\|v\\|. |\n')
+
+
+class Programs(OfAProject):
+    """Of the chapters."""
+
+    def test_written(self) -> None:
+        """A page and a listing each, and their list: sections by their numbers, links where a page has the section."""
+        self.write("docs/motion.md", "## 1.7 Drag {#section_1_7}")
+        self.write("chapters/1-motion/1.7-drag.cpp", "// SPDX-License-Identifier: BSL-1.0", "//", "// 1.7 Drag: <slow>",
+                   "    //! [rate]", "int i;", "//! [rate]")
+        self.write("chapters/1-motion/1.10-late.cpp", "// - a list", "/// \\file", "/// 1.10 Late")
+        self.write("chapters/1-motion/problems.hpp", "// 2 problems")
+        pages.programs("out")
+        self.assertEqual(self.text("out/pages/programs.md").partition("\n\n## ")[2],
+                         "1. motion {#programs_motion}\n\n| program | what it shows |\n|---|---|\n"
+                         '| \\ref program_motion_1_7_drag "1.7-drag.cpp" | Drag: \\<slow\\> |\n'
+                         '| \\ref program_motion_1_10_late "1.10-late.cpp" | Late |\n'
+                         '| \\ref program_motion_problems_hpp "problems.hpp" | 2 problems |\n')
+        self.assertEqual(self.text("out/pages/program_motion_1_7_drag.md"),
+                         "# 1.7-drag.cpp {#program_motion_1_7_drag}\n\n"
+                         'The program of section \\ref section_1_7 "1.7": '
+                         "`./workbook section 1.7` builds and runs it.\n\n"
+                         "\\include listing/1-motion/1.7-drag.cpp\n")
+        self.assertIn("The program of section 1.10: ", self.text("out/pages/program_motion_1_10_late.md"))
+        self.assertEqual(self.text("out/pages/program_motion_problems_hpp.md"),
+                         "# problems.hpp {#program_motion_problems_hpp}\n\n\\include listing/1-motion/problems.hpp\n")
+        self.assertEqual(self.text("out/listing/1-motion/1.7-drag.cpp"),
+                         "// SPDX-License-Identifier: BSL-1.0\n//\n// 1.7 Drag: <slow>\nint i;\n")
+
+    def test_refusals(self) -> None:
+        """No kind of page, one that there is not, programs without a folder."""
+        for arguments in ("", "chapters", "programs"):
+            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
+                pages.main(arguments.split())
+            self.assertEqual(end.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

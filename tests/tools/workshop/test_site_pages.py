@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSL-1.0
+"""What is changed in Doxygen's pages (tools/workshop/site_pages.py)."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+import unittest
+
+from workshop import site_pages
+
+DEFINITION = '<h2 class="groupheader">Concept definition</h2>\n<div>\n'
+CONCEPT = f"<p>detail::A</p>\n{DEFINITION}detail::B</div><!-- fragment --><p>words</p>\n<p>more</p>\n"
+
+
+class Texts(unittest.TestCase):
+    """Of a page."""
+
+    def test_definitions(self) -> None:
+        """Without one of detail's names, up to where its listing ends; one of other names stays."""
+        self.assertEqual(site_pages.without_details(CONCEPT), "<p>detail::A</p>\n<p>words</p>\n<p>more</p>\n")
+        plain = CONCEPT.replace("detail::B", "A || B")
+        self.assertEqual(site_pages.without_details(plain), plain)
+
+    def test_an_end_that_is_missing(self) -> None:
+        """Takes nothing of the page away."""
+        page = f"{DEFINITION}detail::B\n<p>words</p>\n"
+        self.assertEqual(site_pages.without_details(page), page)
+
+    def test_components(self) -> None:
+        """x is a link where it is called, and nowhere else; two in a row as well."""
+        link = '<a class="el" href="a.html#1">x</a>'
+        code = '<a class="code hl_function" href="b.html">y</a>'
+        self.assertEqual(site_pages.without_components(f"{link}, {code} = {link}{code};\n{link}(), {link} ()"),
+                         f"x, y = xy;\n{link}(), {link} ()")
+        for kept in (link.replace(">x<", ">xs<"), link.replace('"el"', '"elRef"') + ","):
+            self.assertEqual(site_pages.without_components(kept), kept)
+
+    def test_head(self) -> None:
+        """Lines before its end, as they are."""
+        self.assertEqual(site_pages.with_head("<head>\n  </head>\n<body>\n", "<script>\\1</script>\n"),
+                         "<head>\n<script>\\1</script>\n  </head>\n<body>\n")
+
+
+class Program(unittest.TestCase):
+    """The pages of a site."""
+
+    def test_which_pages(self) -> None:
+        """Definitions on the pages of concepts, components on all, also of folders below; the rest is not touched."""
+        component = '<a class="el" href="a">x</a>, '
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(f"{folder}/search")
+            pages = {"concepta.html": CONCEPT, "structa.html": CONCEPT, "search/a.html": component, "a.js": component}
+            for name, text in pages.items():
+                with open(f"{folder}/{name}", "w", encoding="utf-8") as stream:
+                    stream.write(text)
+            self.assertEqual(site_pages.main(["mend", folder]), 0)
+            pages.update({"concepta.html": "<p>detail::A</p>\n<p>words</p>\n<p>more</p>\n", "search/a.html": "x, "})
+            for name, text in pages.items():
+                with open(f"{folder}/{name}", encoding="utf-8") as stream:
+                    self.assertEqual(stream.read(), text, name)
+
+    def test_refusals(self) -> None:
+        """Without what is asked, or of what."""
+        for arguments in ("", "mend", "head a"):
+            with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:
+                site_pages.main(arguments.split())
+            self.assertEqual(end.exception.code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
