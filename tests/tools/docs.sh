@@ -10,6 +10,7 @@
 set -euo pipefail
 project=$1
 if ! command -v doxygen > /dev/null; then echo "skipped: no doxygen (on Debian: apt install doxygen)"; exit 0; fi
+if ! command -v python3 > /dev/null; then echo "skipped: no python3 (on Debian: apt install python3)"; exit 0; fi
 if [ ! -f "${ANSATZ_MATHJAX:-/usr/share/javascript/mathjax}/MathJax.js" ]; then
     echo "skipped: no MathJax 2 for the formulas (on Debian: apt install libjs-mathjax)"
     exit 0

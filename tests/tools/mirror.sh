@@ -2,6 +2,7 @@
 # tools/mirror finds nothing in a clean tree; and each fault, put into that tree alone, is the one that it names.
 # What switches a test off is written in pieces here, so that nobody who searches for it finds this file.
 set -euo pipefail
+if ! command -v python3 > /dev/null; then echo "skipped: no python3 (on Debian: apt install python3)"; exit 0; fi
 
 mirror=$1/tools/mirror
 tree=$ANSATZ_SCRATCH/tree

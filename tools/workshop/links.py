@@ -161,12 +161,11 @@ class Site:
     def read_page(self, file: str) -> None:
         """Pages, and pictures of lines, which have tags as well."""
         tags: dict[str, None] = {}
-        for token in TOKEN.finditer(self.text(file)):
-            if (tag := token["tag"] or token["block"]) and "=" in tag:
-                tags[tag] = None
-            if content := token["content"]:
-                of_kind = faults_of_script if token["kind"].lower() == "script" else faults_of_style
-                self.blame(file, of_kind(content))
+        for block, kind, content, tag in TOKEN.findall(self.text(file)):
+            if "=" in tag or "=" in block:
+                tags[tag or block] = None
+            if content:
+                self.blame(file, faults_of_script(content) if kind.lower() == "script" else faults_of_style(content))
         for tag in tags:
             if tag not in self.tags:
                 self.tags[tag] = read_tag(tag, self.parser)

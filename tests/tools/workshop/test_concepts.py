@@ -14,6 +14,7 @@ from workshop import concepts
 HEADER = """// concept InARemark = true;
 /* concept InAComment = true; { */
 /* {
+concept InItsMiddle = true;
 concept InALongComment = true; */ template <class T> concept AfterIt = true;
 namespace ansatz {
 namespace detail {
@@ -37,7 +38,12 @@ class Definitions(unittest.TestCase):
     def test_which(self) -> None:
         """Neither what comments say, nor what namespace detail holds, which ends with the brace that closes it."""
         self.assertEqual(concepts.concepts_of(HEADER.split("\n")),
-                         [(4, "AfterIt"), (12, "OnALineOfItsOwn"), (15, "Last")])
+                         [(5, "AfterIt"), (13, "OnALineOfItsOwn"), (16, "Last")])
+
+    def test_detail_at_the_margin(self) -> None:
+        """Over several lines, and what comes behind it."""
+        self.assertEqual(concepts.concepts_of(
+            ["namespace ansatz::detail {", "concept A = true;", "}", "concept B = true;"]), [(4, "B")])
 
 
 class Pages(unittest.TestCase):
@@ -47,7 +53,7 @@ class Pages(unittest.TestCase):
         """Within a definition, of which a page may hold two; elsewhere detail:: is a word."""
         definition, end = "Concept definition", '<div class="ttc">'
         self.assertFalse(concepts.shows_details(["detail::A", definition, "true", end, "detail::B"]))
-        self.assertTrue(concepts.shows_details([definition, "detail::A", end]))
+        self.assertTrue(concepts.shows_details([definition, "true", "detail::A", end]))
         self.assertTrue(concepts.shows_details([definition, end, definition + " detail::A"]))
 
     def test_policies(self) -> None:
@@ -70,7 +76,7 @@ class Program(unittest.TestCase):
                 return os.path.join(folder, name)
             header = write("a.hpp", "concept One = true;\nconcept Two = true;\nconcept Three = true;\n")
             write("conceptansatz_1_1One.html", "Concept definition detail::A\n")
-            write("conceptTwo.html", "")
+            write("conceptTwo.html", "of no namespace: Concept definition detail::A")
             write("conceptansatz_1_1ForceIn.html", "")
             out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
             with contextlib.redirect_stdout(out):

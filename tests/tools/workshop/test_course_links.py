@@ -74,6 +74,24 @@ class Program(unittest.TestCase):
             self.assertEqual(course_links.header_of("exercises/1-motion/rope"), "")
             os.chdir("/")
 
+    def test_printed(self) -> None:
+        """A line for each exercise that has a fault, in the order of their folders."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.addCleanup(os.chdir, os.getcwd())
+            os.chdir(folder)
+            for exercise in ("2-collision/a", "1-motion/b", "1-motion/a"):
+                os.makedirs(f"exercises/{exercise}")
+                with open(f"exercises/{exercise}/README.md", "w", encoding="utf-8"):
+                    pass
+            out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(out):
+                self.assertEqual(course_links.main(["html"]), 0)
+            out.seek(0)
+            self.assertEqual(out.read(), "exercises/1-motion/a has no page exercise_motion_a.html\n"
+                                         "exercises/1-motion/b has no page exercise_motion_b.html\n"
+                                         "exercises/2-collision/a has no page exercise_collision_a.html\n")
+            os.chdir("/")
+
     def test_refusal(self) -> None:
         """Without a site."""
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:

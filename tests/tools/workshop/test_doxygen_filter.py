@@ -23,12 +23,13 @@ class OfAProject(unittest.TestCase):
         self.addCleanup(os.environ.__setitem__, "PWD", before)
         os.chdir(folder.name)
         os.environ["PWD"] = folder.name
-        self.write("docs/motion.md", "# Chapter 1: motion {#chapter_motion}", "", "## 1.7 Drag {#section_1_7}")
+        self.write("docs/motion.md", "# Chapter 1: motion {#chapter_motion}", "", "## 1.7 Drag {#section_1_7}",
+                   "## 1.9 Rest {#section_1_9}")
         self.write("docs/plain.md", "# No label")
         self.write("exercises/1-motion/drag/README.md", "# 1.7 Drag", "", "Notes 1.7 and Notes 1.8.")
         self.write("include/ansatz/motion/drag.hpp", "namespace ansatz {", "struct Drag {", "};", "}")
         self.write("include/ansatz/paths/cell.hpp", "namespace ansatz::paths {", "class Cell {", "};", "}")
-        self.write("include/ansatz/paths/later.hpp", "namespace ansatz {", "struct Later;", "}")
+        self.write("include/ansatz/paths/later.hpp", "namespace ansatz {", "struct Later ;", "}")
 
     def write(self, file: str, *lines: str) -> None:
         """A file of the project."""
@@ -52,8 +53,9 @@ class Links(OfAProject):
 
     def test_sections(self) -> None:
         """Behind "(notes ", where a page has them; elsewhere numbers are numbers."""
-        self.assertEqual(self.header("a", "/// Linear (notes 1.7 and 1.8), in 1.7.", "int i = 0; // (notes 1.7)"),
-                         ['/// Linear (notes \\ref section_1_7 "1.7" and 1.8), in 1.7.', "int i = 0; // (notes 1.7)"])
+        self.assertEqual(self.header("a", "/// Linear (notes 1.8, 1.7 and 1.9), in 1.7.", "int i = 0; // (notes 1.7)"),
+                         ['/// Linear (notes 1.8, \\ref section_1_7 "1.7" and \\ref section_1_9 "1.9"), in 1.7.',
+                          "int i = 0; // (notes 1.7)"])
 
     def test_names(self) -> None:
         """Of what headers are named after, with the namespace; a declaration is no type; fences are left alone."""
@@ -128,6 +130,12 @@ class Headers(OfAProject):
                         "struct Drag;", "struct Drag {"),
             ["/// \\file", told[0], "///", "///", told[2], *taught, "", "struct Drag;",
              "///", *told, *taught, "struct Drag {"])
+
+    def test_without_an_exercise(self) -> None:
+        """Only the section is said; and without a comment of the file nothing is."""
+        taught = ["/// \\par In the course", '/// Section \\ref section_1_9 "1.9".']
+        self.assertEqual(self.header("thing", "/// \\file", "/// (notes 1.9).", "int i;")[2:], [*taught, "int i;"])
+        self.assertEqual(self.header("thing", "struct Thing {", "int i;"), ["struct Thing {", "int i;"])
 
     def test_a_comment_of_its_own(self) -> None:
         """Is its first sentence: the header's is not told again. One that begins with a command is none."""

@@ -52,6 +52,12 @@ class Faults(unittest.TestCase):
                 r"\f$ 1} \f$": "a brace has no partner:  1} "}.items():
             self.assertEqual(self.faults(text), [fault])
 
+    def test_several(self) -> None:
+        """In one paragraph: each is told, formulas first."""
+        self.assertEqual(self.faults(r"$5 and $x$, \f$ \a \f$, \f$ \b \f$, all"), [
+            r"MathJax knows no \a:  \a ", r"MathJax knows no \b:  \b ",
+            r"a formula would stay as TeX, write \f$...\f$: $5 and $x$,  ,  , all"])
+
     def test_closing_before_opening(self) -> None:
         """As many of both, and wrong."""
         self.assertEqual(self.faults(r"\f$ }{ \f$"), ["a brace has no partner:  }{ "])

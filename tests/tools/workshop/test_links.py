@@ -67,9 +67,10 @@ class DeadLinks(OfASite):
             self.faults(navtreedata_js='["a", "other.html#gone", ["b", "@ref nowhere", null]]\n'
                                        'var NAVTREEINDEX = ["other.html#c"]',
                         page_js='[ "a", "other.html#gone" ], [ "b", "no.html" ]', navtreeindex0_js='"no.html"',
-                        search_all_js="['../other.html#gone']", mathjax_page_html='<a href="no.html">'), [
+                        search_all_js="['../other.html#lost']", mathjax_page_html='<a href="no.html">'), [
                 "navtreedata.js names '@ref nowhere', which no page has",
-                "other.html has no place 'gone', to which navtreedata.js links, and 1 more",
+                "other.html has no place 'gone', to which navtreedata.js links",
+                "other.html has no place 'lost', to which search/all.js links",
                 "there is no no.html, to which page.js links"])
 
 
@@ -87,6 +88,11 @@ class Requests(OfASite):
             faults = [fault for fault in self.faults(page_html=text) if "there is no a.png" not in fault]
             self.assertEqual(faults, ["page.html asks another host: //a.example/x"], text)
 
+    def test_two_in_a_tag(self) -> None:
+        """Are two."""
+        self.assertEqual(self.faults(page_html='<img src="//a.example/x" style="background: url(//a.example/y)">'),
+                         ["page.html asks another host: //a.example/x", "page.html asks another host: //a.example/y"])
+
     def test_styles_and_pictures(self) -> None:
         """Files of their own."""
         self.assertEqual(self.faults(a_css='@IMPORT "https://a.example/x";', b_css='a{b:image-set("//a.example/y" 1x)}',
@@ -98,6 +104,7 @@ class Requests(OfASite):
         """And readers who are sent on."""
         self.asks('<iframe srcdoc="&lt;img src=&quot;https://a.example/x&quot;&gt;">',
                   "has a page within that names another host")
+        self.assertEqual(self.faults(page_html='<meta http-equiv="x-ua" content="a"><p http-equiv="refresh">'), [])
         self.asks('<meta http-equiv="refresh" content="0; url=a">', 'sends the reader on: <meta http-equiv="refresh" '
                   'content="0; url=a">')
 

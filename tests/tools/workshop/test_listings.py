@@ -29,6 +29,7 @@ class Pasted(unittest.TestCase):
             self.assertEqual(listings.pasted(["# T", "", line]), [3], line)
         self.assertEqual(listings.pasted(["Text", "", "    a", "    int i = 0;", "    int j = 0;"]), [3])
         self.assertEqual(listings.pasted(["# T", "\tint i = 0;"]), [2])
+        self.assertEqual(listings.pasted(["    int i = 0;", "    int j = 0;"]), [1])
 
     def test_none(self) -> None:
         """Commands, drawings, other languages, the second paragraph of a list, and lines that only go on."""

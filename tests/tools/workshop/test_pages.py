@@ -92,6 +92,16 @@ class Programs(OfAProject):
         self.assertEqual(self.text("out/listing/1-motion/1.7-drag.cpp"),
                          "// SPDX-License-Identifier: BSL-1.0\n//\n// 1.7 Drag: <slow>\nint i;\n")
 
+    def test_printed(self) -> None:
+        """The two lists that are no files."""
+        for kind, title in (("exercises", "# Exercises {#page_exercises}"),
+                            ("library", "# The library {#page_library}")):
+            out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(out):
+                self.assertEqual(pages.main([kind]), 0)
+            out.seek(0)
+            self.assertEqual(out.read().split("\n")[0], title)
+
     def test_refusals(self) -> None:
         """No kind of page, one that there is not, programs without a folder."""
         for arguments in ("", "chapters", "programs"):

@@ -47,6 +47,18 @@ class OfAProject(unittest.TestCase):
         self.assertEqual(pictures.of_nobody({"docs/a.md": text}), [
             "docs/a.md shows 1.8.svg, which no section draws", "docs/a.md shows own.svg, which no section draws"])
 
+    def test_program(self) -> None:
+        """Prints what is asked: names, or faults."""
+        with open("docs/a.md", "w", encoding="utf-8") as stream:
+            stream.write("\\image html 1.8.svg\n")
+        for arguments, said in (("stand-ins out --drawn drawn -- docs/a.md", "1.8.svg\n"),
+                                ("undrawn docs/a.md", "docs/a.md shows 1.8.svg, which no section draws\n")):
+            out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(out):
+                self.assertEqual(pictures.main(arguments.split()), 0)
+            out.seek(0)
+            self.assertEqual(out.read(), said)
+
     def test_refusals(self) -> None:
         """Without what is asked, or without a text."""
         for arguments in ("", "undrawn", "stand-ins out -- a.md"):

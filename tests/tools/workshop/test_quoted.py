@@ -19,8 +19,10 @@ class Pieces(unittest.TestCase):
         """Each piece by itself, as far as its leftmost line; what is between them too. An empty line is no line."""
         self.assertEqual(
             quoted.unindented(
-                ["int main() {", "    //! [a]", "    if (b)", "", "        c();", "    //! [a]", "        d();", "}"]),
-            ["int main() {", "//! [a]", "if (b)", "", "    c();", "//! [a]", "        d();", "}"])
+                ["int main() {", "    //! [a]", "    if (b)", "", "        c();", "    //! [a]", "        d();", "}",
+                 " //! [e]", " f();", " //! [e]"]),
+            ["int main() {", "//! [a]", "if (b)", "", "    c();", "//! [a]", "        d();", "}",
+             "//! [e]", "f();", "//! [e]"])
 
     def test_within(self) -> None:
         """A piece within a piece keeps its place in it."""
@@ -38,11 +40,11 @@ class Program(unittest.TestCase):
             self.addCleanup(os.chdir, os.getcwd())
             os.chdir(folder)
             os.makedirs("chapters/1-motion")
-            for file in ("a.cpp", "b.hpp", "c.md"):
+            for file in ("a.cpp", "b.hpp", "c.md", "d.hpp"):
                 with open(f"chapters/1-motion/{file}", "w", encoding="utf-8") as stream:
                     stream.write("int i;\n" if file == "b.hpp" else "  //! [x]\n  int i;\n  //! [x]\n")
             self.assertEqual(quoted.main(["out", "chapters", "nowhere"]), 0)
-            self.assertEqual(os.listdir("out/chapters/1-motion"), ["a.cpp"])
+            self.assertEqual(sorted(os.listdir("out/chapters/1-motion")), ["a.cpp", "d.hpp"])
             with open("out/chapters/1-motion/a.cpp", encoding="utf-8") as stream:
                 self.assertEqual(stream.read(), "//! [x]\nint i;\n//! [x]\n")
             os.chdir("/")

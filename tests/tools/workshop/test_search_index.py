@@ -42,6 +42,8 @@ class Words(unittest.TestCase):
         self.assertEqual(index.entries("d"),
                          ",\n  ['drag_topics',['drag (course)',['../a.html',1,'A'],['../b.html',1,'B']]]")
         self.assertEqual(index.entries("x"), "")
+        index.add("dam", "c.html", "C")
+        self.assertEqual([line.split("_")[0] for line in index.entries("d").split("\n")[1:]], ["  ['dam", "  ['drag"])
 
     def test_aliases(self) -> None:
         """A remark and an empty line are none."""

@@ -12,6 +12,7 @@ import unittest
 from workshop import times
 
 NINJA = """# ninja log v5
+7	8
 0\t1500\t2000000000000\ttests/CMakeFiles/headers_alone.dir/headers_alone/drag.hpp.cpp.o\ta
 0\t1500\t2000000000000\ttests/CMakeFiles/headers_alone.dir/headers_alone/drag.hpp.cpp.d\ta
 100\t4100\t3000000000000\ttests/CMakeFiles/test_world.dir/world/step.cpp.o\tb
@@ -46,6 +47,13 @@ class Kinds(unittest.TestCase):
              "build: what it costs": (1, 0.2, "chapters/costs_motion"),
              "build: exercises": (1, 0.3, "exercises/drag/others"), "build: other": (1, 0.4, "other"),
              "build: static tests": (1, 0.5, "tests/CMakeFiles/static_tests.dir/models.cpp")})
+
+    def test_since(self) -> None:
+        """What was written in that very second belongs to it."""
+        for since, number in ((3000.0, 6), (3000.5, 0)):
+            kinds: times.Kinds = {}
+            times.count_build(NINJA.split("\n"), since, kinds)
+            self.assertEqual(sum(of.number for of in kinds.values()), number)
 
     def test_tests(self) -> None:
         """By module, and mistakes by compiler; the longest kind first."""
