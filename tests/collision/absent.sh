@@ -4,7 +4,8 @@
 # No effect, no instruction, where bodies collide:
 #
 #   - a world without collisions is that of a program which never heard of them: the same source with and without
-#     #include <ansatz/collision.hpp> gives the same instructions, sections of the same length, and no symbol about collisions
+#     #include <ansatz/collision.hpp> gives the same instructions and literals, sections of the same length, and no symbol about
+#     collisions
 #   - a world that collides without friction, layers or sensors of its own names neither of the policies and columns that it
 #     was not asked for: no symbol of them, without optimisation, where every function that is used has one
 #   - a world with `Impulse<>` has fewer bytes of code than one with `Impulse<Friction>`
@@ -65,16 +66,30 @@ plain '#include <ansatz/collision.hpp>' > unused.cpp
 about='Collisions|Contact\w*|Touch|Sphere|Plane|Box|Boxes|Shapes\w*|Narrowphase|BoundingBoxes|Impulse|Projection|Penalty\w*|Soft\w*|Restitution|Friction|Layers|Islands|collide\w*'
 for name in without unused; do
     object "$name" -O2
-    # The instructions of every function, without their operands, sorted by the functions' names, and how long each section is: the
-    # order in which a compiler writes functions follows from that in which the headers mention them, and addresses from the order.
+    # The instructions of every function, without their operands, sorted by the functions' names, how long each section is, and
+    # the literals: the order in which a compiler writes functions follows from that in which the headers mention them, and
+    # from that order addresses, and with which of the functions that share a literal it lies.
     objdump -d --no-show-raw-insn "$name-O2.o" |
         awk '/^[0-9a-f]+ <.*>:$/ { printf "\n%s", $2; next } /^ +[0-9a-f]+:/ { printf " %s", $2 }' | grep '^<' | sort > "$name.bytes"
-    objdump -h "$name-O2.o" | awk '$2 ~ /^\.(text|rodata|data|bss|tdata|init_array)/ { print $2, $3 }' | sort >> "$name.bytes"
+    objdump -h "$name-O2.o" | awk '$2 ~ /^\.(text|data|bss|tdata|init_array)/ { print $2, $3 }' | sort >> "$name.bytes"
+    objdump -s "$name-O2.o" | awk '
+        function cut_at_zeros(hex,    i, byte, literal) {
+            for (i = 1; i < length(hex); i += 2) {
+                byte = substr(hex, i, 2)
+                if (byte != "00") literal = literal byte
+                else { print literal; literal = "" }
+            }
+            print literal
+        }
+        /^Contents of section/ { cut_at_zeros(hex); hex = ""; within = $4 ~ /^\.rodata/; next }
+        within && match($0, /^ [0-9a-f]+ /) { line = substr($0, RLENGTH + 1, 35); gsub(/ /, "", line); hex = hex line }
+        END { cut_at_zeros(hex) }' | sort -u > "$name.literals"
 done
 object used -O0
 [ "$(names used-O0.o "$about")" -gt 100 ] || { echo "the search finds no collisions where there are some"; exit 1; }
 [ "$(names unused-O2.o "$about")" -eq 0 ] || { echo "symbols about collisions in a world without them:"; nm -C unused-O2.o | grep -E "ansatz::(detail::)?($about)\b"; exit 1; }
-cmp without.bytes unused.bytes || { echo "including collision.hpp changed the machine code of a world without collisions"; exit 1; }
+[ "$(wc -l < without.literals)" -gt 20 ] || { echo "no literals were found in a world's object file"; exit 1; }
+cmp without.literals unused.literals && cmp without.bytes unused.bytes || { echo "including collision.hpp changed the machine code of a world without collisions"; exit 1; }
 
 # ---------------------------------------------------------------- a world that collides, without what nobody asked for
 declare -A asked=(
