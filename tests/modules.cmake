@@ -42,14 +42,6 @@ else()
     set(quick OFF)
 endif()
 
-# With sanitizers it is the other way round for a test that runs long and says so: where all others are compiled without the
-# optimiser, which takes a third of the time, these are compiled with this.
-set(ANSATZ_TESTS_THAT_RUN_LONG "" CACHE STRING "What tests that run long are compiled with, e.g. -O1; nothing, if there is nothing")
-option(ANSATZ_TESTS_THAT_MEASURE "The tests that measure time" ON)
-if(NOT ANSATZ_TESTS_THAT_MEASURE)
-    ansatz_note("tests that measure time: switched off")
-endif()
-
 # One precompiled header for all of them; named by its place in the project, for the same header in every checkout.
 add_library(test_precompiled OBJECT precompiled.cpp)
 target_link_libraries(test_precompiled PRIVATE test_quick)
@@ -112,9 +104,6 @@ foreach(module IN LISTS folders)
     sort_out(sources libraries ${module})
     set(measuring ${sources})
     list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")
-    if(NOT ANSATZ_TESTS_THAT_MEASURE)
-        set(measuring)
-    endif()
     list(FILTER sources EXCLUDE REGEX "\\.perf\\.cpp$")
 
     # A test may say so in a line of its own: then it is long to optimise and nothing in it is measured, or it runs long,
@@ -125,11 +114,6 @@ foreach(module IN LISTS folders)
             set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
         elseif(quick AND (said OR module IN_LIST optimised_modules))
             set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O3 SKIP_PRECOMPILE_HEADERS ON)
-        endif()
-        file(STRINGS ${source} long REGEX "^// Runs long with the sanitizers" LIMIT_COUNT 1)
-        if(long AND ANSATZ_TESTS_THAT_RUN_LONG)
-            set_source_files_properties(${source} PROPERTIES
-                COMPILE_OPTIONS ${ANSATZ_TESTS_THAT_RUN_LONG} SKIP_PRECOMPILE_HEADERS ON)
         endif()
     endforeach()
     if(sources)
