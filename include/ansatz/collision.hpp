@@ -23,7 +23,11 @@
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/door.hpp>
+#include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/filter/layers.hpp>
+#include <ansatz/collision/module.hpp>
 #include <ansatz/collision/narrowphase/box_box.hpp>
 #include <ansatz/collision/narrowphase/box_plane.hpp>
 #include <ansatz/collision/narrowphase/first_touch.hpp>
@@ -34,6 +38,7 @@
 #include <ansatz/collision/narrowphase/sphere_sphere.hpp>
 #include <ansatz/collision/narrowphase/swept.hpp>
 #include <ansatz/collision/plane.hpp>
+#include <ansatz/collision/properties.hpp>
 #include <ansatz/collision/queries.hpp>
 #include <ansatz/collision/queries_in_world.hpp>
 #include <ansatz/collision/response/impulse.hpp>
@@ -44,6 +49,10 @@
 #include <ansatz/collision/response/soft_loads.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
 #include <ansatz/collision/restitution.hpp>
+#include <ansatz/collision/roles.hpp>
 #include <ansatz/collision/shapes.hpp>
+#include <ansatz/collision/sleep.hpp>
 #include <ansatz/collision/sphere.hpp>
+#include <ansatz/collision/step.hpp>
+#include <ansatz/collision/substeps.hpp>
 #include <ansatz/collision/swept_collisions.hpp>

@@ -7,6 +7,5 @@
 #include <ansatz/motion.hpp>
 #include <ansatz/units/print.hpp>
 #include <ansatz/world/fixed_step.hpp>
-#include <ansatz/world/interpolation.hpp>
 #include <ansatz/world/keep.hpp>
 #include <ansatz/world/world.hpp>

@@ -9,7 +9,7 @@
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world/save.hpp>
-#include <ansatz/world/save_collisions.hpp>
+#include <ansatz/collision/save_collisions.hpp>
 #include <ansatz/world/save_parameters.hpp>
 
 using namespace collision_tests;

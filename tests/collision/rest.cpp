@@ -6,11 +6,11 @@
 #include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
 #include <ansatz/springs.hpp>
-#include <ansatz/world/collisions_in_step.hpp>
-#include <ansatz/world/contact_step.hpp>
-#include <ansatz/world/islands.hpp>
-#include <ansatz/world/sleep.hpp>
-#include <ansatz/world/substeps.hpp>
+#include <ansatz/collision/collisions_in_step.hpp>
+#include <ansatz/collision/contact_step.hpp>
+#include <ansatz/motion/islands.hpp>
+#include <ansatz/motion/sleep.hpp>
+#include <ansatz/collision/substeps.hpp>
 
 using namespace collision_tests;
 

@@ -5,7 +5,7 @@
 #include <ansatz/motion/integrators/cholesky.hpp>
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/motion/integrators/implicit_system.hpp>
-#include <ansatz/world/coupled_system.hpp>
+#include <ansatz/motion/coupled_system.hpp>
 
 #include "tests/springs/support.hpp"
 

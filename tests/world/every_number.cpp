@@ -7,7 +7,7 @@
 #include <ansatz/motion.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
-#include <ansatz/world/hash_collisions.hpp>
+#include <ansatz/collision/hash_collisions.hpp>
 #include <ansatz/world/save.hpp>
 
 #include "tests/catch.hpp"

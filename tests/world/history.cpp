@@ -2,7 +2,7 @@
 // Doors of a world whose integrator keeps history: whatever is changed through them, the velocity is what it was, and
 // the order of the method stays. Each case is held against VelocityVerlet, which stores the velocity.
 
-#include <ansatz/world/present.hpp>
+#include <ansatz/motion/present.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

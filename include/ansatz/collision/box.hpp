@@ -8,7 +8,7 @@
 /// that notice who enters. Two boxes touch along one axis only; a corner is never rounded off.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <string>
 #include <string_view>

@@ -13,7 +13,7 @@
 /// `In<S>`.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <array>
 #include <cstddef>

@@ -7,13 +7,17 @@
 /// made.
 
 #include <ansatz/collision/concepts.hpp>
+#include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/narrowphase/pairs.hpp>
 #include <ansatz/world/check.hpp>
 
 namespace ansatz::detail {
 
+/// What is looked at in a policy of each role.
+template <class Role> struct ChecksOfCollision;
+
 // ------------------------------------------------------------------ broadphase
-template <> struct ChecksOfRole<roles::Broadphase> {
+template <> struct ChecksOfCollision<roles::Broadphase> {
     template <class P, class S> using Facts = BroadphaseFacts<P, S>;
     template <class P, class S> using Sentences = CheckBroadphase<P, S>;
 };
@@ -38,7 +42,7 @@ template <class F, class S> struct CheckFilter {
                                 "auto& a, const auto& b) const`, "
                                 "which sees a body's columns as a.template get<Column>()");
 };
-template <> struct ChecksOfRole<roles::Filter> {
+template <> struct ChecksOfCollision<roles::Filter> {
     template <class P, class S> using Facts = FilterFacts<P, S>;
     template <class P, class S> using Sentences = CheckFilter<P, S>;
 };
@@ -133,7 +137,7 @@ template <class N, class S> constexpr auto sentences_about_narrowphase() {
     else if constexpr (!Facts::List::pairs) return std::type_identity<CheckPairs<typename ShapesNamedBy<N>::type, S>>{};
     else return std::type_identity<CheckNarrowphaseList<N, S>>{};
 }
-template <> struct ChecksOfRole<roles::Narrowphase> {
+template <> struct ChecksOfCollision<roles::Narrowphase> {
     template <class P, class S> using Facts = NarrowphaseFacts<P, S>;
     template <class P, class S> using Sentences = typename decltype(sentences_about_narrowphase<P, S>())::type;
 };
@@ -205,9 +209,52 @@ template <class R, class S> struct CheckResponse {
         "find_bouncing(contacts, data), bounce(contacts, h) and friction(data, a, b), its State what "
         "SoftContacts has");
 };
-template <> struct ChecksOfRole<roles::Response> {
+template <> struct ChecksOfCollision<roles::Response> {
     template <class P, class S> using Facts = ResponseFacts<P, S>;
     template <class P, class S> using Sentences = CheckResponse<P, S>;
+};
+
+// ------------------------------------------------------------------ how many
+template <class... P> struct CollisionCounts {
+    static constexpr int broadphases = count_of_role<roles::Broadphase, P...>;
+    static constexpr int filters = count_of_role<roles::Filter, P...>;
+    static constexpr int narrowphases = count_of_role<roles::Narrowphase, P...>;
+    static constexpr int responses = count_of_role<roles::Response, P...>;
+    static constexpr int in_substeps = (0 + ... + int(RespondsAt<Level::substeps>::template here<P>()));
+    static constexpr int in_next_step = (0 + ... + int(RespondsAt<Level::accelerations>::template here<P>()));
+    static constexpr int at_velocities = (0 + ... + int(RespondsAt<Level::velocities>::template here<P>()));
+    static constexpr bool acting = in_substeps <= 1 && (in_substeps == 0 || (in_next_step == 0 && at_velocities == 0));
+    static constexpr bool ok = broadphases <= 1 && filters <= 1 &&
+                               narrowphases == broadphases && (responses >= 1) == (narrowphases == 1) &&
+                               filters <= broadphases && acting;
+};
+template <class... P> struct CheckCollisionCounts {
+    using Facts = CollisionCounts<P...>;
+    static_assert(Facts::broadphases <= 1,
+                  "Ansatz: World has more than one broadphase; keep one, or nest them as one policy");
+    static_assert(Facts::filters <= 1, "Ansatz: World has more than one collision filter; keep one");
+    static_assert(Facts::narrowphases <= 1, "Ansatz: World has more than one narrowphase; keep one");
+    static_assert(Facts::broadphases == 0 || Facts::narrowphases >= 1,
+                  "Ansatz: World has a broadphase but no narrowphase to look at its pairs; add one");
+    static_assert(Facts::narrowphases == 0 || Facts::broadphases >= 1,
+                  "Ansatz: World has a narrowphase but no broadphase to find its pairs; add one");
+    static_assert(Facts::responses == 0 || Facts::narrowphases >= 1,
+                  "Ansatz: World has a response but no narrowphase to find contacts; add one");
+    static_assert(Facts::narrowphases == 0 || Facts::responses >= 1,
+                  "Ansatz: World finds contacts but has no response to them; add one");
+    static_assert(Facts::filters == 0 || Facts::broadphases >= 1,
+                  "Ansatz: World has a collision filter but no broadphase whose pairs it could filter; add one");
+    static_assert(
+        Facts::in_substeps <= 1,
+        "Ansatz: World has more than one response that takes a step in parts; keep one, e.g. SoftSubsteps<Friction>{}");
+    static_assert(Facts::in_substeps == 0 || Facts::in_next_step == 0,
+                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are "
+                  "forces of the next step (Penalty), which "
+                  "would hold the same bodies twice; keep one of the two");
+    static_assert(Facts::in_substeps == 0 || Facts::at_velocities == 0,
+                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one that changes "
+                  "velocities at its end (Impulse), which would "
+                  "answer the same contacts twice; keep one of the two");
 };
 
 } // namespace ansatz::detail

@@ -19,7 +19,7 @@
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
 #include <ansatz/world/elements.hpp>
-#include <ansatz/world/sleep.hpp>
+#include <ansatz/motion/sleep.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -199,7 +199,7 @@ private:
         auto& touching = working_.value.touching;
         touching.clear();
         if constexpr (C::substeps) {
-            const auto& acting = data.template state<typename detail::FirstOf<NextStep>::type>();
+            const auto& acting = data.template state<typename detail::FirstIn<NextStep>::type>();
             auto next = acting.all.cbegin();
             for (const auto& contact : working_.value.found) {
                 while (next != acting.all.cend() &&

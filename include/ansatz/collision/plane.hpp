@@ -10,8 +10,8 @@
 /// is below the surface, however deep, is pushed out along N.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/core/error.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

@@ -6,7 +6,7 @@
 
 #include <ansatz/world/column_range.hpp>
 #include <ansatz/world/columns.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/properties.hpp>
 
 #include <string_view>

@@ -10,7 +10,7 @@
 /// each kind that it meets, in either order, in the namespace of your shape; the library need not know of it.
 
 #include <ansatz/collision/contact.hpp>
-#include <ansatz/world/properties.hpp>
+#include <ansatz/collision/properties.hpp>
 
 #include <concepts>
 #include <cstdint>

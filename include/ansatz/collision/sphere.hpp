@@ -8,7 +8,7 @@
 /// anything that is about as wide as it is high.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

@@ -14,8 +14,8 @@
 /// | G       | gravitational constant     | m^3/(kg s^2) |
 /// | epsilon | softening length           | m            |
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

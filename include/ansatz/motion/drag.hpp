@@ -10,8 +10,8 @@
 /// (quadratic_drag.hpp). The notes' own form, a factor for each frame, is frame_drag.hpp.
 
 #include <ansatz/motion/decay.hpp>
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

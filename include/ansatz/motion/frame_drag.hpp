@@ -8,8 +8,8 @@
 /// 0.99 in each frame" leaves 74 % of a velocity after a second at 30 Hz, 55 % at 60 Hz and 30 % at 120 Hz. drag.hpp is
 /// the same thing without that.
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

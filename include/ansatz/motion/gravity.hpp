@@ -8,8 +8,8 @@
 /// (`world.set(Gravity{metres_per_second_squared(0, -1.62, 0)})` is the moon). Not for bodies that attract each other
 /// or a centre: the acceleration then depends on the place; see attraction.hpp.
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

@@ -17,7 +17,7 @@
 /// | F      | force                 | N     |
 
 #include <ansatz/world/properties.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <limits>
 #include <string_view>

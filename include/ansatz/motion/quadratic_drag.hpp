@@ -13,8 +13,8 @@
 /// | k      | coefficient, 1/2 rho C_d A           | kg/m   |
 /// | v      | velocity of the body in the still air| m/s    |
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

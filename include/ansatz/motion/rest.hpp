@@ -19,8 +19,8 @@
 /// default is a ten thousandth of the earth's gravity; a sleeper on a spring stops (pull/omega^2) from its balance, a
 /// fortieth of a millimetre at one swing in a second. Zero means nothing at all.
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

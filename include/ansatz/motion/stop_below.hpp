@@ -9,8 +9,8 @@
 /// step, for ever. And it saves no work, since the body is looked at in the next step all the same. rest.hpp is the
 /// rule made safe.
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <string_view>
 

@@ -32,7 +32,7 @@
 /// (Boost.Multiprecision) has no fused multiply-add and relies on its own digits.
 
 #include <ansatz/world/properties.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <algorithm>
 #include <array>

@@ -36,7 +36,7 @@
 #include <ansatz/paths/search.hpp>
 #include <ansatz/paths/successors.hpp>
 #include <ansatz/paths/visitor.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -16,7 +16,7 @@
 
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <bit>
 #include <cmath>

@@ -13,7 +13,7 @@
 /// \see N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", IEEE Trans. Comput. Intell. AI Games 4 (2012).
 
 #include <ansatz/paths/grid/grid.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -13,7 +13,7 @@
 
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/units.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <boost/graph/graph_traits.hpp>
 

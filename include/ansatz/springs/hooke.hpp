@@ -23,7 +23,7 @@
 /// displaces it needs +kx.
 
 #include <ansatz/world/properties.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <type_traits>
 

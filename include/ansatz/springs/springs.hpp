@@ -21,7 +21,7 @@
 /// bending.
 
 #include <ansatz/springs/network.hpp>
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 #include <Eigen/Core>
 

@@ -19,7 +19,7 @@
 ///
 /// E. I. Jury, Theory and Application of the z-Transform Method (1964), for the conditions.
 
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 #include <ansatz/world/world.hpp>
 
 #include <Eigen/Core>

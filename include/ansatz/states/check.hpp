@@ -12,7 +12,7 @@
 /// noise.
 
 #include <ansatz/states/outline.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 

@@ -19,7 +19,7 @@
 /// part of the machine and copied with it. Watchers see; nothing that they do reaches the machine.
 
 #include <ansatz/states/ids.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <array>
 #include <optional>

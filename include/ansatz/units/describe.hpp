@@ -9,7 +9,7 @@
 
 #include <ansatz/units/quantity.hpp>
 #include <ansatz/units/symbol.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <charconv>
 #include <concepts>

@@ -9,7 +9,7 @@
 
 #include <ansatz/units/arithmetic.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cmath>
 #include <limits>

@@ -23,8 +23,8 @@ template <class T> inline constexpr bool is_given_datum<GivenDatum<T>> = true;
 template <class T>
 inline constexpr bool is_kind = std::same_as<T, Fixed> || std::same_as<T, Moving> || std::same_as<T, Resting>;
 template <class T>
-inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T> || ShapeDescription<T> ||
-                                    std::same_as<T, Sensor> || std::same_as<T, Shapeless>;
+inline constexpr bool is_property = is_given<T> || is_given_datum<T> || is_kind<T> || std::same_as<T, Shapeless> ||
+                                    !std::is_void_v<typename ModuleOfProperty<T>::type>;
 
 template <class C, class T> inline constexpr bool gives = false;
 template <class C, class Q> inline constexpr bool gives<C, Given<C, Q>> = true;
@@ -43,27 +43,15 @@ template <class DatumT, class... Property> auto given_datum([[maybe_unused]] con
     }
 }
 
-/// The shape among the properties.
-inline Absent given_shape() { return {}; }
-template <class First, class... Rest>
-auto given_shape([[maybe_unused]] const First& first, [[maybe_unused]] const Rest&... rest) {
-    if constexpr (ShapeDescription<First>) return first;
-    else return given_shape(rest...);
-}
-/// The same in the scalar of the space; refused where its numbers are not acceptable.
-template <class S, class T> auto shape_in([[maybe_unused]] const T& description) {
-    if constexpr (ShapeDescription<T>) {
-        check_in<S>(description);
-        return typename T::template In<S>(description);
-    } else return Absent{};
-}
-
 template <class C, class T> inline constexpr bool gives_column = false;
 template <class C, class Q> inline constexpr bool gives_column<C, Given<C, Q>> = true;
 template <class DatumT, class T> inline constexpr bool fits_datum = true;
 template <class DatumT, class T>
     requires(!std::is_void_v<DatumT>)
 inline constexpr bool fits_datum<DatumT, GivenDatum<T>> = std::is_convertible_v<const T&, DatumT>;
+
+/// Whether some policy of a world puts bodies to rest.
+template <class C> inline constexpr bool rests_in = requires { requires C::rests; };
 
 /// \tparam DatumT the datum that the world keeps, or void
 template <class C, class DatumT, class... Property> struct AddFacts {
@@ -87,32 +75,17 @@ template <class C, class DatumT, class... Property> struct AddFacts {
     static constexpr bool is_moving = (std::same_as<Property, Moving> || ...);
     static constexpr bool is_resting = (std::same_as<Property, Resting> || ...);
     static constexpr bool immovable = is_fixed || is_moving;
-    static constexpr bool shape_once = (0 + ... + int(ShapeDescription<Property>)) <= 1;
-    static constexpr bool shape_wanted =
-        C::collides || !((ShapeDescription<Property> || std::same_as<Property, Sensor>) || ...);
-    template <class T> static constexpr bool is_known() {
-        if constexpr (ShapeDescription<T> && C::collides) return C::Narrowphase::template knows<T>;
-        return true;
-    }
-    static constexpr bool shape_known = (is_known<Property>() && ...);
-    static constexpr bool has_shape = (ShapeDescription<Property> || ...);
-    static constexpr bool is_sensor = (std::same_as<Property, Sensor> || ...);
-    static constexpr bool is_shapeless = (std::same_as<Property, Shapeless> || ...);
-    static constexpr bool sensor_has_shape = !is_sensor || has_shape;
-    static constexpr bool shape_or_none = !has_shape || !is_shapeless;
-    static constexpr bool shape_there = !C::collides || has_shape || is_shapeless || is_sensor;
     static constexpr bool mass_wanted = given<InverseMass> == 0 || C::has_mass;
     static constexpr bool mass_there = given<InverseMass> == 1 || !C::has_mass || immovable;
     static constexpr bool infinite_mass = given<InverseMass> == 0 || !immovable;
     static constexpr bool fixed_stands = given<Velocity> == 0 || !is_fixed;
     static constexpr bool resting_stands = given<Velocity> == 0 || !is_resting;
-    static constexpr bool can_rest = C::rests || !is_resting;
+    static constexpr bool can_rest = rests_in<C> || !is_resting;
     static constexpr bool datum_kept = !std::is_void_v<DatumT> || !(is_given_datum<Property> || ...);
     static constexpr bool datum_fits = (fits_datum<DatumT, Property> && ...);
     static constexpr bool ok = properties && one_kind && once && mass_by_name && no_history && own_columns &&
                                mass_wanted && mass_there && infinite_mass && fixed_stands && resting_stands &&
-                               can_rest && shape_once && shape_wanted && shape_known && sensor_has_shape &&
-                               shape_or_none && shape_there && datum_kept && datum_fits;
+                               can_rest && datum_kept && datum_fits;
 };
 template <class Facts> struct CheckAdd {
     static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
@@ -138,24 +111,36 @@ template <class Facts> struct CheckAdd {
                   "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
     static_assert(Facts::resting_stands, "Ansatz: add: a resting body has no velocity");
     static_assert(Facts::can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
-    static_assert(Facts::shape_once, "Ansatz: add: a body has one shape; add several bodies for several shapes");
-    static_assert(
-        Facts::shape_wanted,
-        "Ansatz: add: bodies of this world do not collide, so it takes no shape; add a broadphase, a narrowphase and a "
-        "response to its policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
-    static_assert(Facts::shape_known, "Ansatz: add: a shape that this world's narrowphase does not know; name it "
-                                      "there, e.g. Narrowphase<Sphere, Plane, Box>{}");
-    static_assert(Facts::sensor_has_shape || !Facts::shape_wanted,
-                  "Ansatz: add: a sensor without a shape notices nobody; give it one, e.g. add(Sphere{2.0 * metre}, "
-                  "sensor, fixed)");
-    static_assert(Facts::shape_or_none, "Ansatz: add: a body has a shape or is shapeless, not both; leave one out");
-    static_assert(
-        Facts::shape_there || !Facts::properties,
-        "Ansatz: add: bodies of this world collide, and this one would meet nothing; give it a shape that the "
-        "narrowphase knows, e.g. add(Sphere{0.5 * metre}, ...), or say so: add(shapeless, ...)");
     static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
     static_assert(Facts::datum_fits,
                   "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
 };
+
+// What the modules say of the properties that are theirs; those of a module that the world has not are its to refuse.
+template <class M, class C, class... Property> constexpr bool module_takes() {
+    if constexpr (requires { M::template AddFacts<C, Property...>::ok; })
+        return M::template AddFacts<C, Property...>::ok;
+    return true;
+}
+template <class M, class C, class... Property> constexpr bool read_add() {
+    if constexpr (!module_takes<M, C, Property...>()) return sizeof(typename M::template CheckAdd<C, Property...>) > 0;
+    return true;
+}
+template <class C, class... Property, class... M> constexpr bool modules_take(Types<M...>) {
+    return (module_takes<M, C, Property...>() && ...);
+}
+template <class C, class... Property, class... M> constexpr bool read_adds(Types<M...>) {
+    return (read_add<M, C, Property...>() && ...);
+}
+/// The modules of a world, and those that properties belong to.
+template <class C, class... Property> struct ModulesAsked {
+    template <class List> struct With;
+    template <class... M> struct With<Types<M...>> {
+        using type = distinct<M..., typename ModuleOfProperty<Property>::type...>;
+    };
+    using type = typename With<typename C::modules>::type;
+};
+template <class C, class... Property>
+inline constexpr bool takes = modules_take<C, Property...>(typename ModulesAsked<C, Property...>::type{});
 
 } // namespace ansatz::detail

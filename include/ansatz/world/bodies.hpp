@@ -10,7 +10,7 @@
 /// Everything here is a value: a copy of a world answers to the same handles.
 
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <array>
 #include <cstddef>

@@ -9,6 +9,14 @@
 
 namespace ansatz {
 
+namespace detail {
+/// A policy as a space binds it.
+template <class P, class S> using Bound = typename P::template In<S>;
+/// Whether a policy asks for the time.
+template <class P> inline constexpr bool reads_clock = contains<Clock, reads_of<P>>;
+template <class P> using without_clock = difference_of<reads_of<P>, Columns<Clock>>;
+} // namespace detail
+
 /// The step that is being taken: a time, with the length of the step before it.
 ///
 /// Wherever a formula says dt, this is dt; only an integrator that keeps history needs `previous` (it is dt itself in

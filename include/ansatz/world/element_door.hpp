@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The door of a world for elements (springs): the members of `World` that add, change and remove them. Everything is
+/// The door of a world for elements: the members of `World` that add, change and remove them. Everything is
 /// checked before anything is changed, as in door.hpp. Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
 
@@ -12,8 +12,7 @@ namespace ansatz {
 
 template <class... P>
 void World<P...>::wake_ends([[maybe_unused]] const auto& state, [[maybe_unused]] std::uint32_t id) {
-    if constexpr (composition::rests)
-        state.for_each_body(id, [&](std::uint32_t body) { wake_slot(data_.bodies.slot_of_id(body)); });
+    state.for_each_body(id, [&](std::uint32_t body) { tell<hook::Wake>(data_.bodies.slot_of_id(body)); });
 }
 
 template <class... P>
@@ -28,7 +27,7 @@ ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
         const auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
         state.make_room();
-        forces_change();
+        tell<hook::BeforeChange<>>();
         handle = state.insert(admitted);
         wake_ends(state, handle.id);
     }
@@ -46,7 +45,7 @@ void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... opti
         const auto id = state.id(which, "World::set");
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
         const auto admitted = state.admit("World::set", to, data_.bodies, position, option...);
-        forces_change();
+        tell<hook::BeforeChange<>>();
         wake_ends(state, id);
         state.replace(id, admitted);
         wake_ends(state, id);
@@ -60,7 +59,7 @@ template <class... P> template <class E> void World<P...>::remove(ElementHandle<
         get_ready("World::remove");
         auto& state = data_.template state<Keeper>();
         const auto id = state.id(which, "World::remove");
-        forces_change();
+        tell<hook::BeforeChange<>>();
         wake_ends(state, id);
         state.erase(id);
     }

@@ -124,6 +124,10 @@ struct StateOr<P, S> {
     using type = state_of<P, S>;
 };
 
+template <class P> struct HasElements : std::bool_constant < requires {
+    typename P::Element;
+} > {};
+
 /// Whether elements of type E are what policy P keeps.
 template <class P, class E> inline constexpr bool keeps_element = false;
 template <class P, class E>

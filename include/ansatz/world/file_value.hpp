@@ -6,7 +6,7 @@
 // not in the umbrella: it is a part of save.hpp, and needs nlohmann-json
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -66,6 +66,8 @@ struct FileValue {
     void is(const Json& expected, const char* why) const {
         if (json != expected) refuse_here(expected.dump() + why);
     }
+    /// The parameters of a policy, or of anything else that names them: save_parameters.hpp.
+    template <class P> void parameters(P& description) const;
     /// A finite number. Class scalars stand as text, because JSON's numbers are read as doubles.
     template <class T> T number() const {
         T value{};

@@ -10,7 +10,7 @@
 /// whenever a clock of the real world drives a simulation; a measurement simply calls `step`.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 /// accepted here.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/properties.hpp>
 
 #include <concepts>

@@ -13,7 +13,7 @@
 /// into a local, because a quantity is not trivially copyable and would be reloaded for each body; the values pass
 /// through one small array, which both compilers dissolve into registers before they vectorise.
 
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/row.hpp>
 
 #include <algorithm>

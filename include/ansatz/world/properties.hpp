@@ -31,20 +31,10 @@ inline constexpr Moving moving{}; ///< fixed, but with a velocity of its own: a 
 struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
 
-/// The description of a shape, e.g. `Sphere{0.5 * metre}`; see collision/shapes.hpp. A world with a Narrowphase takes
-/// one for each body, or `shapeless`.
-template <class T>
-concept ShapeDescription = std::same_as<typename T::shape, T>;
-
-/// A body that others meet without being pushed, and that is pushed by none: its contacts are reported, and that is
-/// all.
-struct Sensor {};
-inline constexpr Sensor sensor{}; ///< notices who enters, and pushes nobody
-
-/// A body that meets nothing: forces, springs and effects act on it as on any other, but it has no shape to touch with,
-/// e.g. a particle of cloth, or the hook that a rope hangs from. Where bodies collide one says so, because a shape that
-/// was forgotten looks the same until something falls through the ground. Where none do it is true of all and may be
-/// said as well, so that code for any world can say it.
+/// A body that meets nothing: forces and effects act on it as on any other, but it has no shape to touch with, e.g. a
+/// particle of cloth. Where bodies can meet one says so, because a shape that was forgotten looks the same until
+/// something falls through the ground. Where none do it is true of all and may be said as well, so that code for any
+/// world can say it.
 struct Shapeless {};
 inline constexpr Shapeless shapeless{}; ///< meets nothing
 
@@ -69,6 +59,16 @@ template <class T> struct GivenDatum {
 };
 
 namespace detail {
+/// The module that a property of `add` belongs to, `void` for those of the frame: a type says so, `using module = ...`.
+template <class T> struct ModuleOfProperty {
+    using type = void;
+};
+template <class T>
+    requires requires { typename T::module; }
+struct ModuleOfProperty<T> {
+    using type = typename T::module;
+};
+
 template <class T> inline constexpr bool is_given_mass = false;
 template <class Q> inline constexpr bool is_given_mass<GivenMass<Q>> = true;
 

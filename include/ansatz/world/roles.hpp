@@ -2,12 +2,15 @@
 #pragma once
 
 /// \file
-/// The roles that a policy can play in a `World`, and how many of each a world takes.
+/// What a role is, and the roles that belong to no module.
 ///
 /// A policy says what it is with one line, `using role = ansatz::roles::Force;`. The order in which policies are listed
 /// never matters: the world finds each by its role. Use these tags when you write a policy of your own; a reader of a
-/// program never needs them. A new *kind* of policy would be a new role, and that is the one thing that touches
-/// `world/`.
+/// program never needs them.
+///
+/// A role that comes with a module says so, `using module = Motion;`, and stands with its concept, its sentences and
+/// how many of it a world takes in that module's folder (motion/roles.hpp). A world in which a policy plays such a role
+/// has what the module brings (modules.hpp). So a new kind of policy is a new header, and touches no other.
 
 #include <ansatz/core/compiler_flags.hpp>
 
@@ -17,14 +20,8 @@ namespace ansatz {
 
 namespace roles {
 struct Space {};       ///< scalar type and dimension; at most one, `Space<double, 3>` without it
-struct Integrator {};  ///< advances one body by its stages; exactly one
-struct Force {};       ///< a law of one body, or couples bodies; any number
-struct Effect {};      ///< acts on declared columns at a named place of the step; any number
-struct Broadphase {};  ///< pairs that may touch; at most one
-struct Filter {};      ///< which pairs are looked at; at most one
-struct Narrowphase {}; ///< contacts of those pairs; exactly one with a broadphase, none without
-struct Response {};    ///< what contacts do; one (or a chain) with a narrowphase, none without
 struct StepControl {}; ///< whether a step is taken as it is, in parts, or refused; at most one
+struct System {};      ///< takes part in the step at phases that it names (schedule.hpp); any number
 struct Observer {};    ///< sees, never changes; any number
 } // namespace roles
 
@@ -39,12 +36,22 @@ struct RoleOf<P> {
     using type = typename P::role;
 };
 
+template <class R> struct ModuleOfRole {
+    using type = void;
+};
+template <class R>
+    requires requires { typename R::module; }
+struct ModuleOfRole<R> {
+    using type = typename R::module;
+};
+/// The module that a role comes with, or `void`.
+template <class R> using module_of_role = typename ModuleOfRole<R>::type;
+
 template <class R, class... Known> inline constexpr bool one_of = (std::same_as<R, Known> || ...);
 
 template <class R>
-inline constexpr bool known_role =
-    one_of<R, roles::Space, roles::Integrator, roles::Force, roles::Effect, roles::Broadphase, roles::Filter,
-           roles::Narrowphase, roles::Response, roles::StepControl, roles::Observer>;
+inline constexpr bool known_role = one_of<R, roles::Space, roles::StepControl, roles::System, roles::Observer> ||
+                                   !std::is_void_v<module_of_role<R>>;
 
 } // namespace detail
 

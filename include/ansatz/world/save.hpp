@@ -13,7 +13,6 @@
 ///
 /// Needs exceptions, for the parser's sake.
 
-#include <ansatz/world/save_collisions.hpp>
 #include <ansatz/world/save_elements.hpp>
 #include <ansatz/world/save_parameters.hpp>
 #include <ansatz/world/whole_file.hpp>
@@ -56,12 +55,11 @@ struct Archive {
         if (world.lost_) world.refuse_lost("save");
         using detail::number_to_file;
         using C = typename World<P...>::composition;
-        if constexpr (C::history && C::coupled)
-            if (world.data_.coupled.changed) { // a change that waits to be made good is part of the state
-                auto settled = world;
-                refresh_coupled(settled.data_, settled.policies_, settled.context());
-                return write(settled);
-            }
+        if (!world.is_settled()) { // a change that waits to be made good is part of the state
+            auto settled = world;
+            settled.template tell<hook::Settle>();
+            return write(settled);
+        }
         const auto& data = world.data_;
         detail::Json file;
         file["format"] = "ansatz world";
@@ -77,12 +75,11 @@ struct Archive {
                 (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...);
             }(typename C::element_keepers{});
         }
-        if constexpr (C::collides) CollisionArchive::write<C>(file["collisions"] = detail::Json::object(), data);
+        data.template ask<hook::Save>(file, detail::Files{});
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
                          {"dt", number_to_file(data.clock.dt_.value())},
                          {"steps", data.clock.steps_},
                          {"tick", data.clock.tick_}};
-        file["unsolved"] = data.unsolved;
         file["generations"] = data.bodies.generation_;
         file["free"] = data.bodies.free_;
         auto& bodies = file["bodies"] = detail::Json::array(); // slot by slot
@@ -90,7 +87,7 @@ struct Archive {
             detail::Json body;
             body["id"] = data.bodies.id(slot);
             body["motion"] = name_of(data.bodies.motion(slot));
-            if constexpr (C::history) body["waiting"] = data.waiting(slot);
+            data.template ask<hook::SaveBody>(slot, body);
             write_columns(body, data.lanes, slot, typename C::state{});
             bodies.push_back(std::move(body));
         }
@@ -120,7 +117,6 @@ struct Archive {
 
         typename W::Data data;
         read_clock(data.clock, file.at("clock"));
-        data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
         read_bodies<C>(data, file);
         if constexpr (C::element_keepers::size > 0) {
             const auto elements = file.at("elements");
@@ -130,8 +126,7 @@ struct Archive {
                  ...);
             }(typename C::element_keepers{});
         }
-
-        if constexpr (C::collides) CollisionArchive::read<C>(data, file.at("collisions"));
+        data.template tell<hook::Load>(file);
 
         // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a
         // new one.
@@ -219,8 +214,6 @@ private:
                 body.at("id").refuse_here("an id that no other body has");
             const auto motion = motion_from(body.at("motion"));
             if (motion < kind) body.at("motion").refuse_here("bodies in the order awake, resting, moving, fixed");
-            if (motion == Motion::resting && !C::rests)
-                body.at("motion").refuse_here("another state; this world puts no bodies to rest");
             kind = motion;
             data.bodies.slot_of_[id] = Bodies::Slot(slot);
             data.bodies.id_at_.push_back(std::uint32_t(id));
@@ -229,9 +222,7 @@ private:
             read_columns(data.lanes, body, slot, typename C::state{});
             if constexpr (C::has_mass)
                 check_mass(data.lanes.template get<InverseMass>(slot).value(), motion, body.at("inverse mass"));
-            if (motion == Motion::resting || motion == Motion::fixed) check_still<C>(data.lanes, slot, body);
-            if constexpr (C::history)
-                if (body.at("waiting").yes()) data.starts.wait(std::uint32_t(id));
+            data.template tell<hook::LoadBody>(std::uint32_t(slot), body);
         }
         const auto free = file.at("free");
         free.size_is(ids - count, "free ids");
@@ -248,18 +239,6 @@ private:
         for (const auto m : {Motion::awake, Motion::resting, Motion::moving, Motion::fixed})
             if (json.json == name_of(m)) return m;
         json.refuse_here("\"awake\", \"resting\", \"moving\" or \"fixed\"");
-    }
-
-    /// A body that is fixed or at rest has no velocity.
-    template <class C, class LanesT>
-    static void check_still(const LanesT& lanes, std::size_t slot, const FileValue& body) {
-        if constexpr (C::history) {
-            if (!(lanes.template get<Position>(slot) == lanes.template get<PreviousPosition>(slot)))
-                body.at("previous position").refuse_here("the body's position, because it stands still");
-        } else {
-            const auto v = lanes.template get<Velocity>(slot);
-            if (!(v == decltype(v)(v - v))) body.at("velocity").refuse_here("zeros, because the body stands still");
-        }
     }
 
     template <class Scalar> static void check_mass(const Scalar& inverse, Motion motion, const FileValue& json) {

@@ -48,4 +48,15 @@ template <class P> void read_parameters(P& description, const FileValue& json) {
     });
 }
 
+template <class P> void FileValue::parameters(P& description) const { read_parameters(description, *this); }
+
+/// What modules write with, who need not know the parser.
+struct Files {
+    using Json = detail::Json; ///< a value in a file
+    /// A number.
+    template <class T> static Json number(const T& x) { return number_to_file(x); }
+    /// Parameters by their names.
+    template <class P> static void parameters(Json& json, const P& description) { write_parameters(json, description); }
+};
+
 } // namespace ansatz::detail

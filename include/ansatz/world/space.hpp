@@ -10,7 +10,7 @@
 /// and the world converts them here, once, when it is made.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/roles.hpp>
 
 #include <concepts>

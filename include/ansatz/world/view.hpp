@@ -8,7 +8,7 @@
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/context.hpp>
 #include <ansatz/world/elements.hpp>
-#include <ansatz/world/laws.hpp>
+#include <ansatz/world/row.hpp>
 
 #include <cstddef>
 #include <span>

@@ -20,8 +20,8 @@ template <class... P> void World<P...>::remove(Handle body) {
     data_.bodies.slot(body, "World::remove");
     get_ready("World::remove");
     const auto erase = [&] {
-        forces_change();
-        wake_contacts(body.id);
+        tell<hook::BeforeChange<>>();
+        tell<hook::Disturbed>(body.id);
         data_.erase(data_.bodies.slot_of_id(body.id)); // looked up last: whom that woke changed places with others
     };
     if constexpr (has_datum) {
@@ -29,12 +29,6 @@ template <class... P> void World<P...>::remove(Handle body) {
         erase();
         user_.at(body.id) = std::move(nothing);
     } else erase();
-}
-
-template <class... P> void World<P...>::wake(Handle body) {
-    const auto slot = data_.bodies.slot(body, "World::wake");
-    get_ready("World::wake");
-    wake_slot(slot);
 }
 
 template <class... P> void World<P...>::reserve(std::size_t n) {

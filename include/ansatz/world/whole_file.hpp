@@ -8,7 +8,7 @@
 
 // not in the umbrella: it is a part of save.hpp, which includes it
 
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cerrno>
 #include <filesystem>

@@ -11,8 +11,11 @@
 /// Threads: a world has no hidden global and no lock. Different worlds, copies included, may be used on different
 /// threads at the same time; so may const members of one world. A change needs that world for itself.
 
+#include <ansatz/world/add_facts.hpp>
 #include <ansatz/world/check.hpp>
+#include <ansatz/world/checked_value.hpp>
 #include <ansatz/world/held_parameters.hpp>
+#include <ansatz/world/inside.hpp>
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/step.hpp>
 #include <ansatz/world/user_data.hpp>
@@ -28,21 +31,35 @@ namespace ansatz {
 
 struct Archive; // save.hpp reads and writes the parts of a world
 
+namespace detail {
+/// The doors of a world: of its modules, then of its policies.
+template <class P, class W, class C> struct DoorOfPolicy {
+    using type = Nothing<P>;
+};
+template <class P, class W, class C>
+    requires requires { typename P::template Door<W, C>; }
+struct DoorOfPolicy<P, W, C> {
+    using type = typename P::template Door<W, C>;
+};
+template <class W, class C, class Modules, class Policies> struct Doors;
+template <class W, class C, class... M, class... P>
+struct Doors<W, C, Types<M...>, Types<P...>> : DoorIn<M, W, C>::type..., DoorOfPolicy<P, W, C>::type... {};
+template <class W, class C> using doors_of = Doors<W, C, typename C::modules, typename C::policies>;
+} // namespace detail
+
 /// \tparam P policies in any order, each one type once: exactly one Integrator; any number of Force, Effect, Observer;
 ///           at most one Space (`Space<double, 3>` without it)
-template <class... P> class World {
+template <class... P>
+class World
+    : public detail::doors_of<World<P...>, typename detail::ComposedOf<detail::is_world<P...>, P...>::type> {
     static_assert(detail::is_world<P...>, "Ansatz: this list of policies is not a world; the sentence above says why");
 
 public:
     /// What follows from the list of policies.
     using composition = typename detail::ComposedOf<detail::is_world<P...>, P...>::type;
-    using S = typename composition::S;                   ///< the space
-    using Integrator = typename composition::Integrator; ///< the integrator
+    using S = typename composition::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Position = typename S::Position;         ///< m
-    using Velocity = typename S::Velocity;         ///< m/s
-    using Acceleration = typename S::Acceleration; ///< m/s^2
-    using ClockTime = typename S::ClockTime;       ///< s
+    using ClockTime = typename S::ClockTime; ///< s
 
     /// What a body takes in the lanes. Its handle adds 16 bytes, Verlet's starts 5, Rest's events 72.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
@@ -140,62 +157,9 @@ public:
     }
     /// @}
 
-    /// \name Contacts (notes 2.1.2)
-    /// @{
-
-    /// Which bodies intersected where the last step left them, by their ids; one that `begins()` was none before it.
-    /// Stays what it is until the next step, in which those of a removed body end: `contains(contact.first)` tells
-    /// whether it is there.
-    auto contacts() const {
-        need_collisions();
-        if constexpr (composition::collides) return std::span(data_.collisions.contacts);
-        else return std::span<const Handle>();
-    }
-    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays
-    /// until the next.
-    auto contacts_ended() const {
-        need_collisions();
-        if constexpr (composition::collides) return std::span(data_.collisions.ended);
-        else return std::span<const Handle>();
-    }
-    /// Calls `f(shape)` with the shape of a body as it was given, e.g. a Sphere; not at all, if it has none.
-    /// \throws std::out_of_range for a stale handle
-    template <class F> void visit_shape(Handle body, F&& f) const {
-        need_collisions();
-        data_.bodies.slot(body, "World::visit_shape");
-        if constexpr (composition::collides) data_.collisions.shapes.visit_description(body.id, f);
-    }
-    /// Ray casts and overlaps, e.g. `world.query().closest(Ray{...})`: see collision/queries_in_world.hpp. Do not keep
-    /// it.
-    auto query() const;
-    /// @}
-
     /// \name Reading a body
     /// All throw std::out_of_range for a stale handle.
     /// @{
-    /// Where the body is, in m.
-    Position position(Handle body) const {
-        return data_.lanes.template get<ansatz::Position>(data_.bodies.slot(body, "World::position"));
-    }
-    /// The velocity at the present time. Where the integrator keeps history instead, it is derived: the mean velocity
-    /// of the last step belongs to half a step ago, and half a step of the present acceleration brings it here.
-    Velocity velocity(Handle body) const { return velocity_at(data_.bodies.slot(body, "World::velocity")); }
-    /// What all forces together do to the body now. Where bodies act on each other and something was changed since the
-    /// last step, this asks every force between bodies anew.
-    Acceleration acceleration(Handle body) const {
-        return acceleration_at(data_.bodies.slot(body, "World::acceleration"));
-    }
-    /// In kg; infinite for a fixed or moving body.
-    typename S::Mass mass(Handle body) const {
-        need_mass();
-        const auto inverse = data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::mass"));
-        return Scalar(1) / inverse;
-    }
-    /// 1/m, in 1/kg; zero for a fixed or moving body.
-    typename S::InverseMass inverse_mass(Handle body) const {
-        need_mass();
-        return data_.lanes.template get<ansatz::InverseMass>(data_.bodies.slot(body, "World::inverse_mass"));
-    }
     /// The value of any stored column.
     template <class C> value_of<C, S> read(Handle body) const {
         need_column<C>();
@@ -231,28 +195,10 @@ public:
     }
     /// @}
 
-    /// \name Changing a body
-    /// Each wakes a resting body. All throw std::out_of_range for a stale handle, std::invalid_argument for a value
-    /// that is not finite; the world is then as it was.
-    /// @{
-
-    /// Puts the body somewhere else. It keeps its velocity, whatever the integrator, and is not drawn in between.
-    template <class Q> void set_position(Handle body, const Q& x);
-    /// \throws std::invalid_argument also for a fixed body, which has no velocity (add it as `moving`)
-    template <class Q> void set_velocity(Handle body, const Q& v);
-    /// \param m kg, finite and greater than zero
-    /// \throws std::invalid_argument also for a fixed or moving body, whose mass is infinite
-    template <class Q> void set_mass(Handle body, const Q& m);
-    /// Changes the momentum at once by `j` (in N s). A body of infinite mass does not notice.
-    template <class Q> void apply_impulse(Handle body, const Q& j);
-    /// Adds to the force (in N) that acts during the next step, in every stage of it. Needs the policy AppliedForces. A
-    /// body of infinite mass does not notice.
-    template <class Q> void apply_force(Handle body, const Q& f);
-    /// Gives a stored column a value.
+    /// Gives a stored column a value, and wakes a resting body.
+    /// \throws std::out_of_range for a stale handle, std::invalid_argument for a value that is not acceptable; the world
+    /// is then as it was
     template <class C, class Q> void write(Handle body, const Q& value);
-    /// Wakes a resting body; does nothing to others.
-    void wake(Handle body);
-    /// @}
 
     /// \name Policies
     /// @{
@@ -282,12 +228,6 @@ public:
     ClockTime time() const { return data_.clock.now(); }
     /// Steps taken.
     std::uint64_t tick() const { return data_.clock.tick(); }
-    /// Who slept and woke in the last step and between the step before and it; stays until the next. Some may be
-    /// removed by then.
-    std::span<const Event> events() const {
-        if constexpr (composition::rests) return data_.events.now();
-        return {};
-    }
     /// What went wrong inside steps; looks at every body when it is called.
     Status status() const;
     /// @}
@@ -296,19 +236,16 @@ public:
     /// every build. Policies' parameters are not part of it.
     std::uint64_t hash() const;
 
-    /// The laws as they are bound, for queries such as potential energy.
-    const typename composition::Laws& laws() const { return bound_.laws; }
-    /// The values of one body, for the same queries.
-    auto row(Handle body) const { return data_.load(data_.bodies.slot(body, "World::row")); }
     /// What policy `P_` may see of this world: the columns that it declared.
     template <class P_> ObserverView<S, P_> view() const {
         return {data_.lanes, data_.bodies, data_.template state<P_>(), data_.clock.now(), data_.clock.tick()};
     }
     /// When the next step begins.
-    Context<S> context() const { return Context<S>(time(), TimeStep<S>(data_.last_dt(), data_.last_dt())); }
+    Context<S> context() const { return inside().context(); }
 
 private:
     friend struct Archive;
+    friend struct detail::Key;
     using Data = WorldData<composition>;
     using Slot = Bodies::Slot;
     using Datum = typename detail::DatumOf<P...>::type;
@@ -320,24 +257,13 @@ private:
         return policies;
     }
 
-    static constexpr void need_mass() {
-        static_assert(composition::has_mass,
-                      "Ansatz: this world stores no mass, because none of its policies needs it (gravity "
-                      "accelerates every mass alike); add Keep<InverseMass>{} to its policies");
-    }
     static constexpr void need_datum() {
         static_assert(has_datum, "Ansatz: this world keeps no datum of yours; add Datum<T>{} to its policies");
     }
     template <class E> static constexpr void need_element() {
         static_assert((detail::keeps_element<P, E> || ...),
-                      "Ansatz: none of this world's policies keeps such elements; a Spring needs Springs{} "
-                      "among them, a Rope needs Ropes{}");
-    }
-    static constexpr void need_collisions() {
-        static_assert(
-            composition::collides,
-            "Ansatz: bodies of this world do not collide; add a broadphase, a narrowphase and a response to its "
-            "policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
+                      "Ansatz: none of this world's policies keeps such elements; add the one that does, as a Spring "
+                      "needs Springs{} and a Rope needs Ropes{}");
     }
     template <class C> static constexpr void need_column() {
         constexpr bool stored = composition::template stores<C>;
@@ -348,35 +274,27 @@ private:
                                   "declares it; add Keep<Column>{} to its policies");
     }
 
-    // What the velocity is now, and what keeps it when forces change: present.hpp.
-    template <class F> auto at_present(F&& f) const;
-    Acceleration acceleration_of(const Data& data, Slot slot, const typename Data::Body& row) const;
-    Acceleration acceleration_at(Slot slot) const;
-    Velocity velocity_at(Slot slot) const;
-    Velocity velocity_in(const Data& data, Slot slot) const;
-    void settle();
-    void hold_velocity(Slot slot);
-    void hold_velocities();
-    void forces_change();
-    template <class... C> void column_changes();
+    auto inside() { return Inside<composition, Data, Policies>{data_, policies_, bound_}; }
+    auto inside() const { return Inside<composition, const Data, const Policies>{data_, policies_, bound_}; }
+    template <class Hook, class... A> void tell(A&&... argument) { inside().template tell<Hook>(argument...); }
+    /// Whether no change waits to be made good, which would be a part of the state.
+    bool is_settled() const {
+        bool waits = false;
+        data_.template ask<hook::Waits>(waits);
+        return !waits;
+    }
+
     // What keeps it whole: whole.hpp.
     void assign(const World& other);
     void assign(World&& other);
     void get_ready(const char* where);
     [[noreturn, gnu::cold, gnu::noinline]] static void refuse_lost(const char* where);
 
-    void wake_slot(Slot slot);
-    void wake_contacts(std::uint32_t id);
-    void wake_pierced(std::uint32_t id);
     void wake_ends(const auto& state, std::uint32_t id);
-    void wake_all() {
-        if constexpr (composition::rests) for_each([&](Handle h) { wake(h); });
-    }
-
-    auto step_of(const typename S::Time& dt);
+    TimeStep<S> step_of(const typename S::Time& dt) const;
     template <class Transient, bool Later = false> void take_step(const ClockTime& dt);
     const auto& control() const {
-        return std::get<typename detail::FirstOf<typename composition::controls>::type>(policies_);
+        return std::get<typename detail::FirstIn<typename composition::controls>::type>(policies_);
     }
 
     template <class Row_, class Property> static void take(Row_& row, const Property& property);
@@ -396,5 +314,4 @@ template <class... P> World(P...) -> World<P...>; ///< the list of policies is t
 
 #include <ansatz/world/door.hpp>
 #include <ansatz/world/element_door.hpp>
-#include <ansatz/world/present.hpp>
 #include <ansatz/world/whole.hpp>

@@ -15,7 +15,7 @@
 /// allocates nothing. The boxes are finite, which `Boxes::check` says; of others `find` may miss any pair, and no more.
 
 #include <ansatz/collision/boxes.hpp>
-#include <ansatz/world/roles.hpp>
+#include <ansatz/collision/roles.hpp>
 
 #include <algorithm>
 #include <concepts>

@@ -27,7 +27,7 @@
 #include <ansatz/collision/broadphase/bounding_boxes.hpp>
 #include <ansatz/collision/broadphase/sort_and_sweep.hpp>
 #include <ansatz/collision/broadphase/uniform_grid_level.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <algorithm>
 #include <array>

@@ -10,9 +10,9 @@
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/world/columns.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/properties.hpp>
-#include <ansatz/world/roles.hpp>
+#include <ansatz/collision/roles.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -18,7 +18,7 @@
 #include <ansatz/collision/narrowphase/sphere_plane.hpp>
 #include <ansatz/collision/narrowphase/sphere_sphere.hpp>
 #include <ansatz/collision/shapes.hpp>
-#include <ansatz/world/roles.hpp>
+#include <ansatz/collision/roles.hpp>
 #include <ansatz/world/space.hpp>
 
 #include <optional>

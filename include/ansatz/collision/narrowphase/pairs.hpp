@@ -15,7 +15,7 @@
 /// It answers whether they intersect, and then says in `touch` where, along which normal (from b to a), and how deep.
 
 #include <ansatz/collision/contact.hpp>
-#include <ansatz/world/composition.hpp>
+#include <ansatz/world/types.hpp>
 
 #include <concepts>
 

@@ -23,7 +23,7 @@
 /// diagonal.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/islands.hpp>
+#include <ansatz/motion/islands.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -33,9 +33,9 @@
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/restitution.hpp>
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/contact_step.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/collision/concepts.hpp>
+#include <ansatz/collision/contact_step.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <concepts>
 #include <optional>

@@ -33,8 +33,8 @@
 #include <ansatz/collision/plane.hpp>
 #include <ansatz/collision/sphere.hpp>
 #include <ansatz/springs/hooke.hpp>
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/contact_step.hpp>
+#include <ansatz/collision/concepts.hpp>
+#include <ansatz/collision/contact_step.hpp>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 /// Use it to see why nobody uses it: the energy of an undamped spring grows by the factor 1 + (omega dt)^2 in every
 /// step, at every dt. SemiImplicitEuler costs the same and does not.
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 namespace ansatz {
 

@@ -15,7 +15,7 @@
 /// sparse system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a
 /// direct solver (cholesky.hpp).
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 #include <Eigen/LU>
 

@@ -12,7 +12,7 @@
 /// contact. So are controlled steppers: a world's step has the length that it was asked for. Slower than RungeKutta4,
 /// which runs in lanes.
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>

@@ -8,7 +8,7 @@
 /// undamped systems, where its energy drifts a little in every step and never comes back, and not through contacts,
 /// where the order is lost. Four evaluations of the forces a step.
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 namespace ansatz {
 

@@ -9,7 +9,7 @@
 /// that limit smaller, not larger. Not when the trajectory itself must be accurate: it is of first order; see
 /// velocity_verlet.hpp and runge_kutta4.hpp.
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 namespace ansatz {
 

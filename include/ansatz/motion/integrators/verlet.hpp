@@ -20,7 +20,7 @@
 ///
 /// L. %Verlet, Phys. Rev. 159, 98 (1967). Deliberately not provided: a longer FIFO; nothing would read it.
 
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 namespace ansatz {
 

@@ -25,7 +25,7 @@
 #include <ansatz/paths/goap/perform.hpp>
 #include <ansatz/states/ids.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 
 #include <ansatz/paths/goap/state.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -10,7 +10,7 @@
 /// from the same state to the same goal, by the same actions, there is the same plan, or none.
 
 #include <ansatz/paths/goap/planner.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cstddef>
 #include <limits>

@@ -5,7 +5,7 @@
 /// `grid_from`: a small map written as text, for examples, exercises and tests. Maps in files: moving_ai.hpp.
 
 #include <ansatz/paths/grid/grid.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -15,7 +15,7 @@
 #include <ansatz/paths/grid/ground.hpp>
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/units.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <cmath>
 #include <cstddef>

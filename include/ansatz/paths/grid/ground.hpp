@@ -11,7 +11,7 @@
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/grid/cell.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -19,7 +19,7 @@
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/successors.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -14,7 +14,7 @@
 /// \see I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1 (1970).
 
 #include <ansatz/paths/graph.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The sums of the forces between bodies: summed once where they can be, and anew where they must.
 
-#include <ansatz/world/coupling.hpp>
+#include <ansatz/motion/coupling.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

@@ -26,10 +26,6 @@ template <class S> using ForceJacobian = Jacobian<S, unit::Force>;
 
 namespace detail {
 
-template <class P, class S> using Bound = typename P::template In<S>;
-
-template <class P> inline constexpr bool reads_clock = contains<Clock, reads_of<P>>;
-
 template <class L, class R, class Ctx, class... C>
 concept AnswersAcceleration =
     requires(const L& law, R& row, const Ctx& c) { law.acceleration(row.template get<C>()..., c); };
@@ -53,8 +49,6 @@ auto ask_jacobian(const Bound<P, S>& law, const R& row, Columns<C...>, const Con
 /// A law whose answer does not depend on the state that an integrator solves for needs no Jacobian: it is zero.
 template <class P>
 inline constexpr bool depends_on_motion = contains<Position, reads_of<P>> || contains<Velocity, reads_of<P>>;
-
-template <class P> using without_clock = difference_of<reads_of<P>, Columns<Clock>>;
 
 template <class S, class P, class... C> constexpr bool answers_force(Columns<C...>) {
     if constexpr (requires { typename Bound<P, S>; }) {

@@ -2,7 +2,7 @@
 // No effect, no difference: a world with a policy whose coefficient is zero is bit-identical to the world without it
 // (rows N), by every integrator.
 
-#include <ansatz/world/integration.hpp>
+#include <ansatz/motion/integration.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/same_motion.hpp"

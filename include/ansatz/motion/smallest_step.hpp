@@ -15,8 +15,8 @@
 /// longer. What a history loses besides in such steps are accelerations: a dt^2 of each, where it is below the rounding
 /// of x.
 
-#include <ansatz/world/concepts.hpp>
-#include <ansatz/world/data.hpp>
+#include <ansatz/motion/state.hpp>
+#include <ansatz/world/inside.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,20 +64,18 @@ typename C::S::Scalar shortest_that_keeps_velocities(const WorldData<C>& data, c
 /// \param h     the step, greater than zero
 /// \param given the same as it was given
 /// \throws std::invalid_argument for a step that is too short, with one that is not
-template <class C, class Policies>
-void refuse_short_step([[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] const Policies& policies,
-                       const typename C::S::Time& h, const auto& given) {
+template <class I>
+void refuse_short_step([[maybe_unused]] const I& inside, const typename I::S::Time& h, const auto& given) {
+    using C = typename I::Composition_;
     using Scalar = typename C::S::Scalar;
     auto is_at_least = [&](const char* why, const Scalar& least) {
         refuse_value("World::step", "dt", given, joined({why, describe(C::S::Time::from_value(least))}));
     };
     if constexpr (C::history) {
-        Scalar parts(1);
-        if constexpr (C::substeps) {
-            using R = typename FirstOf<typename C::template responses<Level::substeps>>::type;
-            parts = Scalar(Bound<R, typename C::S>(std::get<R>(policies)).parts());
-        }
-        const Scalar enough = shortest_that_keeps_velocities(data, Scalar(h.value() / parts));
+        int divided = 1;
+        inside.template tell<hook::NextParts>(divided);
+        const Scalar parts(divided);
+        const Scalar enough = shortest_that_keeps_velocities(inside.data, Scalar(h.value() / parts));
         if (enough > Scalar(0))
             is_at_least("an integrator that keeps the last position would lose the velocity of a body in the rounding "
                         "of its position; "

@@ -8,7 +8,7 @@
 /// that it has made, so that a query reads them and the next step need not ask again; whatever changes what the forces
 /// see makes them stale (`CoupledSums`). Only worlds in which something couples bodies have any of this.
 
-#include <ansatz/world/data.hpp>
+#include <ansatz/motion/state.hpp>
 #include <ansatz/world/view.hpp>
 
 #include <algorithm>
@@ -145,7 +145,7 @@ void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const
         auto sum = [&] {
             if (data.coupled.changed) detail::remember_sums(data);
             detail::KeepSums<C> keep{C::history && data.coupled.changed ? &data : nullptr};
-            if constexpr (C::collides && !C::substeps) data.collisions.refresh_between_steps(data, policies);
+            data.template tell<hook::RefreshBetweenSteps>(policies);
             derive_velocities(data, context.dt().previous);
             sum_coupled(data, policies, context);
             keep.data = nullptr;

@@ -2,20 +2,39 @@
 #pragma once
 
 /// \file
-/// What a step does where bodies collide: the members of `Step` that find contacts, hand them to the responses, run
-/// substeps for a response that owns them, and put islands to rest. Included by step.hpp.
-// not in the umbrella: it is a part of step.hpp, which includes it
+/// What a step does where bodies collide: contacts are found and handed to the responses, a response that owns substeps
+/// runs them, and who was hit wakes.
 
-#include <ansatz/world/contact_step.hpp>
-#include <ansatz/world/sleep.hpp>
-#include <ansatz/world/step.hpp>
-#include <ansatz/world/substeps.hpp>
+#include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/substeps.hpp>
+#include <ansatz/motion/step.hpp>
 
 namespace ansatz {
 
+/// Collisions in a step, or in a part of one.
+template <class StepT> class CollisionStep : public MotionStep<StepT> {
+    using Base = MotionStep<StepT>;
+    using Base::bound_;
+    using Base::context_;
+    using Base::data_;
+    using Base::policies_;
+    using Base::step_;
+
+public:
+    using typename Base::C;
+    using typename Base::Data;
+    using typename Base::I;
+    using typename Base::Policies;
+    using typename Base::S;
+    using typename Base::Scalar;
+    using typename Base::Slot;
+    using typename Base::Transient;
+    using Base::Base;
+
 /// A response that owns substeps solves its contacts between them.
-template <class C, class Policies> template <class Transient, bool Later> void Step<C, Policies>::in_substeps() {
-    using R = typename detail::FirstOf<typename C::template responses<Level::substeps>>::type;
+    /// \param inside what stands in the schedule between its beginning and the contacts
+    template <class Inner> void in_substeps(const Inner& inside) {
+    using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
     constexpr double leads = detail::velocity_leads<I>();
     const detail::Bound<R, S> response(std::get<R>(policies_));
     auto& contacts = data_.template state<R>();
@@ -41,7 +60,7 @@ template <class C, class Policies> template <class Transient, bool Later> void S
             Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)),
                        TimeStep<S>(dt, last));
         bound_.prepare(context_);
-        if constexpr (C::history) complete_starts();
+        if constexpr (C::history) this->complete_starts();
         if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
         bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
         if constexpr (C::rests)
@@ -51,7 +70,7 @@ template <class C, class Policies> template <class Transient, bool Later> void S
                 contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
                 bounces = response.find_bouncing(contacts, data_);
                 contacts.impacts.keep_met(met);
-                if constexpr (C::history) complete_starts();
+                if constexpr (C::history) this->complete_starts();
                 bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
             }
         const bool struck = bounces && response.bounce(contacts, h);
@@ -62,10 +81,13 @@ template <class C, class Policies> template <class Transient, bool Later> void S
         bodies.scatter(contacts.bodies, before, last, &contacts.pushed);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
         last = dt;
-        part + 1 < response.parts() ? integrate<Columns<>, Later>() : integrate<Transient, Later>();
+        if (part + 1 < response.parts()) {
+            auto one = step_.template as<Columns<>, StepT::later>();
+            inside(one);
+        } else inside(step_);
         if constexpr (C::coupled) {
             data_.coupled.current = false;
-            refresh_coupled(data_, policies_, after());
+            refresh_coupled(data_, policies_, step_.after());
         }
         bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
         if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
@@ -79,12 +101,73 @@ template <class C, class Policies> template <class Transient, bool Later> void S
     if constexpr (C::coupled) data_.coupled.current = false;
 }
 
+/// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
+    void collide() {
+    if constexpr (C::sweeps) hold_back();
+    const auto next = context_.later(1.0);
+    const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
+        return this->acceleration_at(slot, row, next);
+    };
+    if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
+    data_.collisions.detect(
+        data_, policies_,
+        [&](Slot slot) {
+            return C::substeps ? acceleration(slot, data_.load(slot, context_.dt()))
+                               : bound_.laws.acceleration(data_.load(slot), next);
+        },
+        StepT::later);
+    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
+    if constexpr (C::rests) contacts.wake([&](Slot slot) { wake_resting(data_, slot); });
+    if constexpr (C::coupled) {
+        data_.coupled.current = false;
+        refresh_coupled(data_, policies_, next);
+    }
+    auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
+    respond(typename C::template responses<Level::velocities>{});
+    if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
+    respond(typename C::template responses<Level::positions>{});
+    if constexpr (C::sweeps && C::parts) { // who was pushed far must not be pushed through somebody
+        data_.collisions.hold_back(
+            data_, policies_, true,
+            [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
+        data_.collisions.forget_impacts();
+    }
+    if constexpr (C::coupled) data_.coupled.current = false;
+}
+
+/// Where everybody is before they move.
+void remember() { data_.collisions.remember(data_); }
+/// Wakes who lies together with somebody that was woken between two steps.
+void wake_touching() {
+    const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
+    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
+    contacts.wake([&](Slot slot) { wake_resting(data_, slot); }, false);
+}
+/// What contacts did in the last substep, per time: friction, too.
+    void add_pushes([[maybe_unused]] const auto& add) const {
+    if constexpr (C::substeps) {
+        using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
+        const Scalar per_time = Scalar(data_.collisions.parts) / context_.dt().value();
+        for (const auto& c : std::as_const(data_).template state<R>().all) {
+            auto impulse = (c.impulse * c.normal).eval();
+            if constexpr (R::rubs) impulse += c.rubbing;
+            for (const auto& [id, sign] : {std::pair(c.a, Scalar(1)), std::pair(c.b, Scalar(-1))}) {
+                const auto slot = data_.bodies.slot_of_id(id);
+                add(slot, S::Acceleration::from_value(
+                              (sign * per_time * data_.lanes.template get<InverseMass>(slot).value()) * impulse));
+            }
+        }
+    }
+}
+
+
+private:
 /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
 /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed into
 /// it.
 /// \param h s, the part
 /// \return whether somebody was woken
-template <class C, class Policies> bool Step<C, Policies>::wake_the_hit(auto& contacts, Scalar h) {
+    bool wake_the_hit(auto& contacts, Scalar h) {
     if (data_.bodies.count(Motion::resting) == 0) return false;
     auto& hit = data_.sleep.value.sleepers;
     hit.clear();
@@ -99,26 +182,14 @@ template <class C, class Policies> bool Step<C, Policies>::wake_the_hit(auto& co
     for (const auto id : hit)
         if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
     if (hit.empty()) return false;
-    wake_neighbours();
+    RestStep<StepT>(step_).wake_neighbours();
     return true;
-}
-
-/// Who lies together with somebody that was woken between two steps wakes before anything moves.
-template <class C, class Policies> void Step<C, Policies>::wake_neighbours() {
-    const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
-    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
-    const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
-    do {
-        if (data_.bodies.count(Motion::resting) == 0) return;
-        if constexpr (C::collides) contacts.wake(wake, false);
-    } while (detail::wake_through_elements(
-        data_, [&](Slot slot) { return contacts.disturbs(slot, false); }, wake));
 }
 
 /// Bodies that would have passed each other are kept where they touched, with the velocity that they had there: what
 /// the laws did to it on the way that is taken back is taken back, so that energy is what it was. With v_a along the
 /// acceleration a and the way back delta, v_a^2 changes by 2 a . delta.
-template <class C, class Policies> void Step<C, Policies>::hold_back() {
+    void hold_back() {
     const typename S::Time dt = context_.dt(), last = dt / Scalar(C::substeps ? data_.collisions.parts : 1);
     const auto next = context_.later(1.0);
     if constexpr (C::coupled && C::history) { // the velocity now is a question of the forces now
@@ -132,7 +203,7 @@ template <class C, class Policies> void Step<C, Policies>::hold_back() {
             const typename S::Acceleration a = bound_.laws.acceleration(row, next);
             typename S::Velocity v = row.template get<Velocity>();
             if constexpr (C::history)
-                if (!data_.waiting(slot)) v = I::velocity_now(v, acceleration_at(slot, row, next), last);
+                if (!data_.waiting(slot)) v = I::velocity_now(v, this->acceleration_at(slot, row, next), last);
             const auto size = robust_norm(a);
             if (size.value() > Scalar(0)) {
                 const Vector<Scalar, S::dimension> along = a.value() / size.value();
@@ -153,104 +224,36 @@ template <class C, class Policies> void Step<C, Policies>::hold_back() {
 /// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
 /// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find other
 /// last bits.
-template <class C, class Policies> void Step<C, Policies>::settle() {
+    void settle() {
     if constexpr (C::coupled)
         if (C::substeps || data_.coupled.changed)
             refresh_coupled(data_, policies_,
                             Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
 }
 
+};
+template <class StepT> CollisionStep(StepT&) -> CollisionStep<StepT>; ///< of a step
+
 /// Contacts that are forces are looked for anew where bodies were changed, or a step is longer than the last one was.
-template <class C, class Policies> void Step<C, Policies>::look_around() {
+template <class InsideT> void look_around([[maybe_unused]] const InsideT& inside,
+                                          [[maybe_unused]] const TimeStep<typename InsideT::S>& dt) {
+    using C = typename InsideT::Composition_;
+    using S = typename C::S;
     if constexpr (C::acts_next && !C::substeps) {
-        settle();
-        data_.collisions.expect(context_.dt());
-        if (!data_.collisions.refresh(data_, policies_,
-                                      [&](Slot slot) { return bound_.laws.acceleration(data_.load(slot), context_); }))
+        auto& data = inside.data;
+        if constexpr (C::coupled)
+            if (data.coupled.changed)
+                refresh_coupled(data, inside.policies,
+                                Context<S>(data.clock.now(), TimeStep<S>(dt.previous, dt.previous)));
+        data.collisions.expect(dt);
+        const Context<S> context(data.clock.now(), dt);
+        auto bound = inside.bound;
+        bound.prepare(context);
+        if (!data.collisions.refresh(data, inside.policies, [&](Bodies::Slot slot) {
+                return bound.laws.acceleration(data.load(slot), context);
+            }))
             return;
-        data_.coupled.current = false;
-    }
-}
-
-/// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
-template <class C, class Policies> void Step<C, Policies>::collide(bool later) {
-    if constexpr (C::sweeps) hold_back();
-    const auto next = context_.later(1.0);
-    const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
-        return acceleration_at(slot, row, next);
-    };
-    if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
-    data_.collisions.detect(
-        data_, policies_,
-        [&](Slot slot) {
-            return C::substeps ? acceleration(slot, data_.load(slot, context_.dt()))
-                               : bound_.laws.acceleration(data_.load(slot), next);
-        },
-        later);
-    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
-    if constexpr (C::rests) contacts.wake([&](Slot slot) { wake_resting(data_, slot); });
-    if constexpr (C::coupled) {
-        data_.coupled.current = false;
-        refresh_coupled(data_, policies_, next);
-    }
-    auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
-    respond(typename C::template responses<Level::velocities>{});
-    if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
-    respond(typename C::template responses<Level::positions>{});
-    if constexpr (C::sweeps && C::parts) { // who was pushed far must not be pushed through somebody
-        data_.collisions.hold_back(
-            data_, policies_, true,
-            [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
-        data_.collisions.forget_impacts();
-    }
-    if constexpr (C::coupled) data_.coupled.current = false;
-}
-
-/// Where bodies collide or hang together, islands rest: those that touch each other fall asleep together.
-template <class C, class Policies> void Step<C, Policies>::put_islands_to_rest() {
-    if constexpr (C::collides)
-        effects_only<Columns<>>(typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)),
-                                context_.dt());
-    const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
-    auto& scratch = data_.sleep.value;
-    if constexpr (pull_varies) {
-        scratch.held.assign(data_.bodies.size(), 0);
-        if constexpr (C::collides)
-            for (const auto& contact : data_.collisions.contacts)
-                for (const auto& body : {contact.first, contact.second})
-                    scratch.held[data_.bodies.slot_of_id(body.id)] = 1;
-        begin_anew(rest, [&](std::size_t slot) { return scratch.held[slot] != 0; });
-    }
-    const auto* time = data_.lanes.template lane<RestTime>();
-    find_sleepers(
-        data_, scratch, [&](std::size_t slot) { return rest.long_enough(S::Time::from_value(time[slot])); },
-        [&](Slot slot) { return pull_at_rest(slot, after()); }, [&](const auto& add) { add_pushes(add); },
-        [&](const auto& remains) { return balanced(rest, remains); });
-    for (const auto id : scratch.sleepers) put_to_rest(data_.bodies.slot_of_id(id));
-    if constexpr (C::coupled)
-        if (!scratch.sleepers.empty()) {
-            data_.coupled.current = false;
-            refresh_coupled(data_, policies_, after());
-        }
-    if constexpr (C::collides)
-        for (const auto id : scratch.sleepers)
-            data_.collisions.slept(id, pull_at_rest(data_.bodies.slot_of_id(id), after()));
-}
-
-/// What contacts did in the last substep, per time: friction, too.
-template <class C, class Policies> void Step<C, Policies>::add_pushes([[maybe_unused]] const auto& add) const {
-    if constexpr (C::substeps) {
-        using R = typename detail::FirstOf<typename C::template responses<Level::substeps>>::type;
-        const Scalar per_time = Scalar(data_.collisions.parts) / context_.dt().value();
-        for (const auto& c : std::as_const(data_).template state<R>().all) {
-            auto impulse = (c.impulse * c.normal).eval();
-            if constexpr (R::rubs) impulse += c.rubbing;
-            for (const auto& [id, sign] : {std::pair(c.a, Scalar(1)), std::pair(c.b, Scalar(-1))}) {
-                const auto slot = data_.bodies.slot_of_id(id);
-                add(slot, S::Acceleration::from_value(
-                              (sign * per_time * data_.lanes.template get<InverseMass>(slot).value()) * impulse));
-            }
-        }
+        data.coupled.current = false;
     }
 }
 

@@ -9,8 +9,8 @@
 /// interpolated position; it is up to one step old.
 
 #include <ansatz/world/bodies.hpp>
-#include <ansatz/world/integration.hpp>
-#include <ansatz/world/roles.hpp>
+#include <ansatz/motion/integration.hpp>
+#include <ansatz/motion/roles.hpp>
 
 namespace ansatz {
 

@@ -9,7 +9,7 @@
 /// where they are while bodies sleep, wake and change slots. Bodies that do not take part (resting, moving, fixed,
 /// removed) keep their rows; nothing acts on them.
 
-#include <ansatz/world/coupling.hpp>
+#include <ansatz/motion/coupling.hpp>
 
 #include <Eigen/Core>
 

@@ -10,7 +10,9 @@
 /// to the bodies: a velocity through the integrator, which owns what velocity means, and a new place with the history
 /// that belongs to it. What rests or is fixed has no inverse mass here.
 
-#include <ansatz/world/data.hpp>
+#include <ansatz/collision/facts.hpp>
+#include <ansatz/motion/sleep.hpp>
+#include <ansatz/motion/state.hpp>
 
 #include <cstdint>
 #include <tuple>
@@ -62,7 +64,7 @@ public:
                      {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
                     const auto sleeper = data_.bodies.slot_of_id(one.id);
                     if (data_.bodies.motion(sleeper) != Motion::resting ||
-                        !disturbs(data_.bodies.slot_of_id(other.id), first && contact.begins()))
+                        !disturbs(data_, data_.bodies.slot_of_id(other.id), first && contact.begins(), dt_))
                         continue;
                     if (data_.collisions.is_sensor(one.id) || data_.collisions.is_sensor(other.id)) continue;
                     wake(sleeper);
@@ -71,14 +73,6 @@ public:
             }
             first = false;
         }
-    }
-
-    /// Whether a body wakes one that rests in contact with it, or hangs together with it.
-    bool disturbs(Slot slot, bool begins) const {
-        const auto motion = data_.bodies.motion(slot);
-        if (motion == Motion::moving)
-            return !(data_.load(slot, dt_).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
-        return motion == Motion::awake && (begins || data_.lanes.template get<RestTime>(slot) == typename S::Time());
     }
 
     /// Answers every contact by one response.
@@ -93,7 +87,7 @@ public:
 
     /// Puts a body somewhere, with its history.
     void place(Slot slot, const typename S::Position& to) {
-        displace(slot, to - data_.lanes.template get<Position>(slot));
+        data_.displace(slot, to - data_.lanes.template get<Position>(slot));
     }
 
 private:
@@ -130,7 +124,7 @@ private:
                         });
         for (const auto& body : pushes.bodies) {
             if (!(body.weight > Scalar(0)) || body.u == body.was) continue;
-            if constexpr (moves) displace(body.slot, S::Position::from_value(body.u));
+            if constexpr (moves) data_.displace(body.slot, S::Position::from_value(body.u));
             else data_.set_velocity(body.slot, S::Velocity::from_value(body.u));
         }
     }
@@ -216,19 +210,11 @@ private:
             const auto& to = is.template get<Column>();
             if (to == was.template get<Column>()) return;
             if constexpr (std::same_as<Column, Velocity>) data_.set_velocity(slot, to);
-            else if constexpr (std::same_as<Column, Position>) displace(slot, to - was.template get<Position>());
+            else if constexpr (std::same_as<Column, Position>) data_.displace(slot, to - was.template get<Position>());
             else data_.lanes.template set<Column>(slot, to);
         };
         [&]<class... Column>(Columns<Column...>) { (one(Columns<Column>{}), ...); }(writes_of<R>{});
     }
-    /// A place is changed with the history that says how fast the body moves: the push is no velocity.
-    void displace(Slot slot, const typename S::Position& by) {
-        data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) + by);
-        if constexpr (C::history)
-            if (!data_.waiting(slot))
-                data_.lanes.template set<PreviousPosition>(slot, data_.lanes.template get<PreviousPosition>(slot) + by);
-    }
-
     Data& data_;
     const Policies& policies_;
     typename S::Time dt_;

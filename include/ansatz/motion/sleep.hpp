@@ -14,8 +14,8 @@
 /// held by a body that is not held itself is in one island with it, and stays awake with it; so does what touches a
 /// platform that moves, or hangs on it.
 
-#include <ansatz/world/data.hpp>
-#include <ansatz/world/islands.hpp>
+#include <ansatz/motion/islands.hpp>
+#include <ansatz/motion/state.hpp>
 
 #include <cstdint>
 
@@ -65,30 +65,19 @@ bool wake_through_elements(const WorldData<C>& data, const Disturbs& disturbs, c
 }
 } // namespace detail
 
-namespace detail {
-/// Who touches is of one island.
-template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
+/// Whether a body wakes one that rests in contact with it, or hangs together with it.
+/// \param begins whether the two have just met
+template <class C>
+bool disturbs(const WorldData<C>& data, Bodies::Slot slot, bool begins, const typename C::S::Time& dt) {
     using S = typename C::S;
-    constexpr bool push_unknown = C::template responses<Level::velocities>::size > 0 || C::parts;
-    const auto awake = data.bodies.end(Motion::awake);
-    const auto meets = [&](Bodies::Slot slot, [[maybe_unused]] const auto& outwards, Bodies::Slot other) {
-        if (slot >= awake) return;
-        if constexpr (push_unknown) {
-            const auto& a = scratch.pulls[slot];
-            if (dot(a, outwards) < typename S::Scalar(-0.01) * norm(a))
-                scratch.held[slot] = 1; // a wall that it slides down is not enough
-        }
-        if (other < awake) scratch.islands.unite(slot, other);
-        else if (goes(data, other)) scratch.goes_along[slot] = 1;
-    };
-    for (const auto& contact : data.collisions.contacts) {
-        if (data.collisions.is_sensor(contact.first.id) || data.collisions.is_sensor(contact.second.id)) continue;
-        const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
-        meets(a, contact.normal, b);
-        meets(b, -contact.normal, a);
-    }
+    const auto motion = data.bodies.motion(slot);
+    if (motion == Motion::moving)
+        return !(data.load(slot, dt).template get<Velocity>() == S::template zero_vector<unit::Velocity>());
+    return motion == Motion::awake && (begins || data.lanes.template get<RestTime>(slot) == typename S::Time());
 }
-/// And who hangs together.
+
+namespace detail {
+/// Who hangs together is of one island.
 template <class C> void join_by_elements(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
     const auto awake = data.bodies.end(Motion::awake);
     for_each_element(data, [&](const auto& state, std::uint32_t id) {
@@ -138,7 +127,7 @@ void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratc
     });
     for (std::size_t slot = 0; slot < awake; ++slot)
         scratch.held[slot] = balanced(scratch.pulls[slot]) || norm(scratch.pulls[slot]) < scratch.trembles[slot];
-    if constexpr (C::collides) detail::join_by_contacts(data, scratch);
+    data.template ask<hook::Join>(scratch); // by what touches
     detail::join_by_elements(data, scratch);
     for (std::size_t slot = 0; slot < awake; ++slot)
         if (!scratch.held[slot] || scratch.goes_along[slot] || !slow_long(slot))

@@ -8,8 +8,8 @@
 /// over the one that is done, at the end the velocity now. Each is v + f a h for the integrator's own v. Out go
 /// differences, so that a body which no contact touched keeps its velocity to the bit.
 
-#include <ansatz/world/contact_step.hpp>
-#include <ansatz/world/data.hpp>
+#include <ansatz/collision/contact_step.hpp>
+#include <ansatz/motion/state.hpp>
 
 #include <vector>
 

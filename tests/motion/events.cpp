@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Events are polled: who slept and who woke, in the last step and since the one before it.
 
-#include <ansatz/world/events.hpp>
+#include <ansatz/motion/events.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Laws: their sum, their derivatives, and how often they are asked.
 
-#include <ansatz/world/laws.hpp>
+#include <ansatz/motion/laws.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // Sentences: one form for all, one function that raises them, and the conditions that parameters are held to.
 
-#include <ansatz/world/error.hpp>
-#include <ansatz/world/requirements.hpp>
+#include <ansatz/core/error.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

@@ -8,7 +8,7 @@
 #include <ansatz/collision.hpp>
 #include <ansatz/motion.hpp>
 #include <ansatz/world.hpp>
-#include <ansatz/world/smallest_step.hpp>
+#include <ansatz/motion/smallest_step.hpp>
 
 #include <cmath>
 #include <limits>

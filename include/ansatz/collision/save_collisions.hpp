@@ -2,15 +2,14 @@
 #pragma once
 
 /// \file
-/// How the shapes and contacts of a world are written to a file and read from it: a part of save.hpp.
+/// How the shapes and contacts of a world are written to a file and read from it: what world/save.hpp is told.
 ///
 /// What a response keeps of a contact that acts in the next step (the impulses of a warm start) is written beside it.
-// not in the umbrella: it is a part of save.hpp, and needs nlohmann-json
+// not in the umbrella: it is a part of collision/module.hpp, which includes it; a program that saves includes the parser
 
+#include <ansatz/collision/contact.hpp>
 #include <ansatz/world/data.hpp>
-#include <ansatz/world/file_value.hpp>
 #include <ansatz/world/held_parameters.hpp>
-#include <ansatz/world/save_parameters.hpp>
 
 #include <cstdint>
 #include <stdexcept>
@@ -23,45 +22,47 @@ namespace ansatz {
 /// The one that may look into what a world holds of collisions, to save and load it.
 struct CollisionArchive {
     /// Shapes by body, contacts by their two bodies.
-    template <class C, class Data> static void write(detail::Json& file, const Data& data) {
+    /// \tparam Files what writes a file (world/save.hpp)
+    template <class C, class Files, class Data> static void write(typename Files::Json& file, const Data& data) {
+        using Json = typename Files::Json;
         const auto& collisions = data.collisions;
-        auto& shapes = file["shapes"] = detail::Json::array();
+        auto& shapes = file["shapes"] = Json::array();
         for (std::uint32_t id = 0; id < data.bodies.ids(); ++id) {
             if (!data.bodies.alive(id) || (!collisions.shapes.has(id) && !collisions.is_sensor(id))) continue;
-            detail::Json shape;
+            Json shape;
             shape["body"] = id;
             shape["sensor"] = collisions.is_sensor(id);
             collisions.shapes.visit_description(id, [&](const auto& description) {
                 using Kind = std::remove_cvref_t<decltype(description)>;
-                detail::write_parameters(shape[std::string(Kind::name)] = detail::Json::object(), description);
+                Files::parameters(shape[std::string(Kind::name)] = Json::object(), description);
             });
             if constexpr (C::rests)
                 for (int k = 0; k < C::S::dimension; ++k)
-                    shape["pull"].push_back(detail::number_to_file(collisions.pulls_[id].value()[k]));
+                    shape["pull"].push_back(Files::number(collisions.pulls_[id].value()[k]));
             shapes.push_back(std::move(shape));
         }
-        auto& contacts = file["contacts"] = detail::Json::array();
+        auto& contacts = file["contacts"] = Json::array();
         for (const auto& c : collisions.contacts) {
             if (!collisions.lasts(data.bodies, c)) continue;
-            detail::Json one{{"first", c.first.id},
+            Json one{{"first", c.first.id},
                              {"second", c.second.id},
                              {"steps", c.steps},
-                             {"depth", detail::number_to_file(c.depth.value())}};
+                             {"depth", Files::number(c.depth.value())}};
             for (int k = 0; k < C::S::dimension; ++k) {
-                one["point"].push_back(detail::number_to_file(c.point.value()[k]));
-                one["normal"].push_back(detail::number_to_file(c.normal[k]));
+                one["point"].push_back(Files::number(c.point.value()[k]));
+                one["normal"].push_back(Files::number(c.normal[k]));
             }
             contacts.push_back(std::move(one));
         }
         file["parts"] = collisions.parts;
-        file["expected"] = detail::number_to_file(collisions.expected.value());
+        file["expected"] = Files::number(collisions.expected.value());
         file["stale"] = collisions.stale_;
         data.states.for_each([&](const auto& state) {
             if constexpr (requires { state.saved([](auto&&...) {}); }) {
-                auto& list = file["acting"] = detail::Json::array();
+                auto& list = file["acting"] = Json::array();
                 state.saved([&](std::uint32_t a, std::uint32_t b, const auto& numbers) {
-                    detail::Json one{{"first", a}, {"second", b}, {"numbers", detail::Json::array()}};
-                    for (const auto& n : numbers) one["numbers"].push_back(detail::number_to_file(n));
+                    Json one{{"first", a}, {"second", b}, {"numbers", Json::array()}};
+                    for (const auto& n : numbers) one["numbers"].push_back(Files::number(n));
                     list.push_back(std::move(one));
                 });
             }
@@ -69,7 +70,7 @@ struct CollisionArchive {
     }
 
     /// \throws std::invalid_argument naming the place in the file
-    template <class C, class Data> static void read(Data& data, const detail::FileValue& file) {
+    template <class C, class Data, class File> static void read(Data& data, const File& file) {
         auto& collisions = data.collisions;
         if (data.bodies.ids() > 0) collisions.make_room(std::uint32_t(data.bodies.ids() - 1));
         const auto shapes = file.at("shapes");
@@ -117,13 +118,13 @@ private:
     using Contact_ =
         typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
 
-    template <class Data> static std::uint32_t body(const Data& data, const detail::FileValue& json) {
+    template <class Data, class File> static std::uint32_t body(const Data& data, const File& json) {
         const auto id = json.whole(data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1);
         if (id >= data.bodies.ids() || !data.bodies.alive(std::uint32_t(id)))
             json.refuse_here("the id of a body that is in the file");
         return std::uint32_t(id);
     }
-    template <class C, class Data> static void read_shape(Data& data, const detail::FileValue& json) {
+    template <class C, class Data, class File> static void read_shape(Data& data, const File& json) {
         using S = typename C::S;
         auto& collisions = data.collisions;
         const auto id = body(data, json.at("body"));
@@ -137,7 +138,7 @@ private:
             known = true;
             Kind description{};
             const auto numbers = json.at(name.c_str());
-            detail::read_parameters(description, numbers);
+            numbers.parameters(description);
             try {
                 detail::check_in<S>(description);
                 collisions.shapes.template set<Kind>(id, description, typename Kind::template In<S>(description));
@@ -155,8 +156,8 @@ private:
             collisions.pulls_[id] = S::Acceleration::from_value(value);
         }
     }
-    template <class C, class Data, class State>
-    static void read_acting(const Data& data, State& state, const detail::FileValue& file) {
+    template <class C, class Data, class State, class File>
+    static void read_acting(const Data& data, State& state, const File& file) {
         const auto count = file.size("contacts");
         std::pair<std::uint32_t, std::uint32_t> last{};
         for (std::size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Interpolation: a body is drawn between its last two states, and nowhere else.
 
-#include <ansatz/world/interpolation.hpp>
+#include <ansatz/motion/interpolation.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"

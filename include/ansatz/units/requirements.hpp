@@ -6,7 +6,7 @@
 /// A policy's `check()` calls them; the world calls `check()` before it takes the policy.
 
 #include <ansatz/units.hpp>
-#include <ansatz/world/error.hpp>
+#include <ansatz/core/error.hpp>
 
 #include <string_view>
 

@@ -8,7 +8,7 @@
 /// once. Where something couples, the world runs `OneStage` over all bodies, stage by stage, and the scratch between
 /// stages becomes columns. An integrator is written once, for one body, and does not know which of the two runs it.
 
-#include <ansatz/world/laws.hpp>
+#include <ansatz/motion/laws.hpp>
 #include <ansatz/world/row.hpp>
 
 #include <cstddef>
@@ -26,14 +26,6 @@ enum class Place {
     before_forces,     ///< on the state that the step starts from
     after_integration, ///< on the state that the integrator has just made, before contacts are looked for
     end_of_step        ///< when everything else has been done
-};
-
-/// On what a response acts; the order in which the responses of one world act, too.
-enum class Level {
-    substeps,      ///< the whole step: it runs forces and integrator several times
-    accelerations, ///< in the next step, as forces between the bodies (penalty)
-    velocities,    ///< at once (impulse)
-    positions      ///< at once, when velocities have been changed (projection)
 };
 
 namespace detail {

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `modules::Collision`: what a world has because its bodies collide. It comes with the roles Broadphase, Filter,
+/// Narrowphase and Response, and its members of `World` are those of `CollisionDoor`.
+
+#include <ansatz/collision/add_facts.hpp>
+#include <ansatz/collision/check.hpp>
+#include <ansatz/collision/door.hpp>
+#include <ansatz/collision/hash_collisions.hpp>
+#include <ansatz/collision/save_collisions.hpp>
+#include <ansatz/collision/sleep.hpp>
+#include <ansatz/collision/step.hpp>
+#include <ansatz/motion/module.hpp>
+
+#include <string_view>
+
+namespace ansatz {
+
+namespace detail {
+
+/// Where everybody is before they move: who moves far is followed.
+struct RememberPlaces {
+    static constexpr Phase phase = phases::begin;
+    static constexpr std::string_view name = "places before the step";
+    static void run(auto& step) { CollisionStep(step).remember(); }
+};
+/// A response that owns substeps solves its contacts between them.
+struct Substeps {
+    static constexpr Phase phase = phases::substeps, until = phases::contacts;
+    static constexpr std::string_view name = "substeps";
+    static void run(auto& step, const auto& inside) { CollisionStep(step).in_substeps(inside); }
+};
+/// Contacts are found, wake who sleeps, and are answered.
+struct Collide {
+    static constexpr Phase phase = phases::contacts;
+    static constexpr std::string_view name = "contacts";
+    static void run(auto& step) { CollisionStep(step).collide(); }
+};
+
+/// What `add` was given of a body that collides.
+template <class Description, class Shape> struct AdmittedShape {
+    Description description;
+    Shape shape;
+    bool sensor;
+};
+
+} // namespace detail
+
+/// What a world holds of its collisions.
+/// \tparam C the world's composition
+template <class C> struct CollisionState {
+    typename C::Narrowphase::template Collisions<C> collisions; ///< the shapes of bodies, and their contacts
+};
+
+namespace modules {
+
+/// Bodies collide.
+struct Collision {
+    static constexpr int layer = 1;
+    using stands_on = Types<Motion>;
+    static constexpr bool relates_bodies = true;     ///< those that touch sleep and wake together
+    static constexpr bool changes_velocities = true; ///< behind the integration
+
+    template <class... P> using Facts = CollisionFacts<P...>;
+    template <class... P> using Counts = detail::CollisionCounts<P...>;
+    template <class... P> using CheckCounts = detail::CheckCollisionCounts<P...>;
+    template <class P, class S> using FactsOf = typename detail::ChecksOfCollision<role_of<P>>::template Facts<P, S>;
+    template <class P, class S>
+    using SentencesOf = typename detail::ChecksOfCollision<role_of<P>>::template Sentences<P, S>;
+    template <class P, class S>
+    using needs = std::conditional_t<
+        detail::couples_bodies<P>, union_of<reads_of<P>, Columns<CoupledForce, InverseMass>>,
+        std::conditional_t<PlaysRole<P, roles::Response>, union_of<writes_of<P>, reads_of<P>, Columns<InverseMass>>,
+                           union_of<writes_of<P>, reads_of<P>>>>;
+    template <class C, class... Property> using AddFacts = detail::ShapeAddFacts<C, Property...>;
+    template <class C, class... Property> using CheckAdd = detail::CheckShapeAdd<C, Property...>;
+
+    template <class C, class Data> using State = CollisionState<C>;
+    template <class W, class C> using Door = CollisionDoor<W, C>;
+    template <class C>
+    using systems = detail::joined_types<detail::only_if<C::sweeps, detail::RememberPlaces>,
+                                         detail::only_if<C::substeps, detail::Substeps>, Types<detail::Collide>>;
+
+    // Room.
+    template <class C>
+    static constexpr bool assigns_in_place = C::Narrowphase::template Collisions<C>::assigns_in_place;
+    static void on(hook::Reserve, auto& data, std::size_t n) { data.collisions.reserve(n); }
+    static void on(hook::MakeRoom, auto& data, std::uint32_t id, bool) { data.collisions.make_room(id); }
+    static void on(hook::MakeRoomFor, auto& data, const auto& other) {
+        data.collisions.make_room_for(other.collisions);
+    }
+
+    // Bodies.
+    template <class C, class... Property> static auto admit(const Property&... property) {
+        const auto description = detail::given_shape(property...);
+        const auto shape = detail::shape_in<typename C::S>(description);
+        return detail::AdmittedShape<std::decay_t<decltype(description)>, std::decay_t<decltype(shape)>>{
+            description, shape, (std::same_as<Property, Sensor> || ...)};
+    }
+    template <class D, class T>
+    static void keep(auto& data, std::uint32_t id, const detail::AdmittedShape<D, T>& admitted) {
+        if constexpr (ShapeDescription<D>) data.collisions.shapes.set(id, admitted.description, admitted.shape);
+        data.collisions.set_sensor(id, admitted.sensor);
+    }
+    static void on(hook::Removed, auto& data, std::uint32_t slot) {
+        data.collisions.body_removed(data.bodies.id(slot));
+    }
+    /// What moves wakes by itself whom it hits; what stands still and was put where somebody sleeps does so here.
+    template <class I> static void on(hook::Placed, const I& inside, std::uint32_t id) {
+        if constexpr (I::Composition_::rests) {
+            auto& data = inside.data;
+            if (data.bodies.motion(data.bodies.slot_of_id(id)) == ansatz::Motion::awake ||
+                data.collisions.is_sensor(id))
+                return;
+            constexpr auto resting = ansatz::Motion::resting;
+            for (std::size_t slot = data.bodies.begin(resting); slot < data.bodies.end(resting); ++slot) {
+                const auto sleeper = data.bodies.id(slot);
+                if (sleeper == id || data.collisions.is_sensor(sleeper) ||
+                    !data.collisions.intersect(data, id, sleeper))
+                    continue;
+                // The first of the sleepers, who was looked at, takes this place.
+                inside.template tell<hook::Wake>(std::uint32_t(slot));
+            }
+        }
+    }
+    template <class C>
+    static void on(hook::EachNeighbour, const WorldData<C>& data, std::uint32_t id, const auto& f) {
+        for (const auto& contact : data.collisions.contacts) {
+            if (!data.collisions.lasts(data.bodies, contact)) continue;
+            if (contact.first.id == id) f(contact.second.id);
+            if (contact.second.id == id) f(contact.first.id);
+        }
+    }
+
+    // Changes from outside. Whom a body may meet in the next step is looked for again, whatever of it changes.
+    template <class... Column> static void on(hook::BeforeChange<Column...>, const auto& inside) {
+        inside.data.collisions.make_stale();
+    }
+    template <class Column, class C> static constexpr bool looks_at = C::template collisions_read<Column>;
+    template <class Policy> static void on(hook::AfterSet<Policy>, const auto& inside) {
+        if constexpr (PlaysRole<Policy, roles::Broadphase>) inside.data.collisions.new_broadphase();
+        if constexpr (PlaysRole<Policy, roles::Filter>) inside.data.collisions.make_stale();
+        if constexpr (PlaysRole<Policy, roles::Response> || PlaysRole<Policy, roles::Filter>) detail::wake_all(inside);
+    }
+
+    // A step.
+    static void on(hook::LookAround, const auto& inside, const auto& dt) { look_around(inside, dt); }
+    template <class C> static void on(hook::RefreshBetweenSteps, WorldData<C>& data, const auto& policies) {
+        if constexpr (!C::substeps) data.collisions.refresh_between_steps(data, policies);
+    }
+    template <class C> static void on(hook::LastParts, const WorldData<C>& data, int& parts) {
+        if constexpr (C::substeps) parts *= data.collisions.parts;
+    }
+    template <class I> static void on(hook::NextParts, const I& inside, int& parts) {
+        using C = typename I::Composition_;
+        if constexpr (C::substeps) {
+            using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
+            parts *= detail::Bound<R, typename C::S>(std::get<R>(inside.policies)).parts();
+        }
+    }
+
+    // Rest.
+    static void on(hook::WakeTouching, auto& step) { CollisionStep(step).wake_touching(); }
+    static void on(hook::MarkHeld, auto& data, auto& scratch) {
+        for (const auto& contact : data.collisions.contacts)
+            for (const auto& body : {contact.first, contact.second})
+                scratch.held[data.bodies.slot_of_id(body.id)] = 1;
+    }
+    template <class C> static void on(hook::Join, const WorldData<C>& data, auto& scratch) {
+        detail::join_by_contacts(data, scratch);
+    }
+    static void on(hook::EachPush, auto& step, const auto& add) { CollisionStep(step).add_pushes(add); }
+    static void on(hook::Slept, auto& data, std::uint32_t id, const auto& pull) { data.collisions.slept(id, pull()); }
+    static void on(hook::WasHeld, const auto& data, std::uint32_t id, const auto& pull, bool& held) {
+        held = held || pull == data.collisions.pull_when_it_slept(id);
+    }
+
+    // As a value.
+    template <class C> static void on(hook::Hash, const WorldData<C>& data, auto& hash) {
+        detail::add_collisions_to<C>(hash, data);
+    }
+    template <class C, class Files>
+    static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
+        CollisionArchive::write<C, Files>(file["collisions"] = typename Files::Json(Files::Json::object()), data);
+    }
+    template <class C> static void on(hook::Load, WorldData<C>& data, const auto& file) {
+        CollisionArchive::read<C>(data, file.at("collisions"));
+    }
+};
+
+} // namespace modules
+} // namespace ansatz

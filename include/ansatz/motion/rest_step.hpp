@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Who wakes and who falls asleep in a step (notes 1.1, 1.8), in worlds with a policy that puts bodies to rest.
+///
+/// A body rests when it has been slow for long enough and would stay: at velocity zero next to nothing pulls at it.
+/// Where bodies touch or hang together, they do so together (sleep.hpp).
+// not in the umbrella: it is the second half of motion/step.hpp, which includes it
+
+#include <ansatz/motion/sleep.hpp>
+#include <ansatz/motion/step.hpp>
+
+namespace ansatz {
+
+namespace detail {
+/// Whether an acceleration may remain to a body that rests.
+template <class S> bool balanced(const auto& rest, const typename S::Acceleration& remains) {
+    if constexpr (requires { rest.balanced(remains); }) return rest.balanced(remains);
+    else return remains == S::template zero_vector<unit::Acceleration>();
+}
+} // namespace detail
+
+/// Takes a resting body back into the awake range, within a step.
+template <class C> Bodies::Slot wake_resting(WorldData<C>& data, Bodies::Slot slot) {
+    data.events.in_step({Event::Kind::woke, data.bodies.handle(slot)});
+    data.lanes.template set<RestTime>(slot, C::S::Time::from_value(typename C::S::Scalar(0)));
+    data.begin_again(slot);
+    return data.move(slot, Motion::awake);
+}
+
+/// Rest in a step, or in a part of one.
+template <class StepT> class RestStep : public MotionStep<StepT> {
+    using Base = MotionStep<StepT>;
+    using Base::bound_;
+    using Base::context_;
+    using Base::data_;
+    using Base::policies_;
+    using Base::step_;
+
+public:
+    using typename Base::C;
+    using typename Base::Data;
+    using typename Base::S;
+    using typename Base::Scalar;
+    using typename Base::Slot;
+    using Base::Base;
+
+    /// The policy that decides.
+    using Rester = typename detail::FirstIn<typename C::resters>::type;
+    /// Whether what pulls at a body depends on where it is, or on the time.
+    static constexpr bool pull_varies =
+        C::coupled || C::Laws::time_dependent || detail::contains<Position, typename C::Laws::needs>;
+
+    /// Resting bodies at which something pulls that did not when they fell asleep.
+    void wake_pulled() {
+        for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {
+            if (stays(slot)) continue;
+            wake_resting(data_, slot);
+            // The body that took this slot was at the beginning of the range: look at it too, unless it is the one
+            // woken.
+            if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
+        }
+    }
+    /// Who lies together with somebody that was woken between two steps wakes before anything moves.
+    void wake_neighbours() {
+        const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
+        do {
+            if (data_.bodies.count(Motion::resting) == 0) return;
+            step_.template tell<hook::WakeTouching>();
+        } while (detail::wake_through_elements(
+            data_, [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); }, wake));
+    }
+    /// Bodies fall asleep one by one.
+    void put_to_rest() {
+        const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
+        auto* time = data_.lanes.template lane<RestTime>();
+        if constexpr (pull_varies) begin_anew(rest, [](std::size_t) { return false; });
+        for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);)
+            if (rest.long_enough(S::Time::from_value(time[slot])) &&
+                (pull_varies || detail::balanced<S>(rest, pull_at_rest(slot, step_.after()))))
+                put_to_rest(slot);
+    }
+    /// Islands fall asleep: those that touch each other, or hang together, do so together.
+    void put_islands_to_rest() {
+        if constexpr (C::rests_late)
+            this->template effects_only<Columns<>>(
+                typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)), context_.dt());
+        const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
+        auto& scratch = data_.sleep.value;
+        if constexpr (pull_varies) {
+            scratch.held.assign(data_.bodies.size(), 0);
+            data_.template tell<hook::MarkHeld>(scratch);
+            begin_anew(rest, [&](std::size_t slot) { return scratch.held[slot] != 0; });
+        }
+        const auto* time = data_.lanes.template lane<RestTime>();
+        find_sleepers(
+            data_, scratch, [&](std::size_t slot) { return rest.long_enough(S::Time::from_value(time[slot])); },
+            [&](Slot slot) { return pull_at_rest(slot, step_.after()); },
+            [&](const auto& add) { step_.template tell<hook::EachPush>(add); },
+            [&](const auto& remains) { return detail::balanced<S>(rest, remains); });
+        for (const auto id : scratch.sleepers) put_to_rest(data_.bodies.slot_of_id(id));
+        if constexpr (C::coupled)
+            if (!scratch.sleepers.empty()) {
+                data_.coupled.current = false;
+                refresh_coupled(data_, policies_, step_.after());
+            }
+        for (const auto id : scratch.sleepers) {
+            const auto pull = [&] { return pull_at_rest(data_.bodies.slot_of_id(id), step_.after()); };
+            data_.template tell<hook::Slept>(id, pull);
+        }
+    }
+
+private:
+    void put_to_rest(Slot slot) {
+        data_.stop(slot);
+        data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
+        data_.move(slot, Motion::resting);
+        if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+    }
+    /// What swings is slow, and at its lowest point nothing pulls it: there its time must be balanced, too, not a
+    /// moment of it.
+    /// \param touched whether a contact may hold the body of a slot
+    void begin_anew(const auto& rest, const auto& touched) {
+        auto* time = data_.lanes.template lane<RestTime>();
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
+            if (time[slot] > Scalar(0) && !touched(slot) &&
+                !detail::balanced<S>(rest, pull_at_rest(Slot(slot), step_.after())))
+                time[slot] = Scalar(0);
+    }
+    typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
+        auto row = data_.load(slot);
+        row.template get<Velocity>() = S::template zero_vector<unit::Velocity>();
+        return this->acceleration_at(slot, row, context);
+    }
+    /// Whether what pulls at a resting body leaves it where it is: it is next to nothing, or what its contacts held
+    /// when it fell asleep.
+    bool stays(Slot slot) {
+        const auto pull = pull_at_rest(slot, context_);
+        bool held = false;
+        data_.template ask<hook::WasHeld>(data_.bodies.id(slot), pull, held);
+        return held || detail::balanced<S>(detail::Bound<Rester, S>(std::get<Rester>(policies_)), pull);
+    }
+};
+
+template <class StepT> RestStep(StepT&) -> RestStep<StepT>; ///< of a step
+
+template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion) { RestStep<StepT>(motion.step()).wake_pulled(); }
+
+} // namespace ansatz

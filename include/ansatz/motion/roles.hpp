@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// The roles of motion: what advances bodies, what pulls at them, and what acts on them beside that.
+
+#include <ansatz/world/roles.hpp>
+
+namespace ansatz {
+
+namespace modules {
+struct Motion; // motion/module.hpp
+}
+
+namespace roles {
+/// Advances one body by its stages; exactly one.
+struct Integrator {
+    using module = modules::Motion;
+};
+/// A law of one body, or couples bodies; any number.
+struct Force {
+    using module = modules::Motion;
+};
+/// Acts on declared columns at a named place of the step; any number.
+struct Effect {
+    using module = modules::Motion;
+};
+} // namespace roles
+
+} // namespace ansatz

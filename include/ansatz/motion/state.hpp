@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `MotionState`: what a world holds for the motion of its bodies beside their columns, and what velocity means there.
+///
+/// Where the integrator keeps velocities, a velocity is a column. Where it keeps the history of positions (Verlet), it
+/// is derived from the last two, and a body that was given one waits for its history to begin. Only the functions here
+/// know which of the two it is.
+
+#include <ansatz/motion/events.hpp>
+#include <ansatz/motion/facts.hpp>
+#include <ansatz/motion/islands.hpp>
+#include <ansatz/world/data.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace ansatz {
+
+namespace detail {
+/// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
+/// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
+struct Starts {
+    enum State : std::uint8_t { begun, waits, forgotten };
+    std::vector<std::uint8_t> state; // State by id; of bytes, since every program compiles those anyway
+    std::vector<std::uint32_t> list; // ids that wait or are forgotten, each once
+
+    [[gnu::cold]] void reserve(std::size_t n) {
+        state.reserve(n);
+        list.reserve(n);
+    }
+    void make_room_for(const Starts& other) {
+        state.reserve(other.state.size());
+        list.reserve(other.list.size());
+    }
+    bool waiting(std::uint32_t id) const { return id < state.size() && state[id] == waits; }
+    void wait(std::uint32_t id) {
+        if (state.size() <= id) state.resize(id + 1, begun);
+        if (state[id] == begun) list.push_back(id);
+        state[id] = waits;
+    }
+    /// It stays in the list until the next step: to look for it there would take a time that grows with the list.
+    void forget(std::uint32_t id) {
+        if (waiting(id)) state[id] = forgotten;
+    }
+};
+
+/// Whether the column CoupledForce holds the forces between bodies of the present state, as a step of these lengths
+/// asks for them. A cache: neither hashed nor saved, and a step comes to the same bits without it.
+template <class S> struct CoupledSums {
+    bool current = false;
+    bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
+    std::vector<typename S::Scalar> before{};
+    std::vector<typename S::Scalar> platforms{}; ///< where they were when the step began
+    typename S::Time dt{}, previous{};
+
+    bool known_for(const TimeStep<S>& step) const {
+        return current && dt.value() == step.value() && previous.value() == step.previous.value();
+    }
+    void make_room_for(const CoupledSums& other) {
+        before.reserve(other.before.size());
+        platforms.reserve(other.platforms.size());
+    }
+    void know(const TimeStep<S>& step) {
+        current = true;
+        dt = step;
+        previous = step.previous;
+    }
+};
+template <class C, bool Together> struct TogetherOf {
+    using type = Absent;
+};
+template <class C> struct TogetherOf<C, true> {
+    using type = Cache<typename C::Integrator::template Together<typename C::S>>;
+};
+} // namespace detail
+
+/// \tparam C    the world's composition
+/// \tparam Data all that the world holds, of which this is a base
+template <class C, class Data> struct MotionState {
+    using Integrator = typename C::Integrator; ///< the integrator
+    /// Every column of a body that some policy may look at, Velocity included where it is derived.
+    using AllColumns = union_of<typename C::needed, writes_of<Integrator>, Columns<Position, Velocity>>;
+    using Body = Row<typename C::S, AllColumns>; ///< one body's values
+
+    /// What waits for the next step, because dt or the acceleration is not known before.
+    [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
+    /// Who fell asleep and woke in the last step.
+    [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
+    /// Whether the sums of the forces between bodies are those of the present state.
+    [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<typename C::S>, detail::Absent> coupled;
+    /// What an integrator keeps that advances all bodies together: vectors, a matrix.
+    [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
+    /// Room for finding out who falls asleep.
+    [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::Absent>
+        sleep;
+    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
+
+    /// The length of the last step, or of its last part; none before the first.
+    typename C::S::Time last_dt() const {
+        using Scalar = typename C::S::Scalar;
+        int parts = 1;
+        if constexpr (C::history) self().template ask<hook::LastParts>(parts);
+        if (parts == 1) return C::S::Time::from_value(Scalar(self().clock.last().value()));
+        return C::S::Time::from_value(Scalar(self().clock.last().value()) / Scalar(parts));
+    }
+
+    /// Whether something waits for this body.
+    bool waiting([[maybe_unused]] std::uint32_t slot) const {
+        if constexpr (C::history) return starts.waiting(self().bodies.id(slot));
+        return false;
+    }
+
+    /// The values of one body. Where the velocity is derived, it is the mean over the last step.
+    Body load(std::uint32_t slot) const { return load(slot, last_dt()); }
+    /// The same, where the last step's length is known better: in the first step, when there is none yet.
+    Body load(std::uint32_t slot, [[maybe_unused]] const typename C::S::Time& last) const {
+        Body row;
+        load_columns(row, slot, typename C::stored{}, AllColumns{});
+        if constexpr (C::history) {
+            if (waiting(slot)) row.template get<Velocity>() = raw_velocity(slot);
+            else if (last.value() > typename C::S::Scalar(0)) // before the first step what does not wait stands still
+                detail::derive_velocity<Integrator>(row, last);
+        }
+        return row;
+    }
+
+    /// The velocity that a body was given and whose history has not begun.
+    typename C::S::Velocity raw_velocity(std::uint32_t slot) const
+        requires C::history
+    {
+        return C::S::Velocity::from_value(self().lanes.template get<PreviousPosition>(slot).value());
+    }
+
+    /// Gives a body a velocity.
+    void set_velocity(std::uint32_t slot, const typename C::S::Velocity& v) {
+        if constexpr (C::history) {
+            self().lanes.template set<PreviousPosition>(slot, C::S::Position::from_value(v.value()));
+            starts.wait(self().bodies.id(slot));
+        } else self().lanes.template set<Velocity>(slot, v);
+    }
+
+    /// Stops a body exactly.
+    void stop(std::uint32_t slot) {
+        auto& lanes = self().lanes;
+        // Drawn where it lies from now on: the step no longer looks at it, and it may wake at any time.
+        if constexpr (C::template stores<DrawnPosition>)
+            lanes.template set<DrawnPosition>(slot, lanes.template get<Position>(slot));
+        if constexpr (C::history) {
+            starts.forget(self().bodies.id(slot));
+            lanes.template set<PreviousPosition>(slot, lanes.template get<Position>(slot));
+        } else lanes.template set<Velocity>(slot, C::S::template zero_vector<unit::Velocity>());
+    }
+
+    /// A resting body that wakes: its history begins anew, or waking would be a push of half a step of acceleration.
+    void begin_again([[maybe_unused]] std::uint32_t slot) {
+        if constexpr (C::history) set_velocity(slot, C::S::template zero_vector<unit::Velocity>());
+    }
+
+    /// Moves a body with the history that says how fast it moves: the push is no velocity.
+    void displace(std::uint32_t slot, const typename C::S::Position& by) {
+        auto& lanes = self().lanes;
+        lanes.template set<Position>(slot, lanes.template get<Position>(slot) + by);
+        if constexpr (C::history)
+            if (!waiting(slot))
+                lanes.template set<PreviousPosition>(slot, lanes.template get<PreviousPosition>(slot) + by);
+    }
+
+private:
+    Data& self() { return static_cast<Data&>(*this); }
+    const Data& self() const { return static_cast<const Data&>(*this); }
+
+    template <class... Stored, class... All>
+    void load_columns(Body& row, std::uint32_t slot, Columns<Stored...>, Columns<All...>) const {
+        auto one = [&]<class Which>(Columns<Which>) {
+            if constexpr (detail::contains<Which, Columns<Stored...>>)
+                row.template get<Which>() = self().lanes.template get<Which>(slot);
+        };
+        (one(Columns<All>{}), ...);
+    }
+};
+
+} // namespace ansatz

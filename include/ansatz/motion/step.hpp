@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// What motion does in a step:
+///
+///     histories begin -> effects -> [ forces -> integrator ] x stages -> effects -> platforms
+///
+/// It composes and owns no algorithm: laws, stages and effects are the policies', the loop is `sweep`. Where nothing
+/// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
+/// couples, they run stage by stage.
+
+#include <ansatz/motion/coupled_system.hpp>
+#include <ansatz/motion/coupling.hpp>
+#include <ansatz/motion/state.hpp>
+#include <ansatz/world/step.hpp>
+
+namespace ansatz {
+
+/// The forces and effects of a world, bound to its space.
+template <class C> struct BoundMotion {
+    /// The space.
+    using S = typename C::S;
+    typename C::Laws laws;                                        ///< the forces
+    typename C::template Effects<Place::before_forces> before;    ///< the effects before the integrator
+    typename C::template Effects<Place::after_integration> after; ///< those after it
+    typename C::template Effects<Place::end_of_step> end;         ///< those at the end of the step
+
+    /// Binds a world's policies.
+    template <class Policies> static BoundMotion from(const Policies& policies) {
+        return {bind<typename C::Laws>(policies, typename C::laws{}),
+                bind<typename C::template Effects<Place::before_forces>>(
+                    policies, typename C::template effects<Place::before_forces>{}),
+                bind<typename C::template Effects<Place::after_integration>>(
+                    policies, typename C::template effects<Place::after_integration>{}),
+                bind<typename C::template Effects<Place::end_of_step>>(
+                    policies, typename C::template effects<Place::end_of_step>{})};
+    }
+    /// What can be computed once for all bodies.
+    void prepare(const Context<S>& context) {
+        laws.prepare(context);
+        before.prepare(context);
+        after.prepare(context);
+        end.prepare(context);
+    }
+
+private:
+    template <class To, class Policies, class... Q> static To bind(const Policies& policies, Types<Q...>) {
+        return To(std::get<Q>(policies)...);
+    }
+};
+
+template <class StepT> class MotionStep;
+template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion); // rest_step.hpp
+
+/// Motion in a step, or in a part of one.
+template <class StepT> class MotionStep {
+public:
+    using C = typename StepT::Composition_;     ///< of the world
+    using Policies = typename StepT::Policies_; ///< of the world
+    using S = typename C::S;                    ///< the space
+    using I = typename C::Integrator;           ///< the integrator
+    using Data = WorldData<C>;                  ///< what the step works on
+    using Slot = typename Data::Slot;           ///< a body's place in the lanes
+    using Scalar = typename S::Scalar;
+    using Transient = typename StepT::Transient; ///< set back to zero behind the step
+
+    /// Of this step.
+    explicit MotionStep(StepT& step)
+        : step_(step), data_(step.data), policies_(step.policies), bound_(step.bound), context_(step.context) {}
+
+    /// Forces, integrator and the effects around it, and platforms.
+    void integrate() {
+        if constexpr (C::history) complete_starts();
+        if constexpr (C::together) all_together();
+        else if constexpr (C::coupled) stage_by_stage();
+        else body_by_body();
+        advance_platforms();
+    }
+    /// The step.
+    StepT& step() const { return step_; }
+    /// Effects of the whole step.
+    void effects_at_the_end() { effects_only<Columns<>>(bound_.end, context_.dt()); }
+
+    /// The acceleration of one body as it stands.
+    typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
+        return acceleration_at(slot, row, context_);
+    }
+    /// The same, at another time.
+    typename S::Acceleration acceleration_at(Slot slot, const typename Data::Body& row,
+                                             const Context<S>& context) const {
+        typename S::Acceleration a = bound_.laws.acceleration(row, context);
+        if constexpr (C::coupled)
+            a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
+        return a;
+    }
+
+    /// What holds bodies together breaks where the state that was made is too much for it.
+    void let_break() {
+        derive_velocities(data_, context_.dt());
+        [&]<class... Q>(Types<Q...>) { (let_break_one<Q>(), ...); }(typename C::breakers{});
+    }
+
+    /// Bodies that were given a velocity where the integrator keeps history: now it can begin.
+    void complete_starts() {
+        if (data_.starts.list.empty()) return;
+        refresh_coupled(data_, policies_, context_);
+        for (const auto id : data_.starts.list) {
+            if (!data_.starts.waiting(id)) { // gone since
+                data_.starts.state[id] = detail::Starts::begun;
+                continue;
+            }
+            const Slot slot = data_.bodies.slot_of_id(id);
+            const auto row = data_.load(slot);
+            const bool pulled = data_.bodies.motion(slot) == Motion::awake;
+            const auto a = pulled ? acceleration(slot, row) : typename S::Acceleration();
+            data_.lanes.template set<PreviousPosition>(
+                slot,
+                I::history(row.template get<Position>(), row.template get<Velocity>(), a, context_.dt().previous));
+            data_.starts.state[id] = detail::Starts::begun;
+        }
+        data_.starts.list.clear();
+        // The velocities that a force between bodies reads are derived from the histories that have just begun.
+        if constexpr (C::coupled && C::template stores<Velocity>) data_.coupled.current = false;
+    }
+
+protected:
+    /// The columns that a kernel loads are stored ones; the others it needs live in the row alone.
+    template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
+    /// Those others.
+    template <class Needs> using locals = difference_of<Needs, typename C::stored>;
+    /// What is derived before anything looks at it.
+    using derived = std::conditional_t<C::history, Columns<Velocity>, Columns<>>;
+
+    /// Effects alone.
+    template <class Transient_, class EffectsT>
+    void effects_only(const EffectsT& effects, const typename S::Time& over, Motion range = Motion::awake) {
+        using Written = std::conditional_t<C::history, union_of<typename EffectsT::writes, Transient_, writes_of<I>>,
+                                           union_of<typename EffectsT::writes, Transient_>>;
+        using Needs = union_of<Written, typename EffectsT::reads, derived,
+                               std::conditional_t<Transient_::size != 0, Columns<InverseMass>, Columns<>>>;
+        walk<Needs, Written>(range, EffectsOnly<S, I, EffectsT, Transient_>{effects, context_, over});
+    }
+    /// One loop over the bodies of a kind.
+    template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {
+        using Load = loaded<Needs>;
+        sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range),
+                                               data_.bodies.end(range), kernel);
+    }
+
+    StepT& step_;
+    Data& data_;
+    Policies& policies_;
+    BoundPolicies<C>& bound_;
+    Context<S>& context_;
+
+private:
+    template <class... Column> static constexpr bool couplings_see(Columns<Column...>) {
+        return (C::template couplings_read<Column> || ...);
+    }
+
+    void body_by_body() {
+        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient>;
+        using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes,
+                                 typename decltype(bound_.after)::writes, Transient>;
+        using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
+                               typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived>;
+        walk<Needs, Written>(Motion::awake,
+                             Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
+    }
+
+    /// All bodies as one system of equations.
+    void all_together() {
+        effects_before();
+        if constexpr (C::rests) {
+            refresh_coupled(data_, policies_, context_);
+            wake_the_pulled(*this);
+        }
+        remember_platforms(data_);
+        CoupledSystem<C, Policies> system(data_, policies_, bound_.laws, context_);
+        if (!data_.together.value.solve(system, context_.dt())) ++data_.unsolved;
+        place_platforms(data_, 0, context_.dt());
+        effects_after();
+    }
+
+    void stage_by_stage() {
+        effects_before();
+        remember_platforms(data_);
+        [&]<int... K>(std::integer_sequence<int, K...>) {
+            (stage<K + first_stage>(), ...);
+        }(std::make_integer_sequence<int, detail::stage_count<I>() - first_stage>{});
+        place_platforms(data_, 0, context_.dt());
+        effects_after();
+    }
+    void effects_before() {
+        if constexpr (StepT::later)
+            effects_before([&]<class... E>(Types<E...>) {
+                return bound_now<E...>();
+            }(typename C::template in_every_part<typename C::template effects<Place::before_forces>>{}));
+        else effects_before(bound_.before);
+    }
+    template <class EffectsT> void effects_before(const EffectsT& effects) {
+        if constexpr (!EffectsT::empty) {
+            effects_only<Columns<>>(effects, context_.dt().previous);
+            // Most of them (Interpolation) write what no force between bodies sees.
+            if constexpr (couplings_see(typename EffectsT::writes{})) data_.coupled.current = false;
+        }
+    }
+    template <class... E> Effects<S, E...> bound_now() const {
+        Effects<S, E...> effects(std::get<E>(policies_)...);
+        effects.prepare(context_);
+        return effects;
+    }
+    void effects_after() {
+        if constexpr (!decltype(bound_.after)::empty || Transient::size > 0)
+            effects_only<Transient>(bound_.after, context_.dt());
+    }
+
+    static constexpr int first_stage = detail::first_stage<I>(C::velocity_read);
+
+    template <int K> void stage() {
+        if constexpr (K == first_stage && detail::node<I>(K) == 0) refresh_coupled(data_, policies_, context_);
+        else {
+            if constexpr (K == first_stage) derive_velocities(data_, context_.dt().previous);
+            place_platforms(data_, detail::node<I>(K), context_.dt());
+            sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
+        }
+        if constexpr (K == first_stage && C::rests) {
+            wake_the_pulled(*this);
+            if constexpr (C::history)
+                if (!data_.starts.list.empty()) {
+                    complete_starts();
+                    derive_velocities(data_, context_.dt().previous);
+                }
+        }
+        using Written = union_of<writes_of<I>, typename C::scratch>;
+        using Needs =
+            union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>>;
+        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws>{bound_.laws, context_});
+    }
+
+    /// Platforms keep their velocity: the integrator's own stages without any acceleration.
+    void advance_platforms() {
+        if (data_.bodies.count(Motion::moving) == 0) return;
+        [&]<class... E>(Types<E...>) {
+            if constexpr (sizeof...(E) > 0)
+                effects_only<Columns<>>(Effects<S, E...>(std::get<E>(policies_)...), context_.dt().previous,
+                                        Motion::moving);
+        }(std::conditional_t<StepT::later, typename C::template in_every_part<typename C::platform_effects>,
+                             typename C::platform_effects>{});
+        using Coast = WholeStep<S, std::conditional_t<detail::is_staged<I>, I, detail::NoIntegrator>, Laws<S>,
+                                Effects<S>, Effects<S>, Columns<>>;
+        if constexpr (!detail::is_staged<I>) {
+            for (auto slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot)
+                data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) +
+                                                             data_.lanes.template get<Velocity>(slot) * context_.dt());
+        } else
+            walk<union_of<writes_of<I>, detail::scratch_of<I>, derived>, writes_of<I>>(
+                Motion::moving, Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved});
+    }
+
+    template <class Q> void let_break_one() {
+        const detail::Bound<Q, S> force(std::get<Q>(policies_));
+        auto& state = data_.template state<Q>();
+        const auto known = state.broken().size(); // in the parts of a step that were taken before
+        force.breaking(step_.template view_of<Q>(), [&](std::uint32_t id, const auto& tension, const auto& strain) {
+            state.note_broken(id, tension, strain, data_.bodies);
+        });
+        if (state.broken().size() == known) return;
+        // The velocity now is what the forces made it, those of the broken ones too; what is left is made good.
+        if constexpr (C::history) {
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, step_.after());
+            data_.coupled.changed = true;
+        }
+        state.erase_broken(known);
+    }
+};
+template <class StepT> MotionStep(StepT&) -> MotionStep<StepT>; ///< of a step
+
+} // namespace ansatz
+
+#include <ansatz/motion/rest_step.hpp>
