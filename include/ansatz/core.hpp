@@ -5,3 +5,4 @@
 /// What even units need: everything of this module.
 
 #include <ansatz/core/compiler_flags.hpp>
+#include <ansatz/core/error.hpp>

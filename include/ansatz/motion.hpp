@@ -34,6 +34,7 @@
 #include <ansatz/motion/present.hpp>
 #include <ansatz/motion/quadratic_drag.hpp>
 #include <ansatz/motion/rest.hpp>
+#include <ansatz/motion/rest_step.hpp>
 #include <ansatz/motion/roles.hpp>
 #include <ansatz/motion/sleep.hpp>
 #include <ansatz/motion/smallest_step.hpp>

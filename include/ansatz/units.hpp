@@ -11,6 +11,7 @@
 #include <ansatz/units/function.hpp>
 #include <ansatz/units/parameter.hpp>
 #include <ansatz/units/quantity.hpp>
+#include <ansatz/units/requirements.hpp>
 #include <ansatz/units/symbol.hpp>
 #include <ansatz/units/unit.hpp>
 #include <ansatz/units/vector.hpp>

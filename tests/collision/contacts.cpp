@@ -6,10 +6,10 @@
 #include <ansatz/collision/collisions.hpp>
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/filter/layers.hpp>
+#include <ansatz/collision/save_collisions.hpp>
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world/save.hpp>
-#include <ansatz/collision/save_collisions.hpp>
 #include <ansatz/world/save_parameters.hpp>
 
 using namespace collision_tests;

@@ -7,8 +7,8 @@
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion.hpp>
-#include <ansatz/world.hpp>
 #include <ansatz/motion/smallest_step.hpp>
+#include <ansatz/world.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // Implicit Euler of coupled bodies: one system of equations, by either solver.
 
+#include <ansatz/motion/coupled_system.hpp>
 #include <ansatz/motion/integrators/block_matrix.hpp>
 #include <ansatz/motion/integrators/cholesky.hpp>
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/motion/integrators/implicit_system.hpp>
-#include <ansatz/motion/coupled_system.hpp>
 
 #include "tests/springs/support.hpp"
 

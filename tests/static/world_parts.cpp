@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: BSL-1.0
 // The compile-time parts of a world: columns and their lists, roles, properties, and what is a world at all.
 
+#include <ansatz/collision.hpp>
+#include <ansatz/collision/add_facts.hpp>
+#include <ansatz/collision/door.hpp>
+#include <ansatz/collision/facts.hpp>
+#include <ansatz/collision/module.hpp>
+#include <ansatz/collision/properties.hpp>
+#include <ansatz/collision/roles.hpp>
+#include <ansatz/collision/sleep.hpp>
+#include <ansatz/collision/step.hpp>
+#include <ansatz/motion/check.hpp>
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/motion/door.hpp>
+#include <ansatz/motion/facts.hpp>
+#include <ansatz/motion/module.hpp>
+#include <ansatz/motion/rest_step.hpp>
+#include <ansatz/motion/roles.hpp>
+#include <ansatz/motion/state.hpp>
+#include <ansatz/motion/step.hpp>
 #include <ansatz/world.hpp>
 #include <ansatz/world/check.hpp>
 #include <ansatz/world/columns.hpp>
 #include <ansatz/world/concepts.hpp>
+#include <ansatz/world/declaration.hpp>
 #include <ansatz/world/properties.hpp>
 #include <ansatz/world/roles.hpp>
 #include <ansatz/world/row.hpp>
@@ -80,7 +99,9 @@ static_assert(std::same_as<decltype(mass(Parameter<unit::Mass>())), GivenMass<Qu
 
 // ---------------------------------------------------------------- what is a world
 // The facts that the sentences say, without the sentences: every list here would stop a compiler in `World`.
-template <class... P> constexpr bool counts = detail::CountFacts<P...>::ok;
+template <class... P>
+constexpr bool counts =
+    detail::CountFacts<P...>::ok && detail::all_counts_are_right(detail::modules_of<P...>{}, Types<P...>{});
 static_assert(counts<SemiImplicitEuler> && counts<Gravity, SemiImplicitEuler, Space<float, 2>, Drag, Rest>);
 static_assert(!counts<> && !counts<Gravity> && !counts<SemiImplicitEuler, Verlet>);
 static_assert(!counts<SemiImplicitEuler, Space<>, Space<float, 2>> &&

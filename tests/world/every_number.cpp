@@ -4,10 +4,10 @@
 // world writes.
 
 #include <ansatz/collision.hpp>
+#include <ansatz/collision/hash_collisions.hpp>
 #include <ansatz/motion.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
-#include <ansatz/collision/hash_collisions.hpp>
 #include <ansatz/world/save.hpp>
 
 #include "tests/catch.hpp"

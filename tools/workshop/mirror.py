@@ -8,6 +8,9 @@
   - a test that is switched off, or skipped without a reason
   - a source file without its SPDX line
   - a header of more than 400 lines
+  - headers that include each other in a ring
+  - a header that includes one of a folder above its own: world/ knows no module, and core/ not even units
+  - code of world/, comments and sentences aside, that names what belongs to a module
 
     mirror.py [the project's folder]
 
@@ -32,6 +35,11 @@ OFF_IN_CODE = re.compile(
 OFF_IN_BUILD = re.compile(r"\b(DISABLED|WILL_FAIL)\b", re.ASCII)
 INCLUDE = re.compile(r"^ *# *include *<(ansatz/[^>]+)>", re.MULTILINE)
 OUTSIDE = re.compile(r"^ *// not in the umbrella: *[^ \n]", re.MULTILINE)
+# The folders of the library from the bottom up; those of one row may not know each other unless they stand in order.
+LAYERS = {folder: layer for layer, folder in enumerate(
+    ("core", "units", "world", "motion", "springs", "collision"))}
+OF_A_MODULE = re.compile(r"\b(collisions?|contacts?|sensors?|springs?|ropes?|verlet|penalty)\b", re.IGNORECASE)
+NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|#include[^\n]*', re.DOTALL)
 SOURCE = re.compile(r".*(\.(cpp|hpp|h|cmake|sh|py|js)|CMakeLists\.txt)")
 
 
@@ -108,6 +116,56 @@ def beside_their_umbrellas(headers: list[str]) -> list[str]:
     return faults
 
 
+def rings_of_includes(headers: list[str]) -> list[str]:
+    """Headers that include each other can be read in no order: the shortest ring through each, named once."""
+    faults: list[str] = []
+    seen: set[frozenset[str]] = set()
+    for start in headers:
+        came_from: dict[str, str] = {}
+        queue = [start]
+        while queue and start not in came_from:
+            header = queue.pop(0)
+            for include in INCLUDE.findall(text_of(header)):
+                included = f"include/{include}"
+                if included not in came_from and os.path.exists(included):
+                    came_from[included] = header
+                    queue.append(included)
+        if start not in came_from:
+            continue
+        ring = [start]
+        while came_from[ring[-1]] != start:
+            ring.append(came_from[ring[-1]])
+        if frozenset(ring) not in seen:
+            seen.add(frozenset(ring))
+            names = " <- ".join(header.removeprefix("include/ansatz/") for header in [*ring, start])
+            faults.append(fault("a ring of includes", names, "one of them has a part that the others need; move it out"))
+    return faults
+
+
+def folder_of(header: str) -> str:
+    """The module of a header, by its path below include/ansatz; of an umbrella, its own."""
+    return header.removeprefix("include/").removeprefix("ansatz/").split("/")[0].removesuffix(".hpp")
+
+
+def above_their_place(headers: list[str]) -> list[str]:
+    """No header includes one of a higher folder, and the frame names nothing that stands on it."""
+    faults: list[str] = []
+    for header in headers:
+        folder = folder_of(header)
+        if is_umbrella(header) or folder not in LAYERS:
+            continue
+        for include in INCLUDE.findall(text_of(header)):
+            if LAYERS.get(folder_of(include), len(LAYERS)) > LAYERS[folder]:
+                faults.append(fault("an include of a higher folder", f"{header}: {include}",
+                                    f"{folder}/ stands below it; let the module tell the frame by a hook or a door"))
+        if folder == "world":
+            code = NOT_CODE.sub(lambda found: "\n" * found.group().count("\n"), text_of(header))
+            faults += [fault("the frame names what a module has", f"{header}:{number}: {found.group()}",
+                             "it belongs to that module, which the frame tells by a hook")
+                       for number, line in enumerate(code.split("\n"), start=1) for found in OF_A_MODULE.finditer(line)]
+    return faults
+
+
 def switched_off(pattern: re.Pattern[str], files: list[str]) -> list[str]:
     """No test is switched off: the lines that do so."""
     return [
@@ -149,7 +207,7 @@ def main(arguments: list[str]) -> int:
     faults += switched_off(OFF_IN_CODE, files_below(r".*\.[ch]pp", "tests", "chapters", "exercises"))
     faults += switched_off(
         OFF_IN_BUILD, files_below(r".*(\.cmake|CMakeLists\.txt)", "tests", "chapters", "exercises", "cmake"))
-    faults += unlicensed_and_long(headers)
+    faults += unlicensed_and_long(headers) + rings_of_includes(headers) + above_their_place(headers)
     if faults:
         faults.append(f"mirror: {len(faults)} faults in {len(headers)} headers and {len(tests)} test files")
     else:

@@ -47,8 +47,8 @@ template <class C, class... Property> struct ShapeAddFacts {
     static constexpr bool sensor_has_shape = !is_sensor || has_shape;
     static constexpr bool shape_or_none = !has_shape || !is_shapeless;
     static constexpr bool shape_there = !collides_in<C> || has_shape || is_shapeless || is_sensor;
-    static constexpr bool ok = shape_once && shape_wanted && shape_known && sensor_has_shape && shape_or_none &&
-                               shape_there;
+    static constexpr bool ok =
+        shape_once && shape_wanted && shape_known && sensor_has_shape && shape_or_none && shape_there;
 };
 template <class C, class... Property> struct CheckShapeAdd {
     using Facts = ShapeAddFacts<C, Property...>;

@@ -7,8 +7,8 @@
 /// Bodies are points without rotation here, so that a box never turns: use it for walls, crates on a grid, and areas
 /// that notice who enters. Two boxes touch along one axis only; a corner is never rounded off.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 
 #include <string>
 #include <string_view>

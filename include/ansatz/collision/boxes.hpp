@@ -12,8 +12,8 @@
 /// Use them without a World, too: fill them from the bodies of your own engine, and give them to a broadphase's
 /// `In<S>`.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 
 #include <array>
 #include <cstddef>

@@ -224,9 +224,8 @@ template <class... P> struct CollisionCounts {
     static constexpr int in_next_step = (0 + ... + int(RespondsAt<Level::accelerations>::template here<P>()));
     static constexpr int at_velocities = (0 + ... + int(RespondsAt<Level::velocities>::template here<P>()));
     static constexpr bool acting = in_substeps <= 1 && (in_substeps == 0 || (in_next_step == 0 && at_velocities == 0));
-    static constexpr bool ok = broadphases <= 1 && filters <= 1 &&
-                               narrowphases == broadphases && (responses >= 1) == (narrowphases == 1) &&
-                               filters <= broadphases && acting;
+    static constexpr bool ok = broadphases <= 1 && filters <= 1 && narrowphases == broadphases &&
+                               (responses >= 1) == (narrowphases == 1) && filters <= broadphases && acting;
 };
 template <class... P> struct CheckCollisionCounts {
     using Facts = CollisionCounts<P...>;

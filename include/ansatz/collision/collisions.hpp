@@ -15,11 +15,11 @@
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/near_contacts.hpp>
 #include <ansatz/collision/response/contact_pushes.hpp>
+#include <ansatz/motion/sleep.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
 #include <ansatz/world/elements.hpp>
-#include <ansatz/motion/sleep.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -11,9 +11,9 @@
 
 #include <ansatz/collision/broadphase/broadphase.hpp>
 #include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/contact_step.hpp>
 #include <ansatz/collision/shapes.hpp>
 #include <ansatz/motion/concepts.hpp>
-#include <ansatz/collision/contact_step.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -36,7 +36,6 @@ template <class... P> struct CollisionFacts {
     using Narrowphase = typename detail::FirstIn<detail::filter<detail::IsNarrowphase, P...>>::type; ///< finds contacts
     using Broadphase = typename detail::FirstIn<detail::filter<detail::IsBroadphase, P...>>::type;   ///< finds pairs
     using filters = detail::filter<detail::IsFilter, P...>; ///< which pairs are looked at
-    static constexpr bool collides = true;                  ///< bodies of this world meet
     /// The responses that act on something.
     template <Level At> using responses = detail::filter<detail::RespondsAt<At>::template Is, P...>;
     static constexpr bool substeps = responses<Level::substeps>::size > 0; ///< whether a response takes a step in parts

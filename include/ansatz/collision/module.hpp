@@ -18,6 +18,10 @@
 
 namespace ansatz {
 
+namespace phases {
+inline constexpr Phase contacts = between(positions, fields); ///< who touches is found, and answered
+}
+
 namespace detail {
 
 /// Where everybody is before they move: who moves far is followed.
@@ -125,8 +129,7 @@ struct Collision {
             }
         }
     }
-    template <class C>
-    static void on(hook::EachNeighbour, const WorldData<C>& data, std::uint32_t id, const auto& f) {
+    template <class C> static void on(hook::EachNeighbour, const WorldData<C>& data, std::uint32_t id, const auto& f) {
         for (const auto& contact : data.collisions.contacts) {
             if (!data.collisions.lasts(data.bodies, contact)) continue;
             if (contact.first.id == id) f(contact.second.id);
@@ -165,8 +168,7 @@ struct Collision {
     static void on(hook::WakeTouching, auto& step) { CollisionStep(step).wake_touching(); }
     static void on(hook::MarkHeld, auto& data, auto& scratch) {
         for (const auto& contact : data.collisions.contacts)
-            for (const auto& body : {contact.first, contact.second})
-                scratch.held[data.bodies.slot_of_id(body.id)] = 1;
+            for (const auto& body : {contact.first, contact.second}) scratch.held[data.bodies.slot_of_id(body.id)] = 1;
     }
     template <class C> static void on(hook::Join, const WorldData<C>& data, auto& scratch) {
         detail::join_by_contacts(data, scratch);
@@ -181,8 +183,7 @@ struct Collision {
     template <class C> static void on(hook::Hash, const WorldData<C>& data, auto& hash) {
         detail::add_collisions_to<C>(hash, data);
     }
-    template <class C, class Files>
-    static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
+    template <class C, class Files> static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
         CollisionArchive::write<C, Files>(file["collisions"] = typename Files::Json(Files::Json::object()), data);
     }
     template <class C> static void on(hook::Load, WorldData<C>& data, const auto& file) {

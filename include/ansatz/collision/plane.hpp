@@ -9,8 +9,8 @@
 /// is tested against it, so a few are cheap and a thousand are not. Solid is the side that N points away from; whatever
 /// is below the surface, however deep, is pushed out along N.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 #include <ansatz/units/requirements.hpp>
 
 #include <string_view>

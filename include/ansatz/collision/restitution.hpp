@@ -4,9 +4,9 @@
 /// \file
 /// `Restitution` and `Friction`: what bodies are made of, as columns that exist only where a response reads them.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/world/column_range.hpp>
 #include <ansatz/world/columns.hpp>
-#include <ansatz/core/error.hpp>
 #include <ansatz/world/properties.hpp>
 
 #include <string_view>

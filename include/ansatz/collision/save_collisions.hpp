@@ -5,7 +5,8 @@
 /// How the shapes and contacts of a world are written to a file and read from it: what world/save.hpp is told.
 ///
 /// What a response keeps of a contact that acts in the next step (the impulses of a warm start) is written beside it.
-// not in the umbrella: it is a part of collision/module.hpp, which includes it; a program that saves includes the parser
+// not in the umbrella: it is a part of collision/module.hpp, which includes it; a program that saves includes the
+// parser
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/data.hpp>
@@ -45,9 +46,9 @@ struct CollisionArchive {
         for (const auto& c : collisions.contacts) {
             if (!collisions.lasts(data.bodies, c)) continue;
             Json one{{"first", c.first.id},
-                             {"second", c.second.id},
-                             {"steps", c.steps},
-                             {"depth", Files::number(c.depth.value())}};
+                     {"second", c.second.id},
+                     {"steps", c.steps},
+                     {"depth", Files::number(c.depth.value())}};
             for (int k = 0; k < C::S::dimension; ++k) {
                 one["point"].push_back(Files::number(c.point.value()[k]));
                 one["normal"].push_back(Files::number(c.normal[k]));

@@ -7,7 +7,7 @@
 
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/collision/substeps.hpp>
-#include <ansatz/motion/step.hpp>
+#include <ansatz/motion/rest_step.hpp>
 
 namespace ansatz {
 
@@ -21,6 +21,7 @@ template <class StepT> class CollisionStep : public MotionStep<StepT> {
     using Base::step_;
 
 public:
+    using Base::Base;
     using typename Base::C;
     using typename Base::Data;
     using typename Base::I;
@@ -29,214 +30,216 @@ public:
     using typename Base::Scalar;
     using typename Base::Slot;
     using typename Base::Transient;
-    using Base::Base;
 
-/// A response that owns substeps solves its contacts between them.
+    /// A response that owns substeps solves its contacts between them.
     /// \param inside what stands in the schedule between its beginning and the contacts
     template <class Inner> void in_substeps(const Inner& inside) {
-    using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
-    constexpr double leads = detail::velocity_leads<I>();
-    const detail::Bound<R, S> response(std::get<R>(policies_));
-    auto& contacts = data_.template state<R>();
-    data_.collisions.expect(context_.dt());
-    settle();
-    data_.collisions.refresh(data_, policies_, [&](Slot slot) {
-        return this->acceleration(slot, data_.load(slot, context_.dt().previous));
-    });
-    const Scalar h = context_.dt().value() / Scalar(response.parts());
-    const auto whole = context_;
-    const auto start = data_.clock.now();
-    auto last = context_.dt().previous;
-    const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
-    SubstepBodies<C, decltype(acceleration)> bodies(data_, acceleration);
-    auto& before = data_.collisions.before_solving();
-    bodies.place(contacts.bodies, contacts.kicks);
-    contacts.expect_platforms(data_.bodies.count(Motion::moving) > 0);
-    contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
-    bool bounces = response.find_bouncing(contacts, data_);
-    const auto dt = S::Time::from_value(h);
-    for (int part = 0; part < response.parts(); ++part) {
-        context_ =
-            Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)),
-                       TimeStep<S>(dt, last));
-        bound_.prepare(context_);
-        if constexpr (C::history) this->complete_starts();
-        if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
-        bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
-        if constexpr (C::rests)
-            if (wake_the_hit(contacts, h)) { // others stand in other slots now
-                bodies.place(contacts.bodies, contacts.kicks);
-                const auto met = std::move(contacts.impacts.pairs);
-                contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
-                bounces = response.find_bouncing(contacts, data_);
-                contacts.impacts.keep_met(met);
-                if constexpr (C::history) this->complete_starts();
-                bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
+        using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
+        constexpr double leads = detail::velocity_leads<I>();
+        const detail::Bound<R, S> response(std::get<R>(policies_));
+        auto& contacts = data_.template state<R>();
+        data_.collisions.expect(context_.dt());
+        settle();
+        data_.collisions.refresh(data_, policies_, [&](Slot slot) {
+            return this->acceleration(slot, data_.load(slot, context_.dt().previous));
+        });
+        const Scalar h = context_.dt().value() / Scalar(response.parts());
+        const auto whole = context_;
+        const auto start = data_.clock.now();
+        auto last = context_.dt().previous;
+        const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
+            return this->acceleration(slot, row);
+        };
+        SubstepBodies<C, decltype(acceleration)> bodies(data_, acceleration);
+        auto& before = data_.collisions.before_solving();
+        bodies.place(contacts.bodies, contacts.kicks);
+        contacts.expect_platforms(data_.bodies.count(Motion::moving) > 0);
+        contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
+        bool bounces = response.find_bouncing(contacts, data_);
+        const auto dt = S::Time::from_value(h);
+        for (int part = 0; part < response.parts(); ++part) {
+            context_ =
+                Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)),
+                           TimeStep<S>(dt, last));
+            bound_.prepare(context_);
+            if constexpr (C::history) this->complete_starts();
+            if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
+            bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
+            if constexpr (C::rests)
+                if (wake_the_hit(contacts, h)) { // others stand in other slots now
+                    bodies.place(contacts.bodies, contacts.kicks);
+                    const auto met = std::move(contacts.impacts.pairs);
+                    contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
+                    bounces = response.find_bouncing(contacts, data_);
+                    contacts.impacts.keep_met(met);
+                    if constexpr (C::history) this->complete_starts();
+                    bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
+                }
+            const bool struck = bounces && response.bounce(contacts, h);
+            if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, -1 / h, last);
+            contacts.warm_start();
+            if (part == 0) contacts.unload(before);
+            response.solve(contacts, h);
+            bodies.scatter(contacts.bodies, before, last, &contacts.pushed);
+            if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+            last = dt;
+            if (part + 1 < response.parts()) {
+                auto one = step_.template as<Columns<>, StepT::later>();
+                inside(one);
+            } else inside(step_);
+            if constexpr (C::coupled) {
+                data_.coupled.current = false;
+                refresh_coupled(data_, policies_, step_.after());
             }
-        const bool struck = bounces && response.bounce(contacts, h);
-        if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, -1 / h, last);
-        contacts.warm_start();
-        if (part == 0) contacts.unload(before);
-        response.solve(contacts, h);
-        bodies.scatter(contacts.bodies, before, last, &contacts.pushed);
-        if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
-        last = dt;
-        if (part + 1 < response.parts()) {
-            auto one = step_.template as<Columns<>, StepT::later>();
-            inside(one);
-        } else inside(step_);
+            bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
+            if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
+            contacts.relax(h);
+            contacts.calm(before);
+            bodies.scatter(contacts.bodies, before, last);
+        }
+        if (bounces) contacts.note_impacts();
+        data_.collisions.parts = response.parts();
+        context_ = whole;
+        if constexpr (C::coupled) data_.coupled.current = false;
+    }
+
+    /// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
+    void collide() {
+        if constexpr (C::sweeps) hold_back();
+        const auto next = context_.later(1.0);
+        const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
+            return this->acceleration_at(slot, row, next);
+        };
+        if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
+        data_.collisions.detect(
+            data_, policies_,
+            [&](Slot slot) {
+                return C::substeps ? acceleration(slot, data_.load(slot, context_.dt()))
+                                   : bound_.laws.acceleration(data_.load(slot), next);
+            },
+            StepT::later);
+        ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
+        if constexpr (C::rests) contacts.wake([&](Slot slot) { wake_resting(data_, slot); });
         if constexpr (C::coupled) {
             data_.coupled.current = false;
-            refresh_coupled(data_, policies_, step_.after());
+            refresh_coupled(data_, policies_, next);
         }
-        bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
-        if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
-        contacts.relax(h);
-        contacts.calm(before);
-        bodies.scatter(contacts.bodies, before, last);
+        auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
+        respond(typename C::template responses<Level::velocities>{});
+        if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
+        respond(typename C::template responses<Level::positions>{});
+        if constexpr (C::sweeps && C::parts) { // who was pushed far must not be pushed through somebody
+            data_.collisions.hold_back(
+                data_, policies_, true,
+                [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
+            data_.collisions.forget_impacts();
+        }
+        if constexpr (C::coupled) data_.coupled.current = false;
     }
-    if (bounces) contacts.note_impacts();
-    data_.collisions.parts = response.parts();
-    context_ = whole;
-    if constexpr (C::coupled) data_.coupled.current = false;
-}
 
-/// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
-    void collide() {
-    if constexpr (C::sweeps) hold_back();
-    const auto next = context_.later(1.0);
-    const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
-        return this->acceleration_at(slot, row, next);
-    };
-    if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
-    data_.collisions.detect(
-        data_, policies_,
-        [&](Slot slot) {
-            return C::substeps ? acceleration(slot, data_.load(slot, context_.dt()))
-                               : bound_.laws.acceleration(data_.load(slot), next);
-        },
-        StepT::later);
-    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
-    if constexpr (C::rests) contacts.wake([&](Slot slot) { wake_resting(data_, slot); });
-    if constexpr (C::coupled) {
-        data_.coupled.current = false;
-        refresh_coupled(data_, policies_, next);
+    /// Where everybody is before they move.
+    void remember() { data_.collisions.remember(data_); }
+    /// Wakes who lies together with somebody that was woken between two steps.
+    void wake_touching() {
+        const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
+            return this->acceleration(slot, row);
+        };
+        ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
+        contacts.wake([&](Slot slot) { wake_resting(data_, slot); }, false);
     }
-    auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
-    respond(typename C::template responses<Level::velocities>{});
-    if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
-    respond(typename C::template responses<Level::positions>{});
-    if constexpr (C::sweeps && C::parts) { // who was pushed far must not be pushed through somebody
-        data_.collisions.hold_back(
-            data_, policies_, true,
-            [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
-        data_.collisions.forget_impacts();
-    }
-    if constexpr (C::coupled) data_.coupled.current = false;
-}
-
-/// Where everybody is before they move.
-void remember() { data_.collisions.remember(data_); }
-/// Wakes who lies together with somebody that was woken between two steps.
-void wake_touching() {
-    const auto acceleration = [&](Slot slot, const typename Data::Body& row) { return this->acceleration(slot, row); };
-    ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
-    contacts.wake([&](Slot slot) { wake_resting(data_, slot); }, false);
-}
-/// What contacts did in the last substep, per time: friction, too.
+    /// What contacts did in the last substep, per time: friction, too.
     void add_pushes([[maybe_unused]] const auto& add) const {
-    if constexpr (C::substeps) {
-        using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
-        const Scalar per_time = Scalar(data_.collisions.parts) / context_.dt().value();
-        for (const auto& c : std::as_const(data_).template state<R>().all) {
-            auto impulse = (c.impulse * c.normal).eval();
-            if constexpr (R::rubs) impulse += c.rubbing;
-            for (const auto& [id, sign] : {std::pair(c.a, Scalar(1)), std::pair(c.b, Scalar(-1))}) {
-                const auto slot = data_.bodies.slot_of_id(id);
-                add(slot, S::Acceleration::from_value(
-                              (sign * per_time * data_.lanes.template get<InverseMass>(slot).value()) * impulse));
+        if constexpr (C::substeps) {
+            using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
+            const Scalar per_time = Scalar(data_.collisions.parts) / context_.dt().value();
+            for (const auto& c : std::as_const(data_).template state<R>().all) {
+                auto impulse = (c.impulse * c.normal).eval();
+                if constexpr (R::rubs) impulse += c.rubbing;
+                for (const auto& [id, sign] : {std::pair(c.a, Scalar(1)), std::pair(c.b, Scalar(-1))}) {
+                    const auto slot = data_.bodies.slot_of_id(id);
+                    add(slot, S::Acceleration::from_value(
+                                  (sign * per_time * data_.lanes.template get<InverseMass>(slot).value()) * impulse));
+                }
             }
         }
     }
-}
-
 
 private:
-/// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
-/// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed into
-/// it.
-/// \param h s, the part
-/// \return whether somebody was woken
+    /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
+    /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed
+    /// into it.
+    /// \param h s, the part
+    /// \return whether somebody was woken
     bool wake_the_hit(auto& contacts, Scalar h) {
-    if (data_.bodies.count(Motion::resting) == 0) return false;
-    auto& hit = data_.sleep.value.sleepers;
-    hit.clear();
-    const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
-    contacts.each_acting([&](const auto& c) {
-        const bool a_rests = rests(Slot(c.slot_a));
-        if (!a_rests && !rests(Slot(c.slot_b))) return;
-        const Scalar way = Scalar(1.25) * h * contacts.along(c); // who is woken in vain lies on
-        if (!(c.impulse > Scalar(0)) && !(contacts.apart(c) + way < Scalar(0))) return;
-        if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
-    });
-    for (const auto id : hit)
-        if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
-    if (hit.empty()) return false;
-    RestStep<StepT>(step_).wake_neighbours();
-    return true;
-}
-
-/// Bodies that would have passed each other are kept where they touched, with the velocity that they had there: what
-/// the laws did to it on the way that is taken back is taken back, so that energy is what it was. With v_a along the
-/// acceleration a and the way back delta, v_a^2 changes by 2 a . delta.
-    void hold_back() {
-    const typename S::Time dt = context_.dt(), last = dt / Scalar(C::substeps ? data_.collisions.parts : 1);
-    const auto next = context_.later(1.0);
-    if constexpr (C::coupled && C::history) { // the velocity now is a question of the forces now
-        data_.coupled.current = false;
-        refresh_coupled(data_, policies_, next);
-    }
-    data_.collisions.hold_back(
-        data_, policies_, false,
-        [&](Slot slot, const typename S::Position& to, const typename S::Position& touched, Scalar lost) {
-            auto row = data_.load(slot, last);
-            const typename S::Acceleration a = bound_.laws.acceleration(row, next);
-            typename S::Velocity v = row.template get<Velocity>();
-            if constexpr (C::history)
-                if (!data_.waiting(slot)) v = I::velocity_now(v, this->acceleration_at(slot, row, next), last);
-            const auto size = robust_norm(a);
-            if (size.value() > Scalar(0)) {
-                const Vector<Scalar, S::dimension> along = a.value() / size.value();
-                const typename S::Speed now = dot(v, along) + (Scalar(detail::velocity_leads<I>()) * size) * last;
-                const auto squared =
-                    now * now + Scalar(2) * dot(typename S::Position(touched - row.template get<Position>()), a);
-                const typename S::Speed expected = now - (lost * size) * dt;
-                typename S::Speed then =
-                    squared.value() > Scalar(0) ? typename S::Speed(sqrt(squared)) : typename S::Speed();
-                if (expected.value() < Scalar(0)) then = -then;
-                v += (then - now) * along;
-            }
-            data_.lanes.template set<Position>(slot, to);
-            if (C::history || size.value() > Scalar(0)) data_.set_velocity(slot, v);
+        if (data_.bodies.count(Motion::resting) == 0) return false;
+        auto& hit = data_.sleep.value.sleepers;
+        hit.clear();
+        const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
+        contacts.each_acting([&](const auto& c) {
+            const bool a_rests = rests(Slot(c.slot_a));
+            if (!a_rests && !rests(Slot(c.slot_b))) return;
+            const Scalar way = Scalar(1.25) * h * contacts.along(c); // who is woken in vain lies on
+            if (!(c.impulse > Scalar(0)) && !(contacts.apart(c) + way < Scalar(0))) return;
+            if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
         });
-}
+        for (const auto id : hit)
+            if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
+        if (hit.empty()) return false;
+        RestStep<StepT>(step_).wake_neighbours();
+        return true;
+    }
 
-/// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
-/// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find other
-/// last bits.
+    /// Bodies that would have passed each other are kept where they touched, with the velocity that they had there:
+    /// what the laws did to it on the way that is taken back is taken back, so that energy is what it was. With v_a
+    /// along the acceleration a and the way back delta, v_a^2 changes by 2 a . delta.
+    void hold_back() {
+        const typename S::Time dt = context_.dt(), last = dt / Scalar(C::substeps ? data_.collisions.parts : 1);
+        const auto next = context_.later(1.0);
+        if constexpr (C::coupled && C::history) { // the velocity now is a question of the forces now
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, next);
+        }
+        data_.collisions.hold_back(
+            data_, policies_, false,
+            [&](Slot slot, const typename S::Position& to, const typename S::Position& touched, Scalar lost) {
+                auto row = data_.load(slot, last);
+                const typename S::Acceleration a = bound_.laws.acceleration(row, next);
+                typename S::Velocity v = row.template get<Velocity>();
+                if constexpr (C::history)
+                    if (!data_.waiting(slot)) v = I::velocity_now(v, this->acceleration_at(slot, row, next), last);
+                const auto size = robust_norm(a);
+                if (size.value() > Scalar(0)) {
+                    const Vector<Scalar, S::dimension> along = a.value() / size.value();
+                    const typename S::Speed now = dot(v, along) + (Scalar(detail::velocity_leads<I>()) * size) * last;
+                    const auto squared =
+                        now * now + Scalar(2) * dot(typename S::Position(touched - row.template get<Position>()), a);
+                    const typename S::Speed expected = now - (lost * size) * dt;
+                    typename S::Speed then =
+                        squared.value() > Scalar(0) ? typename S::Speed(sqrt(squared)) : typename S::Speed();
+                    if (expected.value() < Scalar(0)) then = -then;
+                    v += (then - now) * along;
+                }
+                data_.lanes.template set<Position>(slot, to);
+                if (C::history || size.value() > Scalar(0)) data_.set_velocity(slot, v);
+            });
+    }
+
+    /// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
+    /// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find
+    /// other last bits.
     void settle() {
-    if constexpr (C::coupled)
-        if (C::substeps || data_.coupled.changed)
-            refresh_coupled(data_, policies_,
-                            Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
-}
-
+        if constexpr (C::coupled)
+            if (C::substeps || data_.coupled.changed)
+                refresh_coupled(
+                    data_, policies_,
+                    Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
+    }
 };
 template <class StepT> CollisionStep(StepT&) -> CollisionStep<StepT>; ///< of a step
 
 /// Contacts that are forces are looked for anew where bodies were changed, or a step is longer than the last one was.
-template <class InsideT> void look_around([[maybe_unused]] const InsideT& inside,
-                                          [[maybe_unused]] const TimeStep<typename InsideT::S>& dt) {
+template <class InsideT>
+void look_around([[maybe_unused]] const InsideT& inside, [[maybe_unused]] const TimeStep<typename InsideT::S>& dt) {
     using C = typename InsideT::Composition_;
     using S = typename C::S;
     if constexpr (C::acts_next && !C::substeps) {

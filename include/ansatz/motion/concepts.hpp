@@ -152,8 +152,8 @@ concept LawIn = PlaysRole<P, roles::Force> && !detail::couples_bodies<P> && deta
 ///
 /// `Attraction` is one (notes 1.3); attraction.hpp shows how it is written.
 template <class P, class S>
-concept CouplingIn = Policy<P> && detail::couples_bodies<P> && detail::DeclaresReads<P> &&
-                     detail::couples_in<P, S>() && detail::PreparesIn<P, S>;
+concept CouplingIn = Policy<P> && detail::couples_bodies<P> && detail::DeclaresReads<P> && detail::couples_in<P, S>() &&
+                     detail::PreparesIn<P, S>;
 
 /// A force of either kind.
 ///

@@ -9,8 +9,8 @@
 /// it multiplies instead of pushing. Not a model of air: the resistance of air grows with the square of the speed
 /// (quadratic_drag.hpp). The notes' own form, a factor for each frame, is frame_drag.hpp.
 
-#include <ansatz/motion/decay.hpp>
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/motion/decay.hpp>
 #include <ansatz/units/requirements.hpp>
 
 #include <string_view>

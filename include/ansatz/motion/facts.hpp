@@ -52,8 +52,7 @@ template <int Turn> struct HasTurn {
 template <class List> struct InTurn;
 template <class... E> struct InTurn<Types<E...>> {
     static_assert(((turn_of<E>() >= 0 && turn_of<E>() <= 2) && ...), "Ansatz: an effect's turn is 0, 1 or 2");
-    using type =
-        joined_types<filter<HasTurn<0>::Is, E...>, filter<HasTurn<1>::Is, E...>, filter<HasTurn<2>::Is, E...>>;
+    using type = joined_types<filter<HasTurn<0>::Is, E...>, filter<HasTurn<1>::Is, E...>, filter<HasTurn<2>::Is, E...>>;
 };
 
 /// \tparam Late whether who falls asleep is asked behind what a module does after the integration
@@ -138,6 +137,9 @@ public:
     template <Place At>
     using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At, late>::template Is, P...>>::type;
 
+    /// Whether bodies meet: a module that relates them to each other says so.
+    static constexpr bool collides = detail::relates_bodies(detail::modules_of<P...>{});
+
     /// The effects that also act on fixed bodies that move by themselves.
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
     /// Those of a list that act in every part of a divided step, not in its first part alone.
@@ -161,8 +163,7 @@ public:
     static constexpr bool breaks = breakers::size > 0;           ///< whether one of them can
     static constexpr bool rests = resters::size > 0;             ///< whether bodies can fall asleep
     /// Whether those that touch, or hang together, do so together.
-    static constexpr bool islands = rests && (detail::relates_bodies(detail::modules_of<P...>{}) ||
-                                              detail::filter<detail::HasElements, P...>::size > 0);
+    static constexpr bool islands = rests && (collides || detail::filter<detail::HasElements, P...>::size > 0);
     /// Whether who falls asleep is asked behind what a module does to velocities after the integration.
     static constexpr bool rests_late = rests && late;
     /// The history of positions instead of a velocity: reading and changing the velocity goes through the integrator.

@@ -8,9 +8,9 @@
 /// put somewhere else with `set_position` is drawn there at once, never on the way. Do not compute with the
 /// interpolated position; it is up to one step old.
 
-#include <ansatz/world/bodies.hpp>
 #include <ansatz/motion/integration.hpp>
 #include <ansatz/motion/roles.hpp>
+#include <ansatz/world/bodies.hpp>
 
 namespace ansatz {
 

@@ -7,6 +7,7 @@
 
 #include <ansatz/motion/check.hpp>
 #include <ansatz/motion/door.hpp>
+#include <ansatz/motion/rest_step.hpp>
 #include <ansatz/motion/smallest_step.hpp>
 #include <ansatz/motion/step.hpp>
 
@@ -100,12 +101,12 @@ struct Motion {
     template <class C> using Bound = BoundMotion<C>;
     template <class W, class C> using Door = MotionDoor<W, C>;
     template <class C>
-    using systems = detail::joined_types<
-        detail::only_if<C::rests && C::Laws::time_dependent && !C::coupled, detail::WakePulled>,
-        detail::only_if<C::islands, detail::WakeNeighbours>, Types<detail::Advance>,
-        detail::only_if<(C::template effects<Place::end_of_step>::size > 0), detail::ActAtTheEnd>,
-        detail::only_if<C::breaks, detail::Break>, detail::only_if<C::coupled, detail::SumForces>,
-        detail::only_if<C::rests, detail::PutToRest>>;
+    using systems =
+        detail::joined_types<detail::only_if<C::rests && C::Laws::time_dependent && !C::coupled, detail::WakePulled>,
+                             detail::only_if<C::islands, detail::WakeNeighbours>, Types<detail::Advance>,
+                             detail::only_if<(C::template effects<Place::end_of_step>::size > 0), detail::ActAtTheEnd>,
+                             detail::only_if<C::breaks, detail::Break>, detail::only_if<C::coupled, detail::SumForces>,
+                             detail::only_if<C::rests, detail::PutToRest>>;
 
     // Room.
     template <class C> static void on(hook::ReserveNotes, WorldData<C>& data, [[maybe_unused]] std::size_t n) {
@@ -113,14 +114,12 @@ struct Motion {
         if constexpr (C::history) data.starts.reserve(n);
         if constexpr (C::rests) data.events.reserve(n);
         if constexpr (C::islands) data.sleep.value.reserve(n);
-        if constexpr (C::coupled)
-            data.coupled.platforms.reserve(data.bodies.count(ansatz::Motion::moving) * dimension);
+        if constexpr (C::coupled) data.coupled.platforms.reserve(data.bodies.count(ansatz::Motion::moving) * dimension);
         if constexpr (C::coupled && C::history) data.coupled.before.reserve(n * dimension);
     }
     template <class C> static void on(hook::MakeRoom, WorldData<C>& data, std::uint32_t, bool moves) {
         if constexpr (C::coupled) { // here, so that no step needs to
-            const auto needed =
-                (data.bodies.count(ansatz::Motion::moving) + moves) * std::size_t(C::S::dimension);
+            const auto needed = (data.bodies.count(ansatz::Motion::moving) + moves) * std::size_t(C::S::dimension);
             if (data.coupled.platforms.capacity() < needed) data.coupled.platforms.reserve(2 * needed);
         }
     }
@@ -217,8 +216,7 @@ struct Motion {
         const auto kind = data.bodies.motion(slot);
         if (kind == ansatz::Motion::resting && !C::rests)
             file.at("motion").refuse_here("another state; this world puts no bodies to rest");
-        if (kind == ansatz::Motion::resting || kind == ansatz::Motion::fixed)
-            detail::check_still(data, slot, file);
+        if (kind == ansatz::Motion::resting || kind == ansatz::Motion::fixed) detail::check_still(data, slot, file);
         if constexpr (C::history)
             if (file.at("waiting").yes()) data.starts.wait(data.bodies.id(slot));
     }

@@ -16,8 +16,8 @@
 /// | a      | acceleration          | m/s^2 |
 /// | F      | force                 | N     |
 
-#include <ansatz/world/properties.hpp>
 #include <ansatz/units/requirements.hpp>
+#include <ansatz/world/properties.hpp>
 
 #include <limits>
 #include <string_view>

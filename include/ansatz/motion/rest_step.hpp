@@ -6,7 +6,6 @@
 ///
 /// A body rests when it has been slow for long enough and would stay: at velocity zero next to nothing pulls at it.
 /// Where bodies touch or hang together, they do so together (sleep.hpp).
-// not in the umbrella: it is the second half of motion/step.hpp, which includes it
 
 #include <ansatz/motion/sleep.hpp>
 #include <ansatz/motion/step.hpp>
@@ -39,12 +38,12 @@ template <class StepT> class RestStep : public MotionStep<StepT> {
     using Base::step_;
 
 public:
+    using Base::Base;
     using typename Base::C;
     using typename Base::Data;
     using typename Base::S;
     using typename Base::Scalar;
     using typename Base::Slot;
-    using Base::Base;
 
     /// The policy that decides.
     using Rester = typename detail::FirstIn<typename C::resters>::type;

@@ -279,5 +279,3 @@ private:
 template <class StepT> MotionStep(StepT&) -> MotionStep<StepT>; ///< of a step
 
 } // namespace ansatz
-
-#include <ansatz/motion/rest_step.hpp>

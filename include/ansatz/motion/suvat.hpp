@@ -31,8 +31,8 @@
 /// cancels, as long as products of two of the given quantities can be held by the scalar. A class scalar
 /// (Boost.Multiprecision) has no fused multiply-add and relies on its own digits.
 
-#include <ansatz/world/properties.hpp>
 #include <ansatz/units/requirements.hpp>
+#include <ansatz/world/properties.hpp>
 
 #include <algorithm>
 #include <array>

@@ -26,6 +26,7 @@
 /// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts
 /// from the next `begin` or `find` on. A copy of a search is a search of its own.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics/zero.hpp>
@@ -36,7 +37,6 @@
 #include <ansatz/paths/search.hpp>
 #include <ansatz/paths/successors.hpp>
 #include <ansatz/paths/visitor.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,9 +14,9 @@
 ///
 /// \see R. B. Dial, "Algorithm 360: shortest-path forest with topological ordering", Comm. ACM 12 (1969).
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <bit>
 #include <cmath>

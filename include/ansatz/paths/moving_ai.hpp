@@ -12,8 +12,8 @@
 ///
 /// \see N. R. Sturtevant, "Benchmarks for Grid-Based Pathfinding", IEEE Trans. Comput. Intell. AI Games 4 (2012).
 
-#include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/grid/grid.hpp>
 
 #include <algorithm>
 #include <charconv>

@@ -22,8 +22,8 @@
 /// The notes write F = -kx for "the force required to displace a spring". That is the force *of* the spring; whoever
 /// displaces it needs +kx.
 
-#include <ansatz/world/properties.hpp>
 #include <ansatz/units/requirements.hpp>
+#include <ansatz/world/properties.hpp>
 
 #include <type_traits>
 

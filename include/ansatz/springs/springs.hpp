@@ -20,8 +20,8 @@
 /// holds. A body on a spring falls asleep only where the forces on it cancel to the last bit. Not provided: torsion,
 /// bending.
 
-#include <ansatz/springs/network.hpp>
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/springs/network.hpp>
 
 #include <Eigen/Core>
 

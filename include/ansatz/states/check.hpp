@@ -11,8 +11,8 @@
 /// the pairs of conditions that lead back and forth in one and the same context, the sort of oscillation that needs no
 /// noise.
 
-#include <ansatz/states/outline.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/states/outline.hpp>
 
 #include <algorithm>
 

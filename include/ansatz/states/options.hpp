@@ -18,8 +18,8 @@
 /// A *watcher* is any struct with `void operator()(const Happening&)`; read it by `machine.get<Recorded<>>()`. It is a
 /// part of the machine and copied with it. Watchers see; nothing that they do reaches the machine.
 
-#include <ansatz/states/ids.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/states/ids.hpp>
 
 #include <array>
 #include <optional>

@@ -7,9 +7,9 @@
 /// precision use print.hpp. Text is appended by one function of std::string, since every program compiles what it
 /// takes.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/units/quantity.hpp>
 #include <ansatz/units/symbol.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <charconv>
 #include <concepts>

@@ -7,9 +7,9 @@
 /// compute coefficient by coefficient, so that a loop over bodies vectorises. For whole columns of
 /// numbers use Eigen's own array functions on the lanes.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/units/arithmetic.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <cmath>
 #include <limits>

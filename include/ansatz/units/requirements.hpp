@@ -5,8 +5,9 @@
 /// The few conditions that parameters of policies are held to, each with the library's one form of a sentence.
 /// A policy's `check()` calls them; the world calls `check()` before it takes the policy.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units/describe.hpp>
+#include <ansatz/units/function.hpp>
 
 #include <string_view>
 

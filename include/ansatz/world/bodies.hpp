@@ -9,8 +9,8 @@
 /// is an id with a generation, so that it survives the removal of other bodies and a stale one is known as stale.
 /// Everything here is a value: a copy of a world answers to the same handles.
 
-#include <ansatz/units/describe.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units/describe.hpp>
 
 #include <array>
 #include <cstddef>

@@ -35,7 +35,8 @@ template <class P> struct CheckRole {
     static_assert(
         RoleFacts<P>::known,
         "Ansatz: unknown role: a policy's role is one of ansatz::roles: Space, Integrator, Force, Effect, StepControl, "
-        "System, Observer, or one of a module, such as Broadphase, Filter, Narrowphase, Response of <ansatz/collision.hpp>");
+        "System, Observer, or one of a module, such as Broadphase, Filter, Narrowphase, Response of "
+        "<ansatz/collision.hpp>");
     static_assert(RoleFacts<P>::check,
                   "Ansatz: a policy whose check the world cannot call; write `void check() const`");
 };
@@ -120,8 +121,7 @@ template <class M, class... P> constexpr bool read_counts() {
 }
 /// The module of the lowest layer speaks first: without an integrator nothing else is worth saying.
 template <class... P> constexpr bool read_all_counts(Types<>, Types<P...>) { return true; }
-template <class First, class... M, class... P>
-constexpr bool read_all_counts(Types<First, M...>, Types<P...> all) {
+template <class First, class... M, class... P> constexpr bool read_all_counts(Types<First, M...>, Types<P...> all) {
     return read_all_counts(Types<M...>{}, all) && read_counts<First, P...>();
 }
 /// And about policies that do not go together.
@@ -202,7 +202,8 @@ template <class... P> struct CompositionOf<Types<P...>> {
     using type = Composition<P...>;
 };
 template <class... M> constexpr auto stand_ins(Types<M...>) {
-    return std::type_identity<typename CompositionOf<joined_types<Types<NoWorld>, typename StandIn<M>::type...>>::type>{};
+    return std::type_identity<
+        typename CompositionOf<joined_types<Types<NoWorld>, typename StandIn<M>::type...>>::type>{};
 }
 template <bool IsWorld, class... P> struct ComposedOf {
     using type = Composition<P...>;

@@ -6,8 +6,8 @@
 /// and checked before anything is changed, so that a refusal leaves the world as it was. Included by world.hpp.
 // not in the umbrella: it is the second half of world.hpp, which includes it
 
+#include <ansatz/world/declaration.hpp>
 #include <ansatz/world/hash.hpp>
-#include <ansatz/world/world.hpp>
 
 namespace ansatz {
 

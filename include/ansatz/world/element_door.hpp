@@ -6,7 +6,7 @@
 /// checked before anything is changed, as in door.hpp. Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
 
-#include <ansatz/world/world.hpp>
+#include <ansatz/world/declaration.hpp>
 
 namespace ansatz {
 

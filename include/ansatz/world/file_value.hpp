@@ -5,8 +5,8 @@
 /// `FileValue`: a value in a file of a world, with its place, so that every refusal says where and what was expected.
 // not in the umbrella: it is a part of save.hpp, and needs nlohmann-json
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -9,8 +9,8 @@
 /// ten seconds would otherwise owe six hundred steps, take longer than a frame for them and never catch up. Use it
 /// whenever a clock of the real world drives a simulation; a measurement simply calls `step`.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 /// door, for all that name their parameters (`name` and `parameters`, see Gravity). What a step converts is what was
 /// accepted here.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 #include <ansatz/world/properties.hpp>
 
 #include <concepts>

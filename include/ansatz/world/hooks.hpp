@@ -59,7 +59,7 @@ struct RefreshBetweenSteps {};
 /// @}
 /// \name Rest
 /// @{
-struct WakeTouching {}; ///< `(step)`: wakes who rests in contact with somebody that moves
+struct WakeTouching {}; ///< `(step)`: wakes who rests and touches somebody that moves
 struct MarkHeld {};     ///< `(data, scratch)`: `scratch.held[slot] = 1` for each body that something may hold
 struct Join {};         ///< `(data, scratch)`: who sleeps with whom (motion/sleep.hpp)
 struct EachPush {};     ///< `(step, add)`: `add(slot, acceleration)` for what holds a body and is no force
@@ -115,8 +115,8 @@ template <class C, class... M, class... Property>
 auto admit([[maybe_unused]] Types<M...> modules, const Property&... property) {
     return std::tuple(admit_one<M, C>(property...)...);
 }
-template <class M> void keep_one([[maybe_unused]] auto& data, [[maybe_unused]] std::uint32_t id,
-                                 [[maybe_unused]] const auto& admitted) {
+template <class M>
+void keep_one([[maybe_unused]] auto& data, [[maybe_unused]] std::uint32_t id, [[maybe_unused]] const auto& admitted) {
     if constexpr (requires { M::keep(data, id, admitted); }) M::keep(data, id, admitted);
 }
 /// Each keeps it for the body that gets this id.

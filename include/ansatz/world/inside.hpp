@@ -46,9 +46,7 @@ template <class C, class Data, class Policies> struct Inside {
     const BoundPolicies<C>& bound; ///< the same, bound
 
     /// When the next step begins.
-    Context<S> context() const {
-        return Context<S>(data.clock.now(), TimeStep<S>(data.last_dt(), data.last_dt()));
-    }
+    Context<S> context() const { return Context<S>(data.clock.now(), TimeStep<S>(data.last_dt(), data.last_dt())); }
     /// Tells the modules.
     template <class Hook, class... A> void tell(A&&... argument) const {
         detail::tell<Hook>(typename C::modules{}, *this, argument...);

@@ -4,8 +4,8 @@
 /// \file
 /// Modules: what a world has because one of its policies plays a role that comes with it.
 ///
-/// `roles::Force` comes with `modules::Motion`, `roles::Narrowphase` with `modules::Collision`. The frame knows neither;
-/// it knows that a module may have the following, each of them only where it is needed:
+/// `roles::Force` comes with `modules::Motion`, `roles::Narrowphase` with `modules::Collision`. The frame knows
+/// neither; it knows that a module may have the following, each of them only where it is needed:
 ///
 /// | member | what it is |
 /// |---|---|
@@ -67,8 +67,7 @@ template <class... M> struct WithThoseBelow<Types<M...>> {
 };
 /// The modules that come with these policies, and those that they stand on; the upper ones first.
 template <class... P>
-using modules_of =
-    typename ByLayer<typename WithThoseBelow<distinct<module_of_role<role_of<P>>...>>::type>::type;
+using modules_of = typename ByLayer<typename WithThoseBelow<distinct<module_of_role<role_of<P>>...>>::type>::type;
 
 // What stands in for a list of policies that is no world, so that only the sentence about it is read.
 template <class M> struct StandIn {
@@ -81,9 +80,7 @@ struct StandIn<M> {
 };
 
 /// Calls `f.operator()<M>()` for each module of a list.
-template <class F, class... M> constexpr void each_module(Types<M...>, F&& f) {
-    (f.template operator()<M>(), ...);
-}
+template <class F, class... M> constexpr void each_module(Types<M...>, F&& f) { (f.template operator()<M>(), ...); }
 
 // Bases made of what modules bring; of what a module does not bring, an empty one.
 template <class M> struct Nothing {};

@@ -50,8 +50,8 @@ template <class R> using module_of_role = typename ModuleOfRole<R>::type;
 template <class R, class... Known> inline constexpr bool one_of = (std::same_as<R, Known> || ...);
 
 template <class R>
-inline constexpr bool known_role = one_of<R, roles::Space, roles::StepControl, roles::System, roles::Observer> ||
-                                   !std::is_void_v<module_of_role<R>>;
+inline constexpr bool known_role =
+    one_of<R, roles::Space, roles::StepControl, roles::System, roles::Observer> || !std::is_void_v<module_of_role<R>>;
 
 } // namespace detail
 

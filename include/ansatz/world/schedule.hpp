@@ -4,12 +4,12 @@
 /// \file
 /// The schedule of a step: the systems of all modules and policies of a world, in the order of their phases.
 ///
-/// A system says at which phase it acts, `static constexpr Phase phase = phases::contacts;`, under which `name`, and
+/// A system says at which phase it acts, `static constexpr Phase phase = phases::fields;`, under which `name`, and
 /// what it does, `static void run(auto& step)`. The order is that of the phases, and of the names within one phase; how
-/// the policies are listed means nothing. Phases are places on a line, not an enumeration: `between(phases::contacts,
-/// phases::fields)` is one, too.
+/// the policies are listed means nothing. Phases are places on a line, not an enumeration: `between(phases::positions,
+/// phases::fields)` is one, too, and a module names its own.
 ///
-/// A *driver* is a system that owns the phases up to another one, `static constexpr Phase until = phases::contacts;`.
+/// A *driver* is a system that owns the phases up to another one, `static constexpr Phase until = phases::fields;`.
 /// It is handed what stands in between as a function, `run(step, inside)`, and calls it as it likes: a response that
 /// takes a step in parts calls it several times.
 
@@ -25,8 +25,8 @@ namespace ansatz {
 
 /// A place in the order of a step.
 struct Phase {
-    double at;                                                    ///< greater is later
-    friend constexpr bool operator==(const Phase&, const Phase&) = default; ///< the same place
+    double at;                                                               ///< greater is later
+    friend constexpr bool operator==(const Phase&, const Phase&) = default;  ///< the same place
     friend constexpr auto operator<=>(const Phase&, const Phase&) = default; ///< earlier or later
 };
 /// A place behind one and before another.
@@ -34,20 +34,19 @@ constexpr Phase between(Phase a, Phase b) { return {(a.at + b.at) / 2}; }
 
 /// The phases that the library names.
 namespace phases {
-inline constexpr Phase wake{0};          ///< who must not sleep any longer wakes
-inline constexpr Phase begin{10};        ///< the state that the step starts from is looked at
-inline constexpr Phase substeps{20};     ///< a driver that takes the step in parts owns what follows, up to contacts
-inline constexpr Phase forces{30};       ///< laws and couplings, and the effects before them
-inline constexpr Phase integration{40};  ///< stages; then the effects behind them
-inline constexpr Phase positions{50};    ///< solvers that move bodies behind the integrator
-inline constexpr Phase contacts{60};     ///< who touches is found, and answered
-inline constexpr Phase fields{70};       ///< what has a state of its own advances
-inline constexpr Phase end{80};          ///< effects of the whole step
-inline constexpr Phase clock{90};        ///< time goes on
-inline constexpr Phase breaking{100};    ///< what is too weak for the state that was made breaks
-inline constexpr Phase sums{110};        ///< what queries read and the next step begins with is summed
-inline constexpr Phase rest{120};        ///< who has come to rest falls asleep
-inline constexpr Phase observers{130};   ///< who only sees, sees
+inline constexpr Phase wake{0};         ///< who must not sleep any longer wakes
+inline constexpr Phase begin{10};       ///< the state that the step starts from is looked at
+inline constexpr Phase substeps{20};    ///< a driver that takes the step in parts owns what follows, behind `positions`
+inline constexpr Phase forces{30};      ///< laws and couplings, and the effects before them
+inline constexpr Phase integration{40}; ///< stages; then the effects behind them
+inline constexpr Phase positions{50};   ///< solvers that move bodies behind the integrator
+inline constexpr Phase fields{70};      ///< what has a state of its own advances
+inline constexpr Phase end{80};         ///< effects of the whole step
+inline constexpr Phase clock{90};       ///< time goes on
+inline constexpr Phase breaking{100};   ///< what is too weak for the state that was made breaks
+inline constexpr Phase sums{110};       ///< what queries read and the next step begins with is summed
+inline constexpr Phase rest{120};       ///< who has come to rest falls asleep
+inline constexpr Phase observers{130};  ///< who only sees, sees
 } // namespace phases
 
 namespace detail {

@@ -9,8 +9,8 @@
 /// accuracy is measured against. Policies know no Space: their parameters are double quantities in three components,
 /// and the world converts them here, once, when it is made.
 
-#include <ansatz/units.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/units.hpp>
 #include <ansatz/world/roles.hpp>
 
 #include <concepts>

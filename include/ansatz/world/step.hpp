@@ -86,8 +86,8 @@ using ScheduleOf = InOrder<joined_types<decltype(systems_of_modules<C>(typename 
 /// Takes a step, or a part of one.
 /// \param dt its length
 template <class Transient, bool Later, class C, class Policies>
-void take_step(WorldData<C>& data, Policies& policies, const BoundPolicies<C>& bound,
-               const TimeStep<typename C::S>& dt, const typename C::S::ClockTime& whole) {
+void take_step(WorldData<C>& data, Policies& policies, const BoundPolicies<C>& bound, const TimeStep<typename C::S>& dt,
+               const typename C::S::ClockTime& whole) {
     using Schedule = detail::ScheduleOf<C>;
     static_assert(!Schedule::ambiguous, "Ansatz: two systems of one name stand at one phase of the step, so that which "
                                         "comes first would depend on the order of the policies; give one of them "

@@ -50,10 +50,9 @@ template <class Done, class... T> struct Distinct {
     using type = Done;
 };
 template <class... Done, class First, class... Rest> struct Distinct<Types<Done...>, First, Rest...> {
-    using type = typename Distinct<
-        std::conditional_t<std::is_void_v<First> || (std::same_as<First, Done> || ...), Types<Done...>,
-                           Types<Done..., First>>,
-        Rest...>::type;
+    using type = typename Distinct<std::conditional_t<std::is_void_v<First> || (std::same_as<First, Done> || ...),
+                                                      Types<Done...>, Types<Done..., First>>,
+                                   Rest...>::type;
 };
 /// Each once, without `void`, in the order of first mention.
 template <class... T> using distinct = typename Distinct<Types<>, T...>::type;

@@ -8,7 +8,7 @@
 /// Included by world.hpp.
 // not in the umbrella: it is a part of world.hpp, which includes it
 
-#include <ansatz/world/world.hpp>
+#include <ansatz/world/declaration.hpp>
 
 #include <algorithm>
 #include <string>

@@ -45,7 +45,7 @@ template <class W> void show(const char* name, W world) {
     }
     if constexpr (W::composition::keepers::size > 0 &&
                   !W::composition::collides) { // a closed chain of springs, each of another stiffness
-        using Element = typename detail::FirstOf<typename W::composition::keepers>::type::Element;
+        using Element = typename detail::FirstIn<typename W::composition::keepers>::type::Element;
         for (std::size_t i = 0; i < bodies.size(); ++i)
             world.add(Element{bodies[i], bodies[(i + 1) % bodies.size()], (20 + 30 * n.next()) * newton_per_metre,
                               0.5 * newton_second_per_metre, 2.0 * metre});

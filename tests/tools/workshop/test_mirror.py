@@ -50,6 +50,29 @@ class OfATree(unittest.TestCase):
         self.assertEqual(mirror.reached_from("include/ansatz/a.hpp"),
                          {"include/ansatz/a.hpp", "include/ansatz/a/b.hpp", "include/ansatz/a/c.hpp"})
 
+    def test_a_ring_is_named_once(self) -> None:
+        """By the headers that make it up, and not by those that reach it."""
+        for header, includes in (("a/one", "a/two"), ("a/two", "a/three"), ("a/three", "a/one"), ("a/four", "a/one")):
+            self.write(f"include/ansatz/{header}.hpp", f"#include <ansatz/{includes}.hpp>\n")
+        headers = mirror.files_below(r".*\.hpp", "include/ansatz")
+        self.assertEqual([fault.split(" (")[0] for fault in mirror.rings_of_includes(headers)],
+                         ["a ring of includes: a/one.hpp <- a/three.hpp <- a/two.hpp <- a/one.hpp"])
+
+    def test_who_may_include_whom(self) -> None:
+        """The frame may not know a module; a module may know the frame."""
+        below = self.write("include/ansatz/world/a.hpp", "#include <ansatz/motion/b.hpp>\n#include <ansatz/core/c.hpp>\n")
+        above = self.write("include/ansatz/motion/b.hpp", "#include <ansatz/world/a.hpp>\n")
+        self.assertEqual([fault.split(" (")[0] for fault in mirror.above_their_place([below, above])],
+                         ["an include of a higher folder: include/ansatz/world/a.hpp: ansatz/motion/b.hpp"])
+
+    def test_words_of_a_module_in_the_frame(self) -> None:
+        """Comments and sentences may give an example; code may not."""
+        for code, found in (("int contacts;", 1), ("// contacts, e.g.", 0), ('say("a Spring")', 0),
+                            ("/* springs\n and\n ropes */ int sensor;", 1), ("int contacted;", 0)):
+            mirror.text_of.cache_clear()
+            faults = mirror.above_their_place([self.write("include/ansatz/world/a.hpp", f"{code}\n")])
+            self.assertEqual(len(faults), found, code)
+
     def test_length(self) -> None:
         """400 lines are not too long, with or without an end of the last; 401 are."""
         for lines, faults in ((399, 0), (400, 1)):

@@ -9,10 +9,10 @@
 /// everything.
 
 #include <ansatz/collision/concepts.hpp>
-#include <ansatz/world/columns.hpp>
-#include <ansatz/core/error.hpp>
-#include <ansatz/world/properties.hpp>
 #include <ansatz/collision/roles.hpp>
+#include <ansatz/core/error.hpp>
+#include <ansatz/world/columns.hpp>
+#include <ansatz/world/properties.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -17,8 +17,8 @@
 #include <ansatz/collision/narrowphase/sphere_box.hpp>
 #include <ansatz/collision/narrowphase/sphere_plane.hpp>
 #include <ansatz/collision/narrowphase/sphere_sphere.hpp>
-#include <ansatz/collision/shapes.hpp>
 #include <ansatz/collision/roles.hpp>
+#include <ansatz/collision/shapes.hpp>
 #include <ansatz/world/space.hpp>
 
 #include <optional>

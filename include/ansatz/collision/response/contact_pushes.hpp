@@ -22,8 +22,8 @@
 /// projected one of a length that cannot fail: with n contacts at a body, A is at most n_a w_a + n_b w_b on the
 /// diagonal.
 
-#include <ansatz/units.hpp>
 #include <ansatz/motion/islands.hpp>
+#include <ansatz/units.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -32,9 +32,8 @@
 /// depends on the order of insertion.
 
 #include <ansatz/collision/concepts.hpp>
-#include <ansatz/collision/restitution.hpp>
-#include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/restitution.hpp>
 #include <ansatz/units/requirements.hpp>
 
 #include <concepts>

@@ -30,11 +30,10 @@
 #include <ansatz/collision/box.hpp>
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/contact_step.hpp>
 #include <ansatz/collision/plane.hpp>
 #include <ansatz/collision/sphere.hpp>
 #include <ansatz/springs/hooke.hpp>
-#include <ansatz/collision/concepts.hpp>
-#include <ansatz/collision/contact_step.hpp>
 
 #include <algorithm>
 #include <array>

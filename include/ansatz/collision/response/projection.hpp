@@ -11,7 +11,6 @@
 /// Where many touch, all of a step are moved apart together (contact_pushes.hpp): by what moves the whole least.
 
 #include <ansatz/collision/concepts.hpp>
-#include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/units/requirements.hpp>
 

@@ -19,9 +19,8 @@
 /// velocity under constant acceleration is known from `velocity_leads`.
 
 #include <ansatz/collision/concepts.hpp>
-#include <ansatz/collision/response/soft_contacts.hpp>
-#include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/units/requirements.hpp>
 
 #include <cmath>

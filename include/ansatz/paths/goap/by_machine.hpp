@@ -21,11 +21,11 @@
 /// interrupted. Take a `Performer` of your own where an action is a single call. What the actions make of the world is
 /// the machine's business too: the plan's effects are what is expected, not what is done.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/goap/domain.hpp>
 #include <ansatz/paths/goap/perform.hpp>
 #include <ansatz/states/ids.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -13,9 +13,9 @@
 /// ```
 /// An action is an edge from every state in which all that it needs holds, to the same state with what it makes.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/goap/state.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -9,8 +9,8 @@
 /// a plan that still holds is kept even where a cheaper one has become possible. And the planner is not asked twice:
 /// from the same state to the same goal, by the same actions, there is the same plan, or none.
 
-#include <ansatz/paths/goap/planner.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/goap/planner.hpp>
 
 #include <cstddef>
 #include <limits>

@@ -4,8 +4,8 @@
 /// \file
 /// `grid_from`: a small map written as text, for examples, exercises and tests. Maps in files: moving_ai.hpp.
 
-#include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/grid/grid.hpp>
 
 #include <cstddef>
 #include <cstdint>

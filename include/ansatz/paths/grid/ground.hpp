@@ -8,10 +8,10 @@
 /// A step costs its length in tiles times the weight of the tile that it *enters*. So a weight is how many times slower
 /// than usual its tile is (mud 3, road 0.5), and the way there may cost something else than the way back.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/grid/cell.hpp>
 #include <ansatz/units/describe.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -15,11 +15,11 @@
 /// D. Harabor and A. Grastien, Online Graph Pruning for Pathfinding on Grid Maps (AAAI 2011), for the idea and the
 /// proof; Improving Jump Point Search (ICAPS 2014) for the rules where corners are not cut.
 
+#include <ansatz/core/error.hpp>
 #include <ansatz/paths/grid/cell.hpp>
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/successors.hpp>
-#include <ansatz/core/error.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -14,8 +14,8 @@
 ///
 /// \see A. V. Goldberg, C. Harrelson, "Computing the shortest path: A* search meets graph theory", SODA 2005.
 
-#include <ansatz/paths/true_costs.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/true_costs.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -13,8 +13,8 @@
 ///
 /// \see I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1 (1970).
 
-#include <ansatz/paths/graph.hpp>
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/graph.hpp>
 
 #include <cmath>
 
