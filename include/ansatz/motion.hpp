@@ -31,6 +31,7 @@
 #include <ansatz/motion/module.hpp>
 #include <ansatz/motion/momentum.hpp>
 #include <ansatz/motion/newton.hpp>
+#include <ansatz/motion/policy_systems.hpp>
 #include <ansatz/motion/present.hpp>
 #include <ansatz/motion/quadratic_drag.hpp>
 #include <ansatz/motion/rest.hpp>

@@ -105,7 +105,9 @@ template <class P, class S> constexpr auto check_of_motion() {
         return std::type_identity<FactsAndSentences<IntegratorFacts<P, S>, CheckIntegrator<P, S>>>{};
     else if constexpr (PlaysRole<P, roles::Force>)
         return std::type_identity<FactsAndSentences<ForceFacts<P, S>, CheckForce<P, S>>>{};
-    else return std::type_identity<FactsAndSentences<EffectFacts<P, S>, CheckEffect<P, S>>>{};
+    else if constexpr (PlaysRole<P, roles::Effect>)
+        return std::type_identity<FactsAndSentences<EffectFacts<P, S>, CheckEffect<P, S>>>{};
+    else return std::type_identity<FactsAndSentences<NoFacts, CheckNothing>>{}; // its systems are looked at below
 }
 
 /// A force under an integrator that solves with derivatives.

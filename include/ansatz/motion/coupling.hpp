@@ -60,7 +60,9 @@ void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] doubl
 namespace detail {
 template <class Q, class C, class Policies>
 void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
-    if constexpr (keeps_state<Q, typename C::S>) data.template state<Q>().arrange(data.bodies, data.states.layout);
+    if constexpr (keeps_state<Q, typename C::S>)
+        if constexpr (requires { data.template state<Q>().arrange(data.bodies, data.states.layout); })
+            data.template state<Q>().arrange(data.bodies, data.states.layout);
     CouplingView<typename C::S, Q> view(data.lanes, data.bodies, std::as_const(data).template state<Q>());
     Bound<Q, typename C::S> force(std::get<Q>(policies));
     const auto limited = context.template restricted<reads_clock<Q>>();

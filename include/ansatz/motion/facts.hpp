@@ -85,6 +85,8 @@ template <class P, class S> constexpr auto needs_in_motion() {
     else if constexpr (IsLaw<P>::value) return needs_of_law<P, S>{};
     else return union_of<writes_of<P>, reads_of<P>>{};
 }
+/// Systems of policies: motion/policy_systems.hpp.
+template <class P, class S> struct SystemsOfPolicy;
 
 /// Whether a policy leaves a motion that can be run backwards: an integrator says so itself; a force must depend
 /// neither on the velocity nor on the time; whatever else there is must not touch the state of motion.

@@ -7,6 +7,7 @@
 
 #include <ansatz/motion/check.hpp>
 #include <ansatz/motion/door.hpp>
+#include <ansatz/motion/policy_systems.hpp>
 #include <ansatz/motion/rest_step.hpp>
 #include <ansatz/motion/smallest_step.hpp>
 #include <ansatz/motion/step.hpp>
@@ -94,7 +95,8 @@ struct Motion {
     template <class P, class S> using SentencesOf = typename decltype(detail::check_of_motion<P, S>())::type::Sentences;
     template <class... P> using Together = detail::TogetherFacts<P...>;
     template <class... P> static constexpr bool read_together() { return detail::read_together_in_motion<P...>(); }
-    template <class P, class S> using needs = decltype(detail::needs_in_motion<P, S>());
+    template <class P, class S>
+    using needs = union_of<decltype(detail::needs_in_motion<P, S>()), detail::needs_of_systems<P, S>>;
     using StandIn = detail::NoIntegrator;
 
     template <class C, class Data> using State = MotionState<C, Data>;
@@ -106,7 +108,7 @@ struct Motion {
                              detail::only_if<C::islands, detail::WakeNeighbours>, Types<detail::Advance>,
                              detail::only_if<(C::template effects<Place::end_of_step>::size > 0), detail::ActAtTheEnd>,
                              detail::only_if<C::breaks, detail::Break>, detail::only_if<C::coupled, detail::SumForces>,
-                             detail::only_if<C::rests, detail::PutToRest>>;
+                             detail::only_if<C::rests, detail::PutToRest>, detail::systems_of_policies<C>>;
 
     // Room.
     template <class C> static void on(hook::ReserveNotes, WorldData<C>& data, [[maybe_unused]] std::size_t n) {
@@ -173,7 +175,9 @@ struct Motion {
         }
     }
     template <class Policy, class I> static void on(hook::AfterSet<Policy>, const I& inside) {
-        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect>) detail::wake_all(inside);
+        if constexpr (PlaysRole<Policy, roles::Force> || PlaysRole<Policy, roles::Effect> ||
+                      PlaysRole<Policy, roles::System>)
+            detail::wake_all(inside);
     }
 
     // A step.

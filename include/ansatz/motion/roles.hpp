@@ -21,6 +21,11 @@ struct Integrator {
 struct Force {
     using module = modules::Motion;
 };
+/// Takes part in the step by systems of its own (motion/policy_systems.hpp), and may keep a state; any number. So may a
+/// policy of any other role.
+struct System {
+    using module = modules::Motion;
+};
 /// Acts on declared columns at a named place of the step; any number.
 struct Effect {
     using module = modules::Motion;

@@ -32,11 +32,12 @@ template <class C> bool goes(const WorldData<C>& data, Bodies::Slot slot) {
 template <class C, class F> void for_each_element(const WorldData<C>& data, F&& f) {
     const auto at = [&](std::uint32_t body) { return data.lanes.template get<Position>(data.bodies.slot_of_id(body)); };
     data.states.for_each([&](const auto& state) {
-        state.for_each([&](std::uint32_t id, const auto&) {
-            if constexpr (requires { state.is_slack(id, at); })
-                if (state.is_slack(id, at)) return;
-            f(state, id);
-        });
+        if constexpr (requires { state.for_each_body(0u, at); }) // others keep nothing that bodies hang on
+            state.for_each([&](std::uint32_t id, const auto&) {
+                if constexpr (requires { state.is_slack(id, at); })
+                    if (state.is_slack(id, at)) return;
+                f(state, id);
+            });
     });
 }
 /// Wakes who hangs on somebody that disturbs.

@@ -79,6 +79,13 @@ public:
     }
     /// The step.
     StepT& step() const { return step_; }
+    /// A row system of a policy, over the awake bodies.
+    template <class E> void row_system(const E& policy) {
+        Effects<S, E> one(policy);
+        one.prepare(context_);
+        effects_only<Columns<>>(one, context_.dt());
+        if constexpr (couplings_see(writes_of<E>{})) data_.coupled.current = false;
+    }
     /// Effects of the whole step.
     void effects_at_the_end() { effects_only<Columns<>>(bound_.end, context_.dt()); }
 
@@ -125,6 +132,9 @@ public:
     }
 
 protected:
+    template <class... Column> static constexpr bool couplings_see(Columns<Column...>) {
+        return (C::template couplings_read<Column> || ...);
+    }
     /// The columns that a kernel loads are stored ones; the others it needs live in the row alone.
     template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
     /// Those others.
@@ -155,10 +165,6 @@ protected:
     Context<S>& context_;
 
 private:
-    template <class... Column> static constexpr bool couplings_see(Columns<Column...>) {
-        return (C::template couplings_read<Column> || ...);
-    }
-
     void body_by_body() {
         using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient>;
         using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes,

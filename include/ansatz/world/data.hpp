@@ -130,7 +130,9 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     void reserve_notes(std::size_t n) {
         bodies.reserve_notes();
         tell<hook::ReserveNotes>(n);
-        states.for_each([](auto& state) { state.reserve_notes(); });
+        states.for_each([](auto& state) {
+            if constexpr (requires { state.reserve_notes(); }) state.reserve_notes();
+        });
     }
     /// Room for what only a step notes, such as what breaks in it: who reads those of the last step may do what he
     /// likes meanwhile.
@@ -152,7 +154,9 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     /// Removes a body; the others keep their order, but for one or a few.
     void erase(Slot slot) {
         tell<hook::Removed>(slot);
-        states.for_each([&](auto& state) { state.body_removed(bodies.id(slot)); });
+        states.for_each([&](auto& state) {
+            if constexpr (requires { state.body_removed(bodies.id(slot)); }) state.body_removed(bodies.id(slot));
+        });
         bodies.erase(slot, [&](std::size_t i, std::size_t j) { swap(i, j); });
         lanes.pop_back();
     }

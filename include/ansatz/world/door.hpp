@@ -7,6 +7,7 @@
 // not in the umbrella: it is the second half of world.hpp, which includes it
 
 #include <ansatz/world/declaration.hpp>
+#include <ansatz/world/fields.hpp>
 #include <ansatz/world/hash.hpp>
 
 namespace ansatz {
@@ -128,7 +129,9 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
         const auto first = step_of(h);
         tell<hook::LookAround>(first);
         data_.template tell<hook::BeginStep>();
-        data_.states.for_each([](auto& state) { state.begin_step(); });
+        data_.states.for_each([](auto& state) {
+            if constexpr (requires { state.begin_step(); }) state.begin_step();
+        });
         const auto whole = scalar_cast<typename S::ClockScalar>(dt);
         if (!composition::controlled || parts == 1) take_step<typename composition::transient>(whole);
         else if constexpr (composition::controlled) {
@@ -171,7 +174,7 @@ template <class... P> std::uint64_t World<P...>::hash() const {
     StateHash hash;
     data_.clock.add_to(hash);
     data_.bodies.add_free_to(hash);
-    data_.states.for_each([&](const auto& state) { state.add_to(hash); });
+    data_.states.for_each([&](const auto& state) { detail::hash_state(hash, state); });
     data_.template ask<hook::Hash>(hash);
     for_each([&](Handle h) {
         const auto slot = data_.bodies.slot_of_id(h.id);

@@ -21,7 +21,6 @@ namespace ansatz {
 namespace roles {
 struct Space {};       ///< scalar type and dimension; at most one, `Space<double, 3>` without it
 struct StepControl {}; ///< whether a step is taken as it is, in parts, or refused; at most one
-struct System {};      ///< takes part in the step at phases that it names (schedule.hpp); any number
 struct Observer {};    ///< sees, never changes; any number
 } // namespace roles
 
@@ -51,7 +50,7 @@ template <class R, class... Known> inline constexpr bool one_of = (std::same_as<
 
 template <class R>
 inline constexpr bool known_role =
-    one_of<R, roles::Space, roles::StepControl, roles::System, roles::Observer> || !std::is_void_v<module_of_role<R>>;
+    one_of<R, roles::Space, roles::StepControl, roles::Observer> || !std::is_void_v<module_of_role<R>>;
 
 } // namespace detail
 

@@ -13,6 +13,7 @@
 ///
 /// Needs exceptions, for the parser's sake.
 
+#include <ansatz/world/fields.hpp>
 #include <ansatz/world/save_elements.hpp>
 #include <ansatz/world/save_parameters.hpp>
 #include <ansatz/world/whole_file.hpp>
@@ -75,6 +76,9 @@ struct Archive {
                 (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...);
             }(typename C::element_keepers{});
         }
+        [&]<class... K>(Types<K...>) {
+            (write_state<K>(file, data.template state<K>()), ...);
+        }(typename C::keepers{});
         data.template ask<hook::Save>(file, detail::Files{});
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
                          {"dt", number_to_file(data.clock.dt_.value())},
@@ -126,6 +130,9 @@ struct Archive {
                  ...);
             }(typename C::element_keepers{});
         }
+        [&]<class... K>(Types<K...>) {
+            (read_state<K>(data.template state<K>(), file), ...);
+        }(typename C::keepers{});
         data.template tell<hook::Load>(file);
 
         // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a
@@ -160,6 +167,25 @@ private:
         const bool same = file.size("columns") == expected.size() &&
                           std::is_permutation(expected.begin(), expected.end(), file.json.begin());
         if (!same) file.refuse_here(expected.dump() + ", the columns of this world, in any order");
+    }
+
+    /// What a policy keeps, by its fields.
+    template <class P, class State> static void write_state(detail::Json& file, const State& state) {
+        if constexpr (detail::NamesFields<State>) {
+            need_name<P>();
+            detail::write_fields<detail::Files>(file["states"][std::string(P::name)] = detail::Json::object(), state);
+        }
+    }
+    template <class P, class State> static void read_state(State& state, const FileValue& file) {
+        if constexpr (detail::NamesFields<State>) {
+            need_name<P>();
+            detail::read_fields(state, file.at("states").at(std::string(P::name).c_str()));
+        }
+    }
+    template <class P> static constexpr void need_name() {
+        constexpr bool named = requires { std::string_view(P::name); };
+        static_assert(named, "Ansatz: save: a policy that keeps a State has no name for it to stand under in the file; "
+                             "give it `static constexpr std::string_view name`");
     }
 
     template <class P> static void write_policy(detail::Json& policies, const P& policy) {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Systems of policies: how a policy of your own takes part in the step, at a phase that it names.
+///
+/// A policy lists them, `template <class S> using systems = Types<Waves<S>, ...>;`. Each is made from the policy, says
+/// its `phase` and its `name`, and is one of three kinds:
+///
+/// - a **row system** has `apply(written&..., read..., context)` for one body, like an effect, and is asked for every
+///   awake body: `using writes = Columns<...>; using reads = Columns<...>;`
+/// - a **table system** has `run(view, context)`: it sees the columns that it declares, what its policy keeps
+///   (`view.state()`) and what other policies keep (`using sees = Types<...>`, `view.template state_of<Springs<>>()`),
+///   and owns its loop: a wave step, a solver;
+/// - a **driver** has `until`, a phase, and `run(view, dt, part)`: it owns the systems up to that phase, and calls
+///   `part(h)` for each part that it divides the step into, `part.last(h)` for the last one.
+///
+/// The velocity and the position of a body go through the integrator: `view.template set<Velocity>` and
+/// `set<Position>` mean the same whatever it keeps.
+
+#include <ansatz/motion/step.hpp>
+#include <ansatz/world/schedule.hpp>
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace ansatz {
+
+/// What a table system or a driver of policy `P` works on.
+/// \tparam Y the system
+template <class StepT, class P, class Y> class SystemView {
+public:
+    using C = typename StepT::Composition_; ///< of the world
+    using S = typename C::S;                ///< the space
+    using Slot = Bodies::Slot;              ///< a body's place in the lanes
+
+    /// Of a step.
+    explicit SystemView(StepT& step) : step_(step) {}
+
+    /// \name Bodies: in slots 0 to size(), first the awake ones, then resting, moving, fixed
+    /// @{
+
+    /// How many there are.
+    std::size_t size() const { return step_.data.bodies.size(); }
+    /// The first slot of a kind.
+    std::size_t begin(Motion m) const { return step_.data.bodies.begin(m); }
+    /// Behind its last.
+    std::size_t end(Motion m) const { return step_.data.bodies.end(m); }
+    /// Whether the handle names a body that is there.
+    bool contains(Handle h) const { return step_.data.bodies.contains(h); }
+    /// Where that body is.
+    Slot slot(Handle h) const { return step_.data.bodies.slot(h, "view"); }
+    /// Where the body with this id is; it must be there.
+    Slot slot_of_id(std::uint32_t id) const { return step_.data.bodies.slot_of_id(id); }
+    /// The id of the body in a slot.
+    std::uint32_t id(std::size_t slot) const { return step_.data.bodies.id(slot); }
+    /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change.
+    template <class F> void for_each(F&& f) const {
+        for (std::uint32_t id = 0; id < step_.data.bodies.ids(); ++id)
+            if (step_.data.bodies.alive(id)) f(std::size_t(step_.data.bodies.slot_of_id(id)));
+    }
+    /// The value of a declared column.
+    template <class Column> value_of<Column, S> get(std::size_t slot) const {
+        declared<Column, union_of<reads_of<Y>, writes_of<Y>>>();
+        if constexpr (std::same_as<Column, Velocity>)
+            return step_.data.load(Slot(slot), step_.context.dt().previous).template get<Velocity>();
+        else return step_.data.lanes.template get<Column>(slot);
+    }
+    /// Gives a column that it `writes` a value; a body that is awake.
+    template <class Column> void set(std::size_t slot, const value_of<Column, S>& value) {
+        declared<Column, writes_of<Y>>();
+        if constexpr (std::same_as<Column, Velocity>) step_.data.set_velocity(Slot(slot), value);
+        else if constexpr (std::same_as<Column, Position>)
+            step_.data.displace(Slot(slot), value - step_.data.lanes.template get<Position>(slot));
+        else step_.data.lanes.template set<Column>(slot, value);
+        if constexpr (C::template couplings_read<Column>) step_.data.coupled.current = false;
+    }
+    /// @}
+
+    /// What the policy keeps.
+    auto& state() { return step_.data.template state<P>(); }
+    /// What another policy keeps, if the system says that it `sees` it.
+    template <class Q> const auto& state_of() const {
+        constexpr bool seen = stands_in_sees<Q>();
+        static_assert(seen, "Ansatz: a system looks at what another policy keeps without saying so; add it to its "
+                            "`using sees = Types<...>;`");
+        constexpr bool there = detail::stands_in<Q, typename C::policies>;
+        static_assert(!seen || there, "Ansatz: a system looks at what another policy keeps, and this world has no such "
+                                      "policy; add it to the list");
+        return std::as_const(step_.data).template state<Q>();
+    }
+    /// The parameters of the policy.
+    const P& policy() const { return std::get<P>(step_.policies); }
+
+private:
+    template <class Column, class List> static constexpr void declared() {
+        static_assert(detail::contains<Column, List>,
+                      "Ansatz: a system touches a column that it did not declare; add it to its `reads` or, to change "
+                      "it, to its `writes`, e.g. `using writes = Columns<Velocity>;`");
+    }
+    template <class Q> static constexpr bool stands_in_sees() {
+        if constexpr (requires { typename Y::sees; }) return detail::stands_in<Q, typename Y::sees>;
+        return false;
+    }
+
+    StepT& step_;
+};
+
+namespace detail {
+
+template <class P, class S> struct SystemsOfPolicy {
+    using type = Types<>;
+};
+template <class P, class S>
+    requires requires { typename P::template systems<S>; }
+struct SystemsOfPolicy<P, S> {
+    using type = typename P::template systems<S>;
+};
+template <class List> struct NeedsOfSystems;
+template <class... Y> struct NeedsOfSystems<Types<Y...>> {
+    using type = union_of<Columns<>, writes_of<Y>..., reads_of<Y>...>;
+};
+/// The columns that the systems of a policy touch.
+template <class P, class S> using needs_of_systems = typename NeedsOfSystems<typename SystemsOfPolicy<P, S>::type>::type;
+
+/// A row system as an effect: what `Effects` binds.
+template <class P, class Y> struct AsEffect : P {
+    using writes = writes_of<Y>;
+    using reads = reads_of<Y>;
+    template <class> struct In : Y {
+        explicit In(const AsEffect& policy) : Y(static_cast<const P&>(policy)) {}
+    };
+};
+
+/// A part of a step, as a driver asks for it.
+template <class StepT, class Inside> class PartOfStep {
+public:
+    using Time = typename StepT::S::Time; ///< s
+
+    PartOfStep(StepT& step, const Inside& inside)
+        : step_(step), inside_(inside), whole_(step.context), previous_(step.context.dt().previous) {}
+    ~PartOfStep() { step_.context = whole_; }
+    PartOfStep(const PartOfStep&) = delete;
+    PartOfStep& operator=(const PartOfStep&) = delete;
+
+    /// A part, and not the last.
+    void operator()(const Time& h) {
+        begin(h);
+        auto part = step_.template as<Columns<>, StepT::later>();
+        inside_(part);
+    }
+    /// The last one: what acts for one step only is gone behind it.
+    void last(const Time& h) {
+        begin(h);
+        inside_(step_);
+    }
+
+private:
+    void begin(const Time& h) {
+        using Clock_ = typename StepT::S::ClockTime;
+        step_.context = Context<typename StepT::S>(Clock_(whole_.time() + done_), TimeStep<typename StepT::S>(h, previous_));
+        step_.bound.prepare(step_.context);
+        done_ += Clock_::from_value(typename StepT::S::ClockScalar(h.value()));
+        previous_ = h;
+    }
+
+    StepT& step_;
+    const Inside& inside_;
+    Context<typename StepT::S> whole_;
+    Time previous_;
+    typename StepT::S::ClockTime done_{};
+};
+
+/// A system of a policy in the schedule.
+template <class P, class Y> struct PolicySystem {
+    static constexpr Phase phase = Y::phase;
+    static constexpr std::string_view name = Y::name;
+    template <class StepT> static void run(StepT& step) {
+        const P& policy = std::get<P>(step.policies);
+        if constexpr (requires { &Y::run; } || requires(Y& y, SystemView<StepT, P, Y>& view) { y.run(view, step.context); }) {
+            SystemView<StepT, P, Y> view(step);
+            Y(policy).run(view, step.context);
+        } else MotionStep(step).template row_system<AsEffect<P, Y>>(AsEffect<P, Y>{policy});
+    }
+};
+/// A driver of a policy in the schedule.
+template <class P, class Y>
+    requires requires { Y::until; }
+struct PolicySystem<P, Y> {
+    static constexpr Phase phase = Y::phase, until = Y::until;
+    static constexpr std::string_view name = Y::name;
+    template <class StepT, class Inside> static void run(StepT& step, const Inside& inside) {
+        SystemView<StepT, P, Y> view(step);
+        const auto dt = step.context.dt();
+        PartOfStep<StepT, Inside> part(step, inside);
+        Y(std::get<P>(step.policies)).run(view, dt, part);
+    }
+};
+
+template <class P, class List> struct Adapted;
+template <class P, class... Y> struct Adapted<P, Types<Y...>> {
+    using type = Types<PolicySystem<P, Y>...>;
+};
+template <class S, class List> struct AllPolicySystems;
+template <class S, class... P> struct AllPolicySystems<S, Types<P...>> {
+    using type = joined_types<typename Adapted<P, typename SystemsOfPolicy<P, S>::type>::type...>;
+};
+/// The systems of the policies of a world.
+template <class C> using systems_of_policies = typename AllPolicySystems<typename C::S, typename C::policies>::type;
+
+} // namespace detail
+} // namespace ansatz
