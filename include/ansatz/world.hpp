@@ -8,4 +8,5 @@
 #include <ansatz/units/print.hpp>
 #include <ansatz/world/fixed_step.hpp>
 #include <ansatz/world/keep.hpp>
+#include <ansatz/world/table_door.hpp>
 #include <ansatz/world/world.hpp>

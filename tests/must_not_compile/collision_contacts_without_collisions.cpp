@@ -1,6 +1,6 @@
-// expect: bodies of this world do not collide; add a broadphase, a narrowphase and a response
+// expect: no member named
 // SPDX-License-Identifier: BSL-1.0
-// Contacts, where nothing collides.
+// Contacts, where nothing collides: the member comes with the module.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

@@ -1,6 +1,6 @@
-// expect: this world takes no forces from outside; add AppliedForces{} to its policies
+// expect: no member named
 // SPDX-License-Identifier: BSL-1.0
-// A force from outside that nothing would collect.
+// A force from outside that nothing would collect: the member comes with the policy AppliedForces.
 
 #include <ansatz/world.hpp>
 

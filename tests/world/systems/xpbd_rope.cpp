@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSL-1.0
+// A policy outside the library, against the public frame only: a rope that XPBD holds (Macklin et al. 2016), in substeps
+// that it drives itself. It keeps a table of links, a column of its own, and takes part in the step at four phases.
+
+#include <ansatz/world.hpp>
+#include <ansatz/world/save.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+using namespace ansatz;
+
+namespace {
+
+struct PlaceBefore {
+    using Unit = unit::Length;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "place before";
+};
+
+struct XpbdRope {
+    using role = roles::System;
+    static constexpr std::string_view name = "XpbdRope";
+    int substeps = 10;
+    static void parameters(auto& self, auto&& visit) { visit("substeps", self.substeps); }
+
+    template <class S> struct State {
+        std::vector<std::uint32_t> first, second; // ids of bodies
+        std::vector<typename S::Length> length;
+        static void fields(auto& self, auto&& field) {
+            field("first", self.first);
+            field("second", self.second);
+            field("length", self.length);
+        }
+    };
+    template <class S> struct Parts {
+        static constexpr Phase phase = phases::substeps, until = phases::fields;
+        static constexpr std::string_view name = "rope: parts";
+        int n;
+        explicit Parts(const XpbdRope& rope) : n(rope.substeps) {}
+        void run(auto&, const auto& dt, auto& part) const {
+            const typename S::Time h = dt / typename S::Scalar(n);
+            for (int i = 1; i < n; ++i) part(h);
+            part.last(h);
+        }
+    };
+    template <class S> struct Remember {
+        static constexpr Phase phase = between(phases::substeps, phases::forces);
+        static constexpr std::string_view name = "rope: remember";
+        using writes = Columns<PlaceBefore>;
+        using reads = Columns<Position>;
+        explicit Remember(const XpbdRope&) {}
+        void apply(auto& before, const auto& x, const auto&) const { before = x; }
+    };
+    template <class S> struct Solve {
+        static constexpr Phase phase = phases::positions;
+        static constexpr std::string_view name = "rope: solve";
+        using writes = Columns<Position>;
+        using reads = Columns<InverseMass>;
+        explicit Solve(const XpbdRope&) {}
+        void run(auto& view, const auto&) const {
+            const auto& rope = view.state();
+            for (std::size_t i = 0; i < rope.length.size(); ++i) {
+                const auto a = view.slot_of_id(rope.first[i]), b = view.slot_of_id(rope.second[i]);
+                const auto wa = view.template get<InverseMass>(a), wb = view.template get<InverseMass>(b);
+                const auto xa = view.template get<Position>(a), xb = view.template get<Position>(b);
+                const auto apart = norm(xb - xa);
+                if (!(apart > rope.length[i])) continue; // a rope only pulls
+                const auto way = ((apart - rope.length[i]) / (apart * (wa + wb))) * (xb - xa);
+                if (wa.value() > 0) view.template set<Position>(a, xa + wa * way);
+                if (wb.value() > 0) view.template set<Position>(b, xb - wb * way);
+            }
+        }
+    };
+    template <class S> struct Velocities {
+        static constexpr Phase phase = between(phases::positions, phases::fields);
+        static constexpr std::string_view name = "rope: velocities";
+        using writes = Columns<Velocity>;
+        using reads = Columns<Position, PlaceBefore>;
+        explicit Velocities(const XpbdRope&) {}
+        void apply(auto& v, const auto& x, const auto& before, const auto& context) const {
+            v = (x - before) / context.dt();
+        }
+    };
+    template <class S> using systems = Types<Parts<S>, Remember<S>, Solve<S>, Velocities<S>>;
+
+    template <class W, class C> class Door : public TableDoor<W, XpbdRope> {
+    public:
+        void link(Handle a, Handle b, typename C::S::Length length) {
+            this->change("World::link", [&](auto& rope) {
+                rope.first.push_back(this->id(a, "World::link"));
+                rope.second.push_back(this->id(b, "World::link"));
+                rope.length.push_back(length);
+            });
+        }
+    };
+};
+
+template <class Scalar> auto rope_of(int links) {
+    World world{Space<Scalar, 3>{}, SemiImplicitEuler{}, Gravity{}, Keep<InverseMass>{}, XpbdRope{}};
+    auto last = world.add(position(metres(0, 0, 0)), fixed);
+    for (int i = 1; i <= links; ++i) {
+        const auto next = world.add(position(metres(0.1 * i, 0, 0)), mass(0.1 * kilogram));
+        world.link(last, next, Quantity<unit::Length, Scalar>::from_value(Scalar(0.1)));
+        last = next;
+    }
+    return std::pair(world, last);
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("A rope of a user's own swings in its own substeps and keeps its length", "[systems]", double, float) {
+    auto [world, end] = rope_of<TestType>(10);
+    for (int i = 0; i < 300; ++i) world.step(1.0 / 60 * second);
+    CHECK(world.status().ok());
+    double longest = 0;
+    const auto all = world.handles();
+    for (std::size_t i = 1; i < all.size(); ++i)
+        longest = std::max(longest, double(norm(world.position(all[i]) - world.position(all[i - 1])).value()));
+    CHECK(longest < 0.101);
+    CHECK(double(world.position(end).value()[1]) < -0.3); // it has fallen
+}
+TEST_CASE("It is a part of the world's value: copied, hashed, saved and loaded", "[systems]") {
+    auto [world, end] = rope_of<double>(6);
+    for (int i = 0; i < 20; ++i) world.step(1.0 / 60 * second);
+    auto copy = world;
+    std::stringstream file;
+    save(world, file);
+    auto [loaded, ignored] = rope_of<double>(2);
+    CHECK(loaded.hash() != world.hash());
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+    for (int i = 0; i < 20; ++i) {
+        world.step(1.0 / 60 * second);
+        copy.step(1.0 / 60 * second);
+        loaded.step(1.0 / 60 * second);
+    }
+    CHECK(copy.hash() == world.hash());
+    CHECK(loaded.hash() == world.hash());
+    CHECK(loaded.position(end) == world.position(end));
+}
