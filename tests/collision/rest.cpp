@@ -3,10 +3,10 @@
 
 #include "tests/collision/support.hpp"
 
-#include <ansatz/collision/collisions_in_step.hpp>
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
+#include <ansatz/collision/step.hpp>
 #include <ansatz/collision/substeps.hpp>
 #include <ansatz/motion/islands.hpp>
 #include <ansatz/motion/sleep.hpp>

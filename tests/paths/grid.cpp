@@ -7,6 +7,7 @@
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/grid/cell.hpp>
+#include <ansatz/paths/grid/declaration.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>

@@ -8,6 +8,7 @@
 #include <ansatz/states/describe.hpp>
 #include <ansatz/states/dot.hpp>
 #include <ansatz/states/ids.hpp>
+#include <ansatz/states/interpreted_machine.hpp>
 #include <ansatz/states/interpreted_moves.hpp>
 #include <ansatz/states/machine.hpp>
 #include <ansatz/states/model.hpp>

@@ -13,6 +13,7 @@
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/near_contacts.hpp>
 #include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/motion/sleep.hpp>

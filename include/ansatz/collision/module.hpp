@@ -153,9 +153,6 @@ struct Collision {
     template <class C> static void on(hook::RefreshBetweenSteps, WorldData<C>& data, const auto& policies) {
         if constexpr (!C::substeps) data.collisions.refresh_between_steps(data, policies);
     }
-    template <class C> static void on(hook::LastParts, const WorldData<C>& data, int& parts) {
-        if constexpr (C::substeps) parts *= data.collisions.parts;
-    }
     template <class I> static void on(hook::NextParts, const I& inside, int& parts) {
         using C = typename I::Composition_;
         if constexpr (C::substeps) {

@@ -203,18 +203,28 @@ struct Motion {
             ((finite = finite && is_finite(body.template get<Column>())), ...);
         }(typename WorldData<C>::AllColumns{});
     }
-    template <class C> static void on(hook::Hash, const WorldData<C>& data, auto& hash) { hash.add(data.unsolved); }
+    template <class C> static void on(hook::Hash, const WorldData<C>& data, auto& hash) {
+        hash.add(data.unsolved);
+        if constexpr (C::history) hash.add_number(data.last_part.value());
+    }
     template <class C> static void on(hook::HashBody, const WorldData<C>& data, std::uint32_t slot, auto& hash) {
         hash.add(data.waiting(slot));
     }
-    template <class C> static void on(hook::Save, const WorldData<C>& data, auto& file, const auto&) {
+    template <class C, class Files> static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
         file["unsolved"] = data.unsolved;
+        if constexpr (C::history) file["last part"] = Files::number(data.last_part.value());
     }
     template <class C> static void on(hook::SaveBody, const WorldData<C>& data, std::uint32_t slot, auto& file) {
         if constexpr (C::history) file["waiting"] = data.waiting(slot);
     }
     template <class C> static void on(hook::Load, WorldData<C>& data, const auto& file) {
         data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
+        if constexpr (C::history) {
+            const auto last = file.at("last part");
+            data.last_part = C::S::Time::from_value(last.template number<typename C::S::Scalar>());
+            if ((data.clock.tick() > 0) != (data.last_part.value() > 0) || data.last_part.value() < 0)
+                last.refuse_here("the length of the last step, or of its last part: 0 before the first");
+        }
     }
     template <class C> static void on(hook::LoadBody, WorldData<C>& data, std::uint32_t slot, const auto& file) {
         const auto kind = data.bodies.motion(slot);

@@ -123,7 +123,8 @@ template <class... Y> struct NeedsOfSystems<Types<Y...>> {
     using type = union_of<Columns<>, writes_of<Y>..., reads_of<Y>...>;
 };
 /// The columns that the systems of a policy touch.
-template <class P, class S> using needs_of_systems = typename NeedsOfSystems<typename SystemsOfPolicy<P, S>::type>::type;
+template <class P, class S>
+using needs_of_systems = typename NeedsOfSystems<typename SystemsOfPolicy<P, S>::type>::type;
 
 /// A row system as an effect: what `Effects` binds.
 template <class P, class Y> struct AsEffect : P {
@@ -160,7 +161,8 @@ public:
 private:
     void begin(const Time& h) {
         using Clock_ = typename StepT::S::ClockTime;
-        step_.context = Context<typename StepT::S>(Clock_(whole_.time() + done_), TimeStep<typename StepT::S>(h, previous_));
+        step_.context =
+            Context<typename StepT::S>(Clock_(whole_.time() + done_), TimeStep<typename StepT::S>(h, previous_));
         step_.bound.prepare(step_.context);
         done_ += Clock_::from_value(typename StepT::S::ClockScalar(h.value()));
         previous_ = h;
@@ -179,7 +181,8 @@ template <class P, class Y> struct PolicySystem {
     static constexpr std::string_view name = Y::name;
     template <class StepT> static void run(StepT& step) {
         const P& policy = std::get<P>(step.policies);
-        if constexpr (requires { &Y::run; } || requires(Y& y, SystemView<StepT, P, Y>& view) { y.run(view, step.context); }) {
+        if constexpr (
+            requires { &Y::run; } || requires(Y& y, SystemView<StepT, P, Y>& view) { y.run(view, step.context); }) {
             SystemView<StepT, P, Y> view(step);
             Y(policy).run(view, step.context);
         } else MotionStep(step).template row_system<AsEffect<P, Y>>(AsEffect<P, Y>{policy});

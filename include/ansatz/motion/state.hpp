@@ -97,13 +97,14 @@ template <class C, class Data> struct MotionState {
         sleep;
     std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
 
+    /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
+    /// positions. Kept where velocities are derived from them.
+    [[no_unique_address]] std::conditional_t<C::history, typename C::S::Time, detail::Absent> last_part{};
+
     /// The length of the last step, or of its last part; none before the first.
     typename C::S::Time last_dt() const {
-        using Scalar = typename C::S::Scalar;
-        int parts = 1;
-        if constexpr (C::history) self().template ask<hook::LastParts>(parts);
-        if (parts == 1) return C::S::Time::from_value(Scalar(self().clock.last().value()));
-        return C::S::Time::from_value(Scalar(self().clock.last().value()) / Scalar(parts));
+        if constexpr (C::history) return last_part;
+        else return C::S::Time::from_value(static_cast<typename C::S::Scalar>(self().clock.last().value()));
     }
 
     /// Whether something waits for this body.

@@ -76,6 +76,7 @@ public:
         else if constexpr (C::coupled) stage_by_stage();
         else body_by_body();
         advance_platforms();
+        if constexpr (C::history) data_.last_part = context_.dt();
     }
     /// The step.
     StepT& step() const { return step_; }

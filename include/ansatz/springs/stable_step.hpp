@@ -19,6 +19,7 @@
 ///
 /// E. I. Jury, Theory and Application of the z-Transform Method (1964), for the conditions.
 
+#include <ansatz/motion/concepts.hpp>
 #include <ansatz/units/requirements.hpp>
 #include <ansatz/world/world.hpp>
 

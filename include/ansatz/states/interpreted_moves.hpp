@@ -6,7 +6,7 @@
 /// enters, from the outside inwards, on to a leaf or to what a history holds (notes 5.1, 5.3). One path through the
 /// states; where parallel parts are active regions.hpp does the same for all of them.
 
-#include <ansatz/states/interpreted.hpp>
+#include <ansatz/states/interpreted_machine.hpp>
 
 namespace ansatz {
 

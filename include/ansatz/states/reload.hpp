@@ -6,7 +6,7 @@
 /// pattern). What has a name in both charts stays; what is gone is not left (its actions are gone too); what is new is
 /// entered.
 
-#include <ansatz/states/interpreted.hpp>
+#include <ansatz/states/interpreted_machine.hpp>
 
 namespace ansatz {
 

@@ -39,14 +39,16 @@ struct AnyField {
 template <class T>
 concept NamesFields = requires(const T& state) { T::fields(state, AnyField{}); };
 
-template <class T> inline constexpr bool is_list = requires(const T& list) {
+template <class T>
+inline constexpr bool is_list = requires(const T& list) {
     list.begin();
     list.size();
     typename T::value_type;
 };
 /// Whether something has the lanes of a matrix: a vector quantity.
 template <class T> inline constexpr bool is_quantity_of_lanes = requires(const T& q) { q.value().size(); };
-template <class T> inline constexpr bool is_quantity_of_one = !is_quantity_of_lanes<T> && requires(const T& q) {
+template <class T>
+inline constexpr bool is_quantity_of_one = !is_quantity_of_lanes<T> && requires(const T& q) {
     q.value();
     T::from_value(q.value());
 };
@@ -67,9 +69,10 @@ template <class T> void hash_state(StateHash& hash, const T& state) {
     if constexpr (requires { state.add_to(hash); }) state.add_to(hash);
     else {
         constexpr bool known = NamesFields<T>;
-        static_assert(known, "Ansatz: a policy keeps a State of which the world does not know what it consists of; give it "
-                             "`static void fields(auto& self, auto&& field)`, which calls field(\"name\", self.name) for "
-                             "each of its members");
+        static_assert(known,
+                      "Ansatz: a policy keeps a State of which the world does not know what it consists of; give it "
+                      "`static void fields(auto& self, auto&& field)`, which calls field(\"name\", self.name) for "
+                      "each of its members");
         if constexpr (known) T::fields(state, [&](std::string_view, const auto& x) { hash_field(hash, x); });
     }
 }
@@ -93,8 +96,7 @@ template <class Files, class T> typename Files::Json field_to_file(const T& x) {
 /// \throws std::invalid_argument naming the place in the file
 template <class T> void field_from_file(T& x, const auto& file) {
     if constexpr (std::same_as<T, bool>) x = file.yes();
-    else if constexpr (std::is_integral_v<T>)
-        x = T(file.whole(std::uint64_t(std::numeric_limits<T>::max())));
+    else if constexpr (std::is_integral_v<T>) x = T(file.whole(std::uint64_t(std::numeric_limits<T>::max())));
     else if constexpr (is_quantity_of_lanes<T>) {
         auto value = x.value();
         file.size_is(std::size_t(value.size()), "numbers");

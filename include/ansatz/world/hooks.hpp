@@ -69,8 +69,7 @@ struct WasHeld {};      ///< `(data, id, pull, held)`: makes `held` true where i
 /// \name Questions
 /// @{
 struct EachNeighbour {}; ///< `(data, id, f)`: calls `f(id)` for each body that it touches
-struct LastParts {};     ///< `(data, parts)`: multiplies `parts` by those into which it divided the last step
-struct NextParts {};     ///< `(inside, parts)`: and by those into which it will divide the next
+struct NextParts {};     ///< `(inside, parts)`: multiplies `parts` by those into which it will divide the next step
 struct IsFinite {};      ///< `(data, slot, finite)`: makes it false where something of a body is no number
 /// @}
 /// \name As a value

@@ -76,9 +76,7 @@ struct Archive {
                 (ElementArchive::write<C>(elements[std::string(K::name)], data.template state<K>()), ...);
             }(typename C::element_keepers{});
         }
-        [&]<class... K>(Types<K...>) {
-            (write_state<K>(file, data.template state<K>()), ...);
-        }(typename C::keepers{});
+        [&]<class... K>(Types<K...>) { (write_state<K>(file, data.template state<K>()), ...); }(typename C::keepers{});
         data.template ask<hook::Save>(file, detail::Files{});
         file["clock"] = {{"start", number_to_file(data.clock.start_.value())},
                          {"dt", number_to_file(data.clock.dt_.value())},
@@ -130,9 +128,7 @@ struct Archive {
                  ...);
             }(typename C::element_keepers{});
         }
-        [&]<class... K>(Types<K...>) {
-            (read_state<K>(data.template state<K>(), file), ...);
-        }(typename C::keepers{});
+        [&]<class... K>(Types<K...>) { (read_state<K>(data.template state<K>(), file), ...); }(typename C::keepers{});
         data.template tell<hook::Load>(file);
 
         // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a

@@ -31,8 +31,8 @@ protected:
         inside().data.bodies.slot(body, where);
         return body.id;
     }
-    /// Changes what the policy keeps: `f(kept)`. Check what you were given before you call it; where `f` throws, what it
-    /// keeps is as it was. What is derived from the state of the world is known as stale.
+    /// Changes what the policy keeps: `f(kept)`. Check what you were given before you call it; where `f` throws, what
+    /// it keeps is as it was. What is derived from the state of the world is known as stale.
     /// \param where the name of the member, for the sentence of a world that is lost
     template <class F> void change(const char* where, F&& f) {
         auto& world = static_cast<W&>(*this);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// A policy outside the library, against the public frame only: a field of columns of water with a state of its own, that
-// bodies press and that carries them. What a body displaces rises in the columns around it, so that volume is kept.
+// A policy outside the library, against the public frame only: a field of columns of water with a state of its own,
+// that bodies press and that carries them. What a body displaces rises in the columns around it, so that volume is
+// kept.
 
 #include <ansatz/world.hpp>
 #include <ansatz/world/save.hpp>
@@ -16,6 +17,7 @@ using namespace ansatz;
 
 namespace {
 
+//! [field]
 /// How tall a floating block is, and how much area it has seen from above.
 struct Tall {
     using Unit = unit::Length;
@@ -55,7 +57,8 @@ struct Pool {
                 const auto sunk = pool.under_water(x[1], view.template get<Tall>(slot).value(),
                                                    pool.level(view.state(), pool.column_of(x[0])));
                 const double v = view.template get<Velocity>(slot).value()[1];
-                view.add_force(slot, newtons(0, pool.density * pool.gravity * sunk - (sunk > 0 ? pool.drag * v : 0), 0));
+                view.add_force(slot,
+                               newtons(0, pool.density * pool.gravity * sunk - (sunk > 0 ? pool.drag * v : 0), 0));
             }
         }
     };
@@ -109,6 +112,7 @@ struct Pool {
         double level_at(double x) const { return this->policy().level(this->kept(), this->policy().column_of(x)); }
     };
 };
+//! [field]
 
 template <class I> auto pool_with_blocks() {
     World world{I{}, Gravity{}, Pool{}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// A policy outside the library, against the public frame only: a rope that XPBD holds (Macklin et al. 2016), in substeps
-// that it drives itself. It keeps a table of links, a column of its own, and takes part in the step at four phases.
+// A policy outside the library, against the public frame only: a rope that XPBD holds (Macklin et al. 2016), in
+// substeps that it drives itself. It keeps a table of links, a column of its own, and takes part in the step at four
+// phases.
 
 #include <ansatz/world.hpp>
 #include <ansatz/world/save.hpp>
@@ -21,6 +22,7 @@ struct PlaceBefore {
     static constexpr std::string_view name = "place before";
 };
 
+//! [rope]
 struct XpbdRope {
     using role = roles::System;
     static constexpr std::string_view name = "XpbdRope";
@@ -98,6 +100,7 @@ struct XpbdRope {
         }
     };
 };
+//! [rope]
 
 template <class Scalar> auto rope_of(int links) {
     World world{Space<Scalar, 3>{}, SemiImplicitEuler{}, Gravity{}, Keep<InverseMass>{}, XpbdRope{}};
@@ -112,7 +115,8 @@ template <class Scalar> auto rope_of(int links) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("A rope of a user's own swings in its own substeps and keeps its length", "[systems]", double, float) {
+TEMPLATE_TEST_CASE("A rope of a user's own swings in its own substeps and keeps its length", "[systems]", double,
+                   float) {
     auto [world, end] = rope_of<TestType>(10);
     for (int i = 0; i < 300; ++i) world.step(1.0 / 60 * second);
     CHECK(world.status().ok());

@@ -7,7 +7,7 @@
 /// A vertex is a `Cell`, an edge a `GridEdge`. Edges are made while one looks at them: a byte a tile says which steps
 /// lead out of it, so flags and corner rule are not asked again for each search.
 
-#include <ansatz/paths/grid/grid.hpp>
+#include <ansatz/paths/grid/declaration.hpp>
 #include <ansatz/paths/heuristics/grid_metrics.hpp>
 
 #include <boost/graph/graph_traits.hpp>
