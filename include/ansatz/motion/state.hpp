@@ -68,8 +68,10 @@ template <class S> struct CoupledSums {
         previous = step.previous;
     }
 };
+/// In place of what a world does not keep; each of another type, or they would need an address each.
+template <int Which> struct NotKept {};
 template <class C, bool Together> struct TogetherOf {
-    using type = Absent;
+    using type = NotKept<-1>;
 };
 template <class C> struct TogetherOf<C, true> {
     using type = Cache<typename C::Integrator::template Together<typename C::S>>;
@@ -84,22 +86,23 @@ template <class C, class Data> struct MotionState {
     using AllColumns = union_of<typename C::needed, writes_of<Integrator>, Columns<Position, Velocity>>;
     using Body = Row<typename C::S, AllColumns>; ///< one body's values
 
+    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
     /// What waits for the next step, because dt or the acceleration is not known before.
-    [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::Absent> starts;
+    [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::NotKept<0>> starts;
     /// Who fell asleep and woke in the last step.
-    [[no_unique_address]] std::conditional_t<C::rests, Events, detail::Absent> events;
+    [[no_unique_address]] std::conditional_t<C::rests, Events, detail::NotKept<1>> events;
     /// Whether the sums of the forces between bodies are those of the present state.
-    [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<typename C::S>, detail::Absent> coupled;
+    [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<typename C::S>, detail::NotKept<2>>
+        coupled;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
     /// Room for finding out who falls asleep.
-    [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::Absent>
+    [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::NotKept<3>>
         sleep;
-    std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
 
     /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
     /// positions. Kept where velocities are derived from them.
-    [[no_unique_address]] std::conditional_t<C::history, typename C::S::Time, detail::Absent> last_part{};
+    [[no_unique_address]] std::conditional_t<C::history, typename C::S::Time, detail::NotKept<4>> last_part{};
 
     /// The length of the last step, or of its last part; none before the first.
     typename C::S::Time last_dt() const {
