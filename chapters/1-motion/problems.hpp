@@ -19,7 +19,7 @@
 /// | mu          | G M of a centre; in Arenstorf the moon's share of the mass | m^3/s^2; none |
 
 #include <ansatz/units/requirements.hpp>
-#include <ansatz/world/concepts.hpp>
+#include <ansatz/motion/concepts.hpp>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// expect: none of this world's policies keeps such elements; a Spring needs Springs{}
+// expect: none of this world's policies keeps such elements; add the one that does, as a Spring needs Springs{}
 // SPDX-License-Identifier: BSL-1.0
 // A spring in a world that has none.
 

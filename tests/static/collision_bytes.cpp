@@ -59,7 +59,7 @@ static_assert(!World<SemiImplicitEuler, Gravity>::composition::collides && Colli
 
 // ---------------------------------------------------------------- what is a world
 template <class... P>
-constexpr bool counts = detail::CountFacts<SemiImplicitEuler, BoundingBoxes, Narrowphase<Sphere>, P...>::ok;
+constexpr bool counts = detail::CollisionCounts<SemiImplicitEuler, BoundingBoxes, Narrowphase<Sphere>, P...>::ok;
 static_assert(counts<Impulse<>> && counts<Impulse<>, Projection> && counts<Penalty, Projection> &&
               counts<SoftSubsteps<>> && counts<SoftSubsteps<>, Projection>);
 static_assert(!counts<SoftSubsteps<>, SoftSubsteps<Friction>> && !counts<SoftSubsteps<>, Penalty> && !counts<>);
