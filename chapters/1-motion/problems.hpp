@@ -18,8 +18,8 @@
 /// | k, m        | stiffness, mass                                | N/m, kg  |
 /// | mu          | G M of a centre; in Arenstorf the moon's share of the mass | m^3/s^2; none |
 
-#include <ansatz/units/requirements.hpp>
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/units/requirements.hpp>
 
 #include <cmath>
 

@@ -15,6 +15,7 @@ cd "$scratch"
 asks() {    # <more includes>
     cat << END
 #include <ansatz/collision/broadphase/all_pairs.hpp>
+#include <ansatz/collision/module.hpp>
 #include <ansatz/collision/narrowphase/narrowphase.hpp>
 #include <ansatz/collision/response/projection.hpp>
 #include <ansatz/collision/sphere.hpp>
