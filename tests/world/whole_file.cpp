@@ -19,6 +19,7 @@
 #if defined(__unix__)
 #include <csignal>
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 using namespace ansatz;
@@ -33,9 +34,9 @@ std::string text_in(const fs::path& path) {
     return out.str();
 }
 
-/// A folder that goes with the test.
+/// A folder of this process alone that goes with the test: others run beside it.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / ("ansatz_whole_file_" + std::to_string(std::rand()));
+    fs::path path = fs::temp_directory_path() / ("ansatz_whole_file_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
     Folder(const Folder&) = delete;

@@ -7,8 +7,7 @@
 ///     positions -> boxes -> broadphase -> filter -> narrowphase -> contacts, by the ids of their bodies -> events
 ///
 /// It is a part of a world's data and exists only where there is a Narrowphase. Bodies that are fixed or at rest are
-/// not looked at with each other; the contacts that a body had when it fell asleep are kept while it sleeps, and hold
-/// it.
+/// not looked at with each other; the contacts that a body had when it fell asleep are kept, and hold it.
 
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/contact.hpp>

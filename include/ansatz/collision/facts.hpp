@@ -45,9 +45,9 @@ template <class... P> struct CollisionFacts {
     static constexpr bool sweeps =
         requires { requires Narrowphase::sweeps; }; ///< whether bodies are followed through the step
     static constexpr bool parts = responses<Level::positions>::size > 0; ///< whether bodies that meet are moved apart
+    /// Whether a response answers all contacts together.
     static constexpr bool as_one =
         detail::any_answers_as_one(detail::joined_types<responses<Level::velocities>, responses<Level::positions>>{});
-    ///< whether a response answers all contacts together
     /// Whether those that touch, and all but touch, are parted as one: what lies on each other is found before it
     /// intersects.
     static constexpr bool holds_near = !anticipates && detail::any_answers_as_one(responses<Level::positions>{});

@@ -62,6 +62,7 @@ namespace modules {
 
 /// Bodies collide.
 struct Collision {
+    /// \cond members: the table of world/modules.hpp says what they are
     static constexpr int layer = 1;
     using stands_on = Types<Motion>;
     static constexpr bool relates_bodies = true;     ///< those that touch sleep and wake together
@@ -186,6 +187,7 @@ struct Collision {
     template <class C> static void on(hook::Load, WorldData<C>& data, const auto& file) {
         CollisionArchive::read<C>(data, file.at("collisions"));
     }
+    /// \endcond
 };
 
 } // namespace modules

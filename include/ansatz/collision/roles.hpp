@@ -15,19 +15,19 @@ struct Collision; // collision/module.hpp
 namespace roles {
 /// Pairs that may touch; at most one.
 struct Broadphase {
-    using module = modules::Collision;
+    using module = modules::Collision; ///< it comes with
 };
 /// Which pairs are looked at; at most one.
 struct Filter {
-    using module = modules::Collision;
+    using module = modules::Collision; ///< it comes with
 };
 /// Contacts of those pairs; exactly one with a broadphase, none without.
 struct Narrowphase {
-    using module = modules::Collision;
+    using module = modules::Collision; ///< it comes with
 };
 /// What contacts do; one (or a chain) with a narrowphase, none without.
 struct Response {
-    using module = modules::Collision;
+    using module = modules::Collision; ///< it comes with
 };
 } // namespace roles
 

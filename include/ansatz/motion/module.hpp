@@ -77,7 +77,8 @@ template <class C> void check_still(const WorldData<C>& data, std::uint32_t slot
             file.at("previous position").refuse_here("the body's position, because it stands still");
     } else {
         const auto v = data.lanes.template get<Velocity>(slot);
-        if (!(v == decltype(v)(v - v))) file.at("velocity").refuse_here("zeros, because the body stands still");
+        if (!(v == C::S::template zero_vector<unit::Velocity>()))
+            file.at("velocity").refuse_here("zeros, because the body stands still");
     }
 }
 
@@ -87,6 +88,7 @@ namespace modules {
 
 /// Bodies move.
 struct Motion {
+    /// \cond members: the table of world/modules.hpp says what they are
     static constexpr int layer = 0;
     template <class... P> using Facts = MotionFacts<P...>;
     template <class... P> using Counts = detail::MotionCounts<P...>;
@@ -234,6 +236,7 @@ struct Motion {
         if constexpr (C::history)
             if (file.at("waiting").yes()) data.starts.wait(data.bodies.id(slot));
     }
+    /// \endcond
 };
 
 } // namespace modules

@@ -144,6 +144,7 @@ private:
 
 template <class StepT> RestStep(StepT&) -> RestStep<StepT>; ///< of a step
 
+/// Resting bodies wake at which something pulls; the first stage of a world whose bodies act on each other asks for it.
 template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion) { RestStep<StepT>(motion.step()).wake_pulled(); }
 
 } // namespace ansatz

@@ -15,20 +15,20 @@ struct Motion; // motion/module.hpp
 namespace roles {
 /// Advances one body by its stages; exactly one.
 struct Integrator {
-    using module = modules::Motion;
+    using module = modules::Motion; ///< it comes with
 };
 /// A law of one body, or couples bodies; any number.
 struct Force {
-    using module = modules::Motion;
+    using module = modules::Motion; ///< it comes with
 };
 /// Takes part in the step by systems of its own (motion/policy_systems.hpp), and may keep a state; any number. So may a
 /// policy of any other role.
 struct System {
-    using module = modules::Motion;
+    using module = modules::Motion; ///< it comes with
 };
 /// Acts on declared columns at a named place of the step; any number.
 struct Effect {
-    using module = modules::Motion;
+    using module = modules::Motion; ///< it comes with
 };
 } // namespace roles
 

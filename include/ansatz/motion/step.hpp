@@ -133,6 +133,7 @@ public:
     }
 
 protected:
+    /// Whether a force between bodies sees one of them.
     template <class... Column> static constexpr bool couplings_see(Columns<Column...>) {
         return (C::template couplings_read<Column> || ...);
     }
@@ -159,11 +160,11 @@ protected:
                                                data_.bodies.end(range), kernel);
     }
 
-    StepT& step_;
-    Data& data_;
-    Policies& policies_;
-    BoundPolicies<C>& bound_;
-    Context<S>& context_;
+    StepT& step_;             ///< the step
+    Data& data_;              ///< the world
+    Policies& policies_;      ///< its policies
+    BoundPolicies<C>& bound_; ///< prepared for this part of the step
+    Context<S>& context_;     ///< when it begins, and how long it is
 
 private:
     void body_by_body() {

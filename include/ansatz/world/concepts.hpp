@@ -76,7 +76,7 @@ concept StepControlFor =
 ///
 /// \snippet tests/world/page.cpp recorder
 ///
-/// The library has no observer of its own: what a game or a test wants to see, it says itself. A `World`
+/// The library has no observer of its own: what a game or a test wants to see, it says itself. A \ref ansatz::World
 /// asks it after each step.
 template <class O, class S>
 concept ObserverIn =

@@ -30,8 +30,8 @@ template <class C, class Policies, class TransientT = typename C::transient, boo
     using Transient = TransientT;        ///< set back to zero behind it
     static constexpr bool later = Later; ///< a part of a step and not the first
 
-    Data& data;
-    Policies& policies;
+    Data& data;                  ///< the world
+    Policies& policies;          ///< its policies
     BoundPolicies<C>& bound;     ///< prepared for this part of the step
     Context<S>& context;         ///< when it begins, and how long it is
     typename S::ClockTime whole; ///< how long the step is that is taken, in the digits of the clock
