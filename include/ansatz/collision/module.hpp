@@ -67,6 +67,9 @@ struct Collision {
     using stands_on = Types<Motion>;
     static constexpr bool relates_bodies = true;     ///< those that touch sleep and wake together
     static constexpr bool changes_velocities = true; ///< behind the integration
+    /// Whether the laws are asked before the integrator asks, or what they said to it is looked at behind it.
+    template <class... P> static constexpr bool asks_first = CollisionFacts<P...>::substeps;
+    template <class... P> static constexpr bool looks_at_own = CollisionFacts<P...>::holds_near;
 
     template <class... P> using Facts = CollisionFacts<P...>;
     template <class... P> using Counts = detail::CollisionCounts<P...>;

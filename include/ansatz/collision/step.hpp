@@ -47,8 +47,9 @@ public:
         const auto whole = context_;
         const auto start = data_.clock.now();
         auto last = context_.dt().previous;
-        const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
-            return this->acceleration(slot, row);
+        const auto acceleration = [&](Slot slot, [[maybe_unused]] const typename Data::Body& row) {
+            if constexpr (shares) return this->known_acceleration(slot);
+            else return this->acceleration(slot, row);
         };
         SubstepBodies<C, decltype(acceleration)> bodies(data_, acceleration);
         auto& before = data_.collisions.before_solving();
@@ -62,6 +63,7 @@ public:
                 Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)),
                            TimeStep<S>(dt, last));
             bound_.prepare(context_);
+            if constexpr (shares) this->know_own(context_);
             if constexpr (C::history) this->complete_starts();
             if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
             bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
@@ -72,6 +74,10 @@ public:
                     contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
                     bounces = response.find_bouncing(contacts, data_);
                     contacts.impacts.keep_met(met);
+                    if constexpr (shares) {
+                        data_.own.value.known = false;
+                        this->know_own(context_);
+                    }
                     if constexpr (C::history) this->complete_starts();
                     bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
                 }
@@ -90,6 +96,13 @@ public:
             if constexpr (C::coupled) {
                 data_.coupled.current = false;
                 refresh_coupled(data_, policies_, step_.after());
+            }
+            if constexpr (shares && (C::history || leads != 0.5)) { // the next part begins with what they say now
+                const auto end =
+                    start + S::ClockTime::from_value(typename S::ClockScalar(part + 1) * typename S::ClockScalar(h));
+                context_ = Context<S>(end, TimeStep<S>(dt, last));
+                bound_.prepare(context_);
+                this->know_own_again(context_);
             }
             bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
             if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
@@ -113,11 +126,17 @@ public:
         if constexpr (C::holds_near) data_.collisions.near().step = context_.dt().value();
         data_.collisions.detect(
             data_, policies_,
-            [&](Slot slot) {
-                return C::substeps ? acceleration(slot, data_.load(slot, context_.dt()))
-                                   : bound_.laws.acceleration(data_.load(slot), next);
+            [&](Slot slot) -> typename S::Acceleration {
+                if constexpr (C::asked == LawsAsked::and_left) return this->own_acceleration(slot);
+                else if constexpr (!C::substeps) return bound_.laws.acceleration(data_.load(slot), next);
+                else {
+                    if constexpr (shares)
+                        if (data_.own.value.known) return this->known_acceleration(slot);
+                    return acceleration(slot, data_.load(slot, context_.dt()));
+                }
             },
             StepT::later);
+        if constexpr (shares) data_.own.value.known = false;
         ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
         if constexpr (C::rests) contacts.wake([&](Slot slot) { wake_resting(data_, slot); });
         if constexpr (C::coupled) {
@@ -165,6 +184,9 @@ public:
     }
 
 private:
+    /// Whether the laws are asked once for the response and the integrator.
+    static constexpr bool shares = C::asked == LawsAsked::beforehand;
+
     /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
     /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed
     /// into it.

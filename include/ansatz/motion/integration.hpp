@@ -28,6 +28,13 @@ enum class Place {
     end_of_step        ///< when everything else has been done
 };
 
+/// What a step does with `OwnAcceleration`, the acceleration of a body by the laws, in the first stage.
+enum class LawsAsked {
+    here,      ///< the laws are asked, and nobody else wants to know
+    and_left,  ///< the laws are asked, and what they said is left for who looks at it behind the integration
+    beforehand ///< who takes the step in parts has asked them already, for the same state
+};
+
 namespace detail {
 
 template <class I> struct Scratch {
@@ -58,6 +65,16 @@ template <class I> constexpr int first_stage(bool velocity_read) {
 template <class I> constexpr double node(int k) {
     if constexpr (requires { I::nodes[0]; }) return I::nodes[k];
     return 0;
+}
+
+/// What the laws say in a stage.
+template <LawsAsked How, class LawsT, class R, class S>
+[[gnu::always_inline]] inline auto own_acceleration(const LawsT& laws, R& row, const Context<S>& context) {
+    if constexpr (How == LawsAsked::here) return laws.acceleration(row, context);
+    else {
+        if constexpr (How == LawsAsked::and_left) row.template get<OwnAcceleration>() = laws.acceleration(row, context);
+        return typename S::Acceleration(row.template get<OwnAcceleration>());
+    }
 }
 
 template <class I, int K, class R, class... W, class... X, class A, class Dt>
@@ -188,7 +205,8 @@ private:
 };
 
 /// All of one body's step, every stage with its forces, effects. For worlds where nothing couples.
-template <class S, class I, class LawsT, class Before, class After, class Transient> struct WholeStep {
+template <class S, class I, class LawsT, class Before, class After, class Transient, LawsAsked How = LawsAsked::here>
+struct WholeStep {
     /// Whether a force asks for the velocity.
     static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
     static constexpr bool inlines = detail::is_staged<I>; ///< it is one kernel: the loop inlines it
@@ -223,7 +241,8 @@ private:
         (stage<K + detail::first_stage<I>(velocity_read)>(row), ...);
     }
     template <int K, class R> [[gnu::always_inline]] void stage(R& row) const {
-        const auto a = laws.acceleration(row, context.later(detail::node<I>(K)));
+        constexpr LawsAsked how = K == detail::first_stage<I>(velocity_read) ? How : LawsAsked::here;
+        const auto a = detail::own_acceleration<how>(laws, row, context.later(detail::node<I>(K)));
         detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, a, context.dt());
     }
     template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
@@ -232,7 +251,7 @@ private:
 };
 
 /// Stage `K` of one body, with the coupled force that was summed for it. For worlds where something couples.
-template <class S, class I, int K, class LawsT> struct OneStage {
+template <class S, class I, int K, class LawsT, LawsAsked How = LawsAsked::here> struct OneStage {
     /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
@@ -241,7 +260,7 @@ template <class S, class I, int K, class LawsT> struct OneStage {
 
     /// One body's stage.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
-        const auto own = laws.acceleration(row, context.later(detail::node<I>(K)));
+        const auto own = detail::own_acceleration<How>(laws, row, context.later(detail::node<I>(K)));
         const auto coupled = row.template get<InverseMass>() * row.template get<CoupledForce>();
         detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, own + coupled, context.dt());
     }

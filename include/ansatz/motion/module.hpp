@@ -118,10 +118,14 @@ struct Motion {
         if constexpr (C::history) data.starts.reserve(n);
         if constexpr (C::rests) data.events.reserve(n);
         if constexpr (C::islands) data.sleep.value.reserve(n);
+        if constexpr (C::asked != LawsAsked::here) data.own.value.reserve(n);
         if constexpr (C::coupled) data.coupled.platforms.reserve(data.bodies.count(ansatz::Motion::moving) * dimension);
         if constexpr (C::coupled && C::history) data.coupled.before.reserve(n * dimension);
     }
-    template <class C> static void on(hook::MakeRoom, WorldData<C>& data, std::uint32_t, bool moves) {
+    template <class C>
+    static void on(hook::MakeRoom, WorldData<C>& data, [[maybe_unused]] std::uint32_t id, [[maybe_unused]] bool moves) {
+        if constexpr (C::asked != LawsAsked::here)
+            if (data.own.value.lanes.room() <= id) data.own.value.reserve(2 * (std::size_t(id) + 1));
         if constexpr (C::coupled) { // here, so that no step needs to
             const auto needed = (data.bodies.count(ansatz::Motion::moving) + moves) * std::size_t(C::S::dimension);
             if (data.coupled.platforms.capacity() < needed) data.coupled.platforms.reserve(2 * needed);

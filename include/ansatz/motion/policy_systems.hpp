@@ -76,6 +76,8 @@ public:
             step_.data.displace(Slot(slot), value - step_.data.lanes.template get<Position>(slot));
         else step_.data.lanes.template set<Column>(slot, value);
         if constexpr (C::template couplings_read<Column>) step_.data.coupled.current = false;
+        if constexpr (C::asked == LawsAsked::beforehand && detail::contains<Column, typename C::Laws::needs>)
+            step_.data.own.value.known = false;
     }
     /// @}
 

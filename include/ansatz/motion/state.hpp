@@ -68,6 +68,13 @@ template <class S> struct CoupledSums {
         previous = step.previous;
     }
 };
+/// What the laws did to each awake body in this part of the step, by slot. It is room, not a part of the value.
+template <class S> struct OwnAccelerations {
+    Lanes<S, Columns<OwnAcceleration>> lanes{};
+    bool known = false; ///< for the state as it stands
+
+    [[gnu::cold]] void reserve(std::size_t n) { lanes.reserve(n); }
+};
 /// In place of what a world does not keep; each of another type, or they would need an address each.
 template <int Which> struct NotKept {};
 template <class C, bool Together> struct TogetherOf {
@@ -99,6 +106,11 @@ template <class C, class Data> struct MotionState {
     /// Room for finding out who falls asleep.
     [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::NotKept<3>>
         sleep;
+
+    /// What the laws said, where somebody beside the integrator asks.
+    [[no_unique_address]] std::conditional_t<C::asked != LawsAsked::here,
+                                             detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>
+        own;
 
     /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
     /// positions. Kept where velocities are derived from them.

@@ -50,6 +50,15 @@ private:
     }
 };
 
+namespace detail {
+template <class T, std::size_t M, std::size_t N>
+constexpr std::array<T, M + N> joined(const std::array<T, M>& a, const std::array<T, N>& b) {
+    std::array<T, M + N> both{};
+    for (std::size_t i = 0; i < M + N; ++i) both[i] = i < M ? a[i] : b[i - M];
+    return both;
+}
+} // namespace detail
+
 template <class StepT> class MotionStep;
 template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion); // rest_step.hpp
 
@@ -71,12 +80,14 @@ public:
 
     /// Forces, integrator and the effects around it, and platforms.
     void integrate() {
+        if constexpr (C::asked == LawsAsked::beforehand) know_own(context_);
         if constexpr (C::history) complete_starts();
         if constexpr (C::together) all_together();
         else if constexpr (C::coupled) stage_by_stage();
         else body_by_body();
         advance_platforms();
         if constexpr (C::history) data_.last_part = context_.dt();
+        if constexpr (C::asked == LawsAsked::beforehand) data_.own.value.known = false;
     }
     /// The step.
     StepT& step() const { return step_; }
@@ -86,9 +97,47 @@ public:
         one.prepare(context_);
         effects_only<Columns<>>(one, context_.dt());
         if constexpr (couplings_see(writes_of<E>{})) data_.coupled.current = false;
+        if constexpr (C::asked == LawsAsked::beforehand &&
+                      intersection_of<writes_of<E>, typename C::Laws::needs>::size > 0)
+            data_.own.value.known = false;
     }
     /// Effects of the whole step.
     void effects_at_the_end() { effects_only<Columns<>>(bound_.end, context_.dt()); }
+
+    /// \name What the laws say, asked once
+    /// A part of a step that looks at accelerations before the integrator does asks the laws here; the integrator takes
+    /// in its first stage what they said. Forces of velocity are those of the velocity at the beginning of the part,
+    /// for both.
+    /// @{
+
+    /// Asks the laws about every awake body as it stands, unless that is known.
+    /// \param then when that is, and how long the part of a step was that led here
+    void know_own(const Context<S>& then) {
+        if (data_.own.value.known) return;
+        ask_laws(then, then.dt().previous, [](Slot, const auto&) {});
+    }
+    /// Asks them about the state that a part of a step has just made. Where velocity is derived, a law that reads it is
+    /// told the mean brought to the present by half a step of what the laws said at the beginning.
+    void know_own_again(const Context<S>& then) {
+        ask_laws(then, then.dt().previous, [&](Slot slot, auto& row) {
+            if constexpr (C::history && detail::contains<Velocity, typename C::Laws::reads>)
+                if (!data_.waiting(slot))
+                    row.template get<Velocity>() =
+                        I::velocity_now(row.template get<Velocity>(), own_acceleration(slot), then.dt().previous);
+        });
+    }
+    /// The acceleration of one body by all forces, the laws having been asked.
+    typename S::Acceleration known_acceleration(Slot slot) const {
+        typename S::Acceleration a = own_acceleration(slot);
+        if constexpr (C::coupled)
+            a += data_.lanes.template get<InverseMass>(slot) * data_.lanes.template get<CoupledForce>(slot);
+        return a;
+    }
+    /// What the laws said.
+    typename S::Acceleration own_acceleration(Slot slot) const {
+        return data_.own.value.lanes.template get<OwnAcceleration>(slot);
+    }
+    /// @}
 
     /// The acceleration of one body as it stands.
     typename S::Acceleration acceleration(Slot slot, const typename Data::Body& row) const {
@@ -121,7 +170,7 @@ public:
             const Slot slot = data_.bodies.slot_of_id(id);
             const auto row = data_.load(slot);
             const bool pulled = data_.bodies.motion(slot) == Motion::awake;
-            const auto a = pulled ? acceleration(slot, row) : typename S::Acceleration();
+            const auto a = pulled ? acceleration_at_start(slot, row) : typename S::Acceleration();
             data_.lanes.template set<PreviousPosition>(
                 slot,
                 I::history(row.template get<Position>(), row.template get<Velocity>(), a, context_.dt().previous));
@@ -156,8 +205,14 @@ protected:
     /// One loop over the bodies of a kind.
     template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {
         using Load = loaded<Needs>;
-        sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range),
-                                               data_.bodies.end(range), kernel);
+        if constexpr (detail::contains<OwnAcceleration, Needs>) {
+            using Own = Columns<OwnAcceleration>;
+            sweep<S, union_of<Load, Own>, Written, difference_of<locals<Needs>, Own>>(
+                detail::joined(data_.lanes.pointers(Load{}), data_.own.value.lanes.pointers(Own{})),
+                data_.bodies.begin(range), data_.bodies.end(range), kernel);
+        } else
+            sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range),
+                                                   data_.bodies.end(range), kernel);
     }
 
     StepT& step_;             ///< the step
@@ -167,12 +222,36 @@ protected:
     Context<S>& context_;     ///< when it begins, and how long it is
 
 private:
+    /// In a row of the first stage stands what the laws say, if it is known or left.
+    using own_read = std::conditional_t<C::asked == LawsAsked::here, Columns<>, Columns<OwnAcceleration>>;
+    using own_written = std::conditional_t<C::asked == LawsAsked::and_left, Columns<OwnAcceleration>, Columns<>>;
+
+    /// Asks the laws about every awake body, of which `see` may bring the values up to date.
+    template <class See> void ask_laws(const Context<S>& then, const typename S::Time& last, const See& see) {
+        auto& own = data_.own.value;
+        make_room_for_own();
+        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
+            auto row = data_.load(Slot(slot), last);
+            see(Slot(slot), row);
+            own.lanes.template set<OwnAcceleration>(slot, bound_.laws.acceleration(row, then));
+        }
+        own.known = true;
+    }
+    /// Of a body, if they have been asked already; it is asked alone otherwise.
+    typename S::Acceleration acceleration_at_start(Slot slot, const typename Data::Body& row) const {
+        if constexpr (C::asked == LawsAsked::beforehand)
+            if (data_.own.value.known) return known_acceleration(slot);
+        return acceleration(slot, row);
+    }
+
     void body_by_body() {
-        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient>;
+        using Kernel =
+            WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient, C::asked>;
         using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes,
-                                 typename decltype(bound_.after)::writes, Transient>;
+                                 typename decltype(bound_.after)::writes, Transient, own_written>;
         using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
-                               typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived>;
+                               typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived, own_read>;
+        make_room_for_own();
         walk<Needs, Written>(Motion::awake,
                              Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
     }
@@ -191,6 +270,13 @@ private:
         effects_after();
     }
 
+    /// A copy begins without room.
+    void make_room_for_own() {
+        if constexpr (C::asked != LawsAsked::here) {
+            auto& own = data_.own.value;
+            if (own.lanes.room() < data_.bodies.end(Motion::awake)) own.reserve(data_.bodies.end(Motion::awake));
+        }
+    }
     void stage_by_stage() {
         effects_before();
         remember_platforms(data_);
@@ -234,17 +320,27 @@ private:
             sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
         }
         if constexpr (K == first_stage && C::rests) {
+            [[maybe_unused]] const std::size_t awake = data_.bodies.end(Motion::awake);
             wake_the_pulled(*this);
+            if constexpr (C::asked == LawsAsked::beforehand)
+                if (data_.bodies.end(Motion::awake) != awake) {
+                    data_.own.value.known = false;
+                    know_own(context_);
+                }
             if constexpr (C::history)
                 if (!data_.starts.list.empty()) {
                     complete_starts();
                     derive_velocities(data_, context_.dt().previous);
                 }
         }
-        using Written = union_of<writes_of<I>, typename C::scratch>;
+        constexpr LawsAsked how = K == first_stage ? C::asked : LawsAsked::here;
+        using Written = union_of<writes_of<I>, typename C::scratch,
+                                 std::conditional_t<how == LawsAsked::and_left, own_written, Columns<>>>;
         using Needs =
-            union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>>;
-        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws>{bound_.laws, context_});
+            union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>,
+                     std::conditional_t<how == LawsAsked::here, Columns<>, own_read>>;
+        if constexpr (how != LawsAsked::here) make_room_for_own();
+        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws, how>{bound_.laws, context_});
     }
 
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.

@@ -54,6 +54,13 @@ struct CoupledForce {
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "coupled force";
 };
+/// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a part of a step
+/// where somebody beside the integrator asks for it.
+struct OwnAcceleration {
+    using Unit = unit::Acceleration;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "own acceleration";
+};
 /// What a user's own forces add up to until the next step is done; exists only with the policy AppliedForces.
 struct AppliedForce {
     using Unit = unit::Force;

@@ -147,6 +147,8 @@ public:
 
     /// Bodies.
     std::size_t size() const { return size_; }
+    /// How many bodies there is room for.
+    std::size_t room() const { return stride_; }
 
     /// Room for so many bodies.
     [[gnu::cold]] void reserve(std::size_t n) {
