@@ -48,8 +48,7 @@ template <class... P> auto pile(P... policies) {
         bodies.push_back(
             world.add(Sphere{0.5 * metre}, position(metres(0.02 * (i % 2), 0.5 + i, 0)), mass(1.0 * kilogram)));
     if constexpr ((std::same_as<P, Springs<>> || ...))
-        world.add(Spring{bodies[1], bodies[4], 50.0 * newton_per_metre, 0.5 * newton_second_per_metre,
-                         2.0 * metre});
+        world.add(Spring{bodies[1], bodies[4], 50.0 * newton_per_metre, 0.5 * newton_second_per_metre, 2.0 * metre});
     return world;
 }
 /// How often each body's force is asked in a step, when the pile lies.

@@ -82,7 +82,7 @@ public:
         const auto in = ready(body, "World::set_position");
         auto slot = in.data.bodies.slot_of_id(body.id);
         const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
-        detail::settle(in);
+        detail::settle_for(in, slot);
         const auto v = detail::velocity_at(in, slot);
         const auto kind = in.data.bodies.motion(slot);
         in.template tell<hook::BeforeChange<ansatz::Position>>();
@@ -134,7 +134,7 @@ public:
         const auto impulse = detail::finite_vector<S, unit::Momentum>("World::apply_impulse", "impulse", j);
         const auto inverse = in.data.lanes.template get<ansatz::InverseMass>(slot);
         if (!(inverse.value() > typename S::Scalar(0))) return;
-        detail::settle(in);
+        detail::settle_for(in, slot);
         const auto v = detail::velocity_at(in, slot) + inverse * impulse;
         if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", j, "the velocity after it is finite");
         in.template tell<hook::BeforeChange<ansatz::Velocity>>();

@@ -177,7 +177,10 @@ struct Motion {
         // The velocity now is what the old forces made it; only from here on the new ones act.
         if constexpr (PlaysRole<Policy, roles::Force> || detail::IsCoupling<Policy>::value) {
             detail::hold_velocities(inside);
-            if constexpr (I::Composition_::coupled) inside.data.coupled.current = false;
+            if constexpr (I::Composition_::coupled) {
+                inside.data.coupled.current = false;
+                inside.data.present.forget();
+            }
         }
     }
     template <class Policy, class I> static void on(hook::AfterSet<Policy>, const I& inside) {
@@ -193,6 +196,7 @@ struct Motion {
     }
     template <class C> static void on(hook::BeginStep, WorldData<C>& data) {
         if constexpr (C::rests) data.events.begin_step();
+        if constexpr (C::coupled) data.present.forget();
     }
 
     // As a value.

@@ -13,16 +13,17 @@
 
 namespace ansatz::detail {
 
-/// Calls `f` with the data in which the forces between bodies are those of the present: a copy where they are not
-/// known, because the sums belong to all bodies at once, and a query changes nothing.
-template <class I, class F> auto at_present(const I& inside, F&& f) {
+/// The data in which the forces between bodies are those of the present: a copy where they are not known, because the
+/// sums belong to all bodies at once, and a query changes nothing. There is one copy for each change, however many ask.
+template <class I> const auto& at_present(const I& inside) {
     if constexpr (I::Composition_::coupled)
-        if (!inside.data.coupled.current) {
-            auto present = inside.data;
-            refresh_coupled(present, inside.policies, inside.context());
-            return f(std::as_const(present));
-        }
-    return f(std::as_const(inside.data));
+        if (!inside.data.coupled.current)
+            return inside.data.present.get([&] {
+                auto present = inside.data;
+                refresh_coupled(present, inside.policies, inside.context());
+                return present;
+            });
+    return std::as_const(inside.data);
 }
 
 /// The acceleration of a body whose velocity stands in the row.
@@ -57,19 +58,27 @@ typename C::S::Velocity velocity_in(const I& inside, const WorldData<C>& data, s
 
 /// What all forces together do to a body now.
 template <class I> auto acceleration_at(const I& inside, std::uint32_t slot) {
-    return at_present(inside, [&](const auto& data) {
-        auto row = data.load(slot);
-        row.template get<Velocity>() = velocity_in(inside, data, slot);
-        return acceleration_of(inside, data, slot, row);
-    });
+    const auto& data = at_present(inside);
+    auto row = data.load(slot);
+    row.template get<Velocity>() = velocity_in(inside, data, slot);
+    return acceleration_of(inside, data, slot, row);
+}
+
+/// Whether what is known suffices to tell a body's velocity. A change that waits to be made good changes none: the
+/// velocity is what the forces before it made it, and their sums stand in the column until then.
+template <class I> bool knows_velocity(const I& inside, std::uint32_t slot) {
+    using C = typename I::Composition_;
+    if constexpr (C::history && C::coupled) {
+        const auto& data = inside.data;
+        return data.coupled.current || data.coupled.changed || data.waiting(slot) ||
+               data.bodies.motion(slot) != Motion::awake || !(data.last_dt().value() > typename C::S::Scalar(0));
+    } else return true;
 }
 
 /// The velocity of a body now.
 template <class I> auto velocity_at(const I& inside, std::uint32_t slot) {
-    using C = typename I::Composition_;
-    if constexpr (C::history && C::coupled)
-        return at_present(inside, [&](const auto& data) { return velocity_in(inside, data, slot); });
-    else return velocity_in(inside, std::as_const(inside.data), slot);
+    const bool known = knows_velocity(inside, slot);
+    return velocity_in(inside, known ? std::as_const(inside.data) : at_present(inside), slot);
 }
 
 /// For verbs: the sums in place, so that asking for a velocity needs no copy.
@@ -78,19 +87,23 @@ template <class I> void settle(const I& inside) {
     if constexpr (C::history && C::coupled) refresh_coupled(inside.data, inside.policies, inside.context());
 }
 
+/// The same, if a body's velocity cannot be told without.
+template <class I> void settle_for(const I& inside, std::uint32_t slot) {
+    if (!knows_velocity(inside, slot)) settle(inside);
+}
+
 /// Before something changes what the laws do to one body: where velocity is derived from history with half a step of
 /// the present acceleration, it is now what the old laws made it.
 template <class I> void hold_velocity(const I& inside, [[maybe_unused]] std::uint32_t slot) {
     if constexpr (I::Composition_::history)
         if (inside.data.bodies.motion(slot) == Motion::awake) {
-            settle(inside);
+            settle_for(inside, slot);
             inside.data.set_velocity(slot, velocity_at(inside, slot));
         }
 }
 /// The same for all bodies.
 template <class I> void hold_velocities(const I& inside) {
     if constexpr (I::Composition_::history) {
-        settle(inside);
         for (std::size_t slot = 0; slot < inside.data.bodies.end(Motion::awake); ++slot)
             hold_velocity(inside, std::uint32_t(slot));
     }
@@ -102,11 +115,12 @@ template <class I> void forces_change(const I& inside) {
     using C = typename I::Composition_;
     if constexpr (C::coupled) {
         if constexpr (C::history)
-            if (inside.data.clock.tick() > 0) {
+            if (inside.data.clock.tick() > 0 && !inside.data.coupled.changed) {
                 settle(inside);
                 inside.data.coupled.changed = true;
             }
         inside.data.coupled.current = false;
+        inside.data.present.forget();
     }
 }
 

@@ -13,7 +13,9 @@
 #include <ansatz/motion/islands.hpp>
 #include <ansatz/world/data.hpp>
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ansatz {
@@ -68,6 +70,31 @@ template <class S> struct CoupledSums {
         previous = step.previous;
     }
 };
+/// A world that was changed, with the forces between its bodies summed anew: for queries, which change nothing. It is
+/// made for the first that asks after a change; several threads may ask at once.
+template <class Data> class Present {
+public:
+    Present() = default;
+    Present(const Present&) {}
+    Present& operator=(const Present&) {
+        forget();
+        return *this;
+    }
+    ~Present() { forget(); }
+    /// Something was changed.
+    void forget() { delete made_.exchange(nullptr); }
+    /// \param make a function that makes it
+    template <class Make> const Data& get(const Make& make) const {
+        const Data* there = made_.load();
+        if (there) return *there;
+        auto mine = std::make_unique<const Data>(make());
+        return made_.compare_exchange_strong(there, mine.get()) ? *mine.release() : *there;
+    }
+
+private:
+    mutable std::atomic<const Data*> made_{nullptr};
+};
+
 /// What the laws did to each awake body in this part of the step, by slot. It is room, not a part of the value.
 template <class S> struct OwnAccelerations {
     Lanes<S, Columns<OwnAcceleration>> lanes{};
@@ -101,6 +128,8 @@ template <class C, class Data> struct MotionState {
     /// Whether the sums of the forces between bodies are those of the present state.
     [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<typename C::S>, detail::NotKept<2>>
         coupled;
+    /// The same for queries, where they are not.
+    [[no_unique_address]] std::conditional_t<C::coupled, detail::Present<Data>, detail::NotKept<6>> present;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
     /// Room for finding out who falls asleep.
