@@ -54,8 +54,8 @@ struct CoupledForce {
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "coupled force";
 };
-/// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a part of a step
-/// where somebody beside the integrator asks for it.
+/// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a part of a
+/// step where somebody beside the integrator asks for it.
 struct OwnAcceleration {
     using Unit = unit::Acceleration;
     static constexpr Shape shape = Shape::vector;
