@@ -6,6 +6,7 @@
 
 #include <ansatz/motion.hpp>
 #include <ansatz/units/print.hpp>
+#include <ansatz/world/element_table.hpp>
 #include <ansatz/world/fixed_step.hpp>
 #include <ansatz/world/keep.hpp>
 #include <ansatz/world/table_door.hpp>

@@ -267,7 +267,7 @@ TEST_CASE("what is no file, and a disk that is full, are sentences", "[world][sa
                Catch::Matchers::ContainsSubstring("/dev/full could not be written to the end"));
 }
 
-TEST_CASE("the order of the policies means nothing to a file; data begin anew", "[world][save]") {
+TEST_CASE("the order of the policies means nothing to a file", "[world][save]") {
     World one{SemiImplicitEuler{}, Gravity{}, QuadraticDrag{}, Rest{}, Datum<int>{}};
     World other{Rest{}, Datum<int>{}, QuadraticDrag{}, Gravity{}, SemiImplicitEuler{}};
     one.add(mass(1.0 * kilogram), datum(1));
@@ -278,12 +278,5 @@ TEST_CASE("the order of the policies means nothing to a file; data begin anew", 
     std::istringstream in(out.str());
     load(other, in);
     CHECK(other.hash() == one.hash());
-    CHECK(other.datum(other.body_at(0)) == 666); // the same handle: the body that this world has
-    World fresh{Rest{}, Datum<int>{}, QuadraticDrag{}, Gravity{}, SemiImplicitEuler{}};
-    const auto gone = fresh.add(mass(2.0 * kilogram), datum(666));
-    fresh.remove(gone);
-    fresh.add(mass(2.0 * kilogram), datum(667)); // another body, with another generation
-    std::istringstream again(out.str());
-    load(fresh, again);
-    CHECK(fresh.datum(fresh.body_at(0)) == 0);
+    CHECK(other.datum(other.body_at(0)) == 1); // it came with the file
 }

@@ -52,6 +52,8 @@ public:
     bool contains(Handle h) const { return step_.data.bodies.contains(h); }
     /// Where that body is.
     Slot slot(Handle h) const { return step_.data.bodies.slot(h, "view"); }
+    /// Where the body is that an element names.
+    Slot slot(BodyId body) const { return step_.data.bodies.slot_of_id(body.id); }
     /// Where the body with this id is; it must be there.
     Slot slot_of_id(std::uint32_t id) const { return step_.data.bodies.slot_of_id(id); }
     /// The id of the body in a slot.

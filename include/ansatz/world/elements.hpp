@@ -8,6 +8,7 @@
 /// State`). The world holds that state as a part of its value: copied, hashed and saved with the bodies; what is tied
 /// to a body goes with it. `world.add(Spring{...})` gives out a handle that survives the removal of others, works in
 /// every copy, and is known as stale when its element is gone. A world whose policies keep nothing has none of this.
+/// `ElementTable` is such a State for a policy of your own (element_table.hpp).
 
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/columns.hpp>
@@ -24,6 +25,12 @@ template <class Element> struct ElementHandle {
     std::uint32_t id = 0xffffffffu; ///< counts up; given again only with another generation
     std::uint32_t generation = 0;   ///< how often the id was given before
     friend bool operator==(const ElementHandle&, const ElementHandle&) = default; ///< whether they name one element
+};
+
+/// Names a body in what a policy keeps, such as an end of a tie: by its id, which stays the same while it lives.
+struct BodyId {
+    std::uint32_t id = 0xffffffffu;                                 ///< of the body's handle
+    friend bool operator==(const BodyId&, const BodyId&) = default; ///< whether they name one body
 };
 
 /// A description that `World::add` takes for an element: it says so with `using element = ...;`, its own name.

@@ -13,13 +13,14 @@
 ///         }
 ///     };
 ///
-/// A field is a number, a bool, a quantity, a vector quantity, or a std::vector or std::array of these. In a file it
-/// stands under its name, a quantity as a raw SI number. A state whose numbers have to fit together says so in
-/// `void check() const`, which throws std::invalid_argument, and is called when a file was read.
+/// A field is a number, a bool, a quantity, a vector quantity, a `BodyId`, or a std::vector or std::array of these. In
+/// a file it stands under its name, a quantity as a raw SI number. A state whose numbers have to fit together says so
+/// in `void check() const`, which throws std::invalid_argument, and is called when a file was read.
 ///
 /// A state without `fields` has functions of its own: `add_to(hash)`, and what world/save_elements.hpp reads.
 
 #include <ansatz/units.hpp>
+#include <ansatz/world/elements.hpp>
 #include <ansatz/world/hash.hpp>
 
 #include <concepts>
@@ -53,9 +54,17 @@ inline constexpr bool is_quantity_of_one = !is_quantity_of_lanes<T> && requires(
     T::from_value(q.value());
 };
 
+/// Calls `f(id)` for each body that a field names.
+template <class T, class F> void each_body_in(const T& x, F&& f) {
+    if constexpr (std::same_as<T, BodyId>) f(x.id);
+    else if constexpr (is_list<T>)
+        if constexpr (std::same_as<typename T::value_type, BodyId>)
+            for (const auto& one : x) f(one.id);
+}
 /// Adds a field to a hash.
 template <class T> void hash_field(StateHash& hash, const T& x) {
     if constexpr (std::is_integral_v<T>) hash.add(std::uint64_t(x));
+    else if constexpr (std::same_as<T, BodyId>) hash.add(x.id);
     else if constexpr (is_quantity_of_lanes<T>)
         for (int i = 0; i < int(x.value().size()); ++i) hash.add_number(x.value()[i]);
     else if constexpr (is_quantity_of_one<T>) hash.add_number(x.value());
@@ -81,6 +90,7 @@ template <class T> void hash_state(StateHash& hash, const T& state) {
 template <class Files, class T> typename Files::Json field_to_file(const T& x) {
     using Json = typename Files::Json;
     if constexpr (std::is_integral_v<T>) return x;
+    else if constexpr (std::same_as<T, BodyId>) return x.id;
     else if constexpr (is_quantity_of_lanes<T>) {
         Json list = Json::array();
         for (int i = 0; i < int(x.value().size()); ++i) list.push_back(Files::number(x.value()[i]));
@@ -96,6 +106,7 @@ template <class Files, class T> typename Files::Json field_to_file(const T& x) {
 /// \throws std::invalid_argument naming the place in the file
 template <class T> void field_from_file(T& x, const auto& file) {
     if constexpr (std::same_as<T, bool>) x = file.yes();
+    else if constexpr (std::same_as<T, BodyId>) x.id = std::uint32_t(file.whole(0xfffffffeu));
     else if constexpr (std::is_integral_v<T>) x = T(file.whole(std::uint64_t(std::numeric_limits<T>::max())));
     else if constexpr (is_quantity_of_lanes<T>) {
         auto value = x.value();

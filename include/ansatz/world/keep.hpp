@@ -21,8 +21,9 @@ template <class... C> struct Keep {
     using reads = Columns<C...>;
 };
 
-/// Stores one `T` for each body, reached by `world.datum(handle)`. It is copied with the world; it is neither hashed
-/// nor saved, because only your program knows what it means.
+/// Stores one `T` for each body, reached by `world.datum(handle)`. It is copied with the world, and saved where it is a
+/// number, a text, trivially copyable, or has two functions of yours (world/datum_text.hpp). It is not hashed, because
+/// only your program knows what it means.
 template <class T> struct Datum {
     static_assert(std::is_default_constructible_v<T>,
                   "Ansatz: Datum<T> needs a T with a default constructor, for bodies that are added "

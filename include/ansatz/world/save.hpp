@@ -8,11 +8,12 @@
 /// Use them for saved games and for the case that goes wrong on somebody else's machine: a loaded world continues
 /// bit-identically with the saved one. A copy of a world is the faster snapshot within a program. Saved are the bodies,
 /// their handles, the clock, and the parameters of every policy that names them (`name` and `parameters`, see Gravity).
-/// Not saved: what can be made anew, polled events, and a `Datum`, whose meaning only your program knows. A file is
+/// A `Datum` is saved where it can be (datum_text.hpp). Not saved: what can be made anew, and polled events. A file is
 /// checked in full before the world is touched; it must come from a world of the same columns, scalar and dimension.
 ///
 /// Needs exceptions, for the parser's sake.
 
+#include <ansatz/world/datum_text.hpp>
 #include <ansatz/world/fields.hpp>
 #include <ansatz/world/save_elements.hpp>
 #include <ansatz/world/save_parameters.hpp>
@@ -91,6 +92,8 @@ struct Archive {
             body["motion"] = name_of(data.bodies.motion(slot));
             data.template ask<hook::SaveBody>(slot, body);
             write_columns(body, data.lanes, slot, typename C::state{});
+            if constexpr (saves_datum<World<P...>>)
+                body["datum"] = detail::datum_text(world.user_.at(data.bodies.id(slot)));
             bodies.push_back(std::move(body));
         }
         return file;
@@ -131,13 +134,15 @@ struct Archive {
         [&]<class... K>(Types<K...>) { (read_state<K>(data.template state<K>(), file), ...); }(typename C::keepers{});
         data.template tell<hook::Load>(file);
 
-        // Whose meaning only the program knows: a body that this world has keeps its datum, every other begins with a
-        // new one.
+        // Of what cannot be saved: a body that this world has keeps its datum, every other begins with a new one.
         decltype(world.user_) user;
         if constexpr (W::has_datum) user.by_id.resize(data.bodies.ids());
+        if constexpr (saves_datum<W>)
+            for (std::uint32_t slot = 0; slot < data.bodies.size(); ++slot)
+                read_datum(user.at(data.bodies.id(slot)), file.at("bodies").at(slot).at("datum"));
         const auto room = std::max<std::size_t>(data.bodies.ids(), world.capacity_);
         data.reserve(room);
-        if constexpr (W::has_datum)
+        if constexpr (W::has_datum && !saves_datum<W>)
             for (std::uint32_t id = 0; id < data.bodies.ids(); ++id)
                 if (data.bodies.alive(id) && world.data_.bodies.contains({id, data.bodies.generation_of_id(id)}))
                     user.by_id[id] = std::move(world.user_.by_id[id]); // behind all that may fail
@@ -151,6 +156,16 @@ struct Archive {
 
 private:
     using FileValue = detail::FileValue;
+
+    template <class W> static constexpr bool saves_datum = detail::datum_is_saved<typename W::Datum>;
+    template <class T> static void read_datum(T& datum, const FileValue& file) {
+        if (!file.json.is_string()) file.refuse_here("the body's datum as text");
+        try {
+            detail::datum_from(datum, file.json.template get<std::string>());
+        } catch (const std::invalid_argument& expected) {
+            file.refuse_here(expected.what());
+        }
+    }
 
     template <class... Col> static detail::Json columns(Columns<Col...>) {
         auto names = detail::Json::array();
@@ -301,17 +316,30 @@ private:
     }
 };
 
+namespace detail {
+inline std::string text_of(const Json& file) {
+    try {
+        return file.dump(1);
+    } catch (const Json::type_error& e) { // "[json.exception.type_error.316] invalid UTF-8 byte at index 3: 0xFF"
+        const std::string what = e.what();
+        const auto said = what.find("] ");
+        refuse(Refusal::invalid_argument, "save: a datum is not a text in UTF-8, as a file needs it: " +
+                                              (said == std::string::npos ? what : what.substr(said + 2)));
+    }
+}
+} // namespace detail
+
 /// Writes the state of a world.
-/// \throws std::invalid_argument if the stream fails
+/// \throws std::invalid_argument if the stream fails, or a datum is not a text in UTF-8
 template <class... P> void save(const World<P...>& world, std::ostream& out) {
-    out << Archive::write(world).dump(1) << '\n';
+    out << detail::text_of(Archive::write(world)) << '\n';
     if (!out) refuse(Refusal::invalid_argument, "save: the stream could not be written to the end");
 }
 /// Writes the state of a world to a file, whole or not at all: it is written beside the file, as `path`.part, which
 /// then takes the file's place.
 /// \throws std::invalid_argument if the file cannot be written; what was there before is there as it was
 template <class... P> void save(const World<P...>& world, const std::string& path) {
-    detail::write_whole_file(path, Archive::write(world).dump(1) + '\n');
+    detail::write_whole_file(path, detail::text_of(Archive::write(world)) + '\n');
 }
 
 /// Reads the state of a world; handles of the saved world name its bodies.

@@ -38,6 +38,8 @@ public:
     bool contains(Handle h) const { return bodies_->contains(h); }
     /// Where that body is.
     Slot slot(Handle h) const { return bodies_->slot(h, "view"); }
+    /// Where the body is that an element names.
+    [[gnu::always_inline]] Slot slot(BodyId body) const { return bodies_->slot_of_id(body.id); }
     /// The handle of the body in a slot.
     Handle handle(std::size_t slot) const { return bodies_->handle(slot); }
     /// What the policy keeps beside the bodies, such as its springs.

@@ -23,21 +23,32 @@ struct PlaceBefore {
 };
 
 //! [rope]
+struct Link { // what world.add takes
+    using element = Link;
+    Handle first, second;
+    Parameter<unit::Length> length = 1.0 * metre;
+};
+template <class S> struct LinkRow { // what is kept of it
+    BodyId first, second;
+    typename S::Length length{};
+    static void fields(auto& self, auto&& field) {
+        field("first", self.first);
+        field("second", self.second);
+        field("length", self.length);
+    }
+    static LinkRow from(const auto& asked, const Link& link) {
+        return {asked.body(link.first), asked.body(link.second), S::convert("length", link.length)};
+    }
+};
+
 struct XpbdRope {
     using role = roles::System;
+    using Element = Link;
     static constexpr std::string_view name = "XpbdRope";
     int substeps = 10;
     static void parameters(auto& self, auto&& visit) { visit("substeps", self.substeps); }
 
-    template <class S> struct State {
-        std::vector<std::uint32_t> first, second; // ids of bodies
-        std::vector<typename S::Length> length;
-        static void fields(auto& self, auto&& field) {
-            field("first", self.first);
-            field("second", self.second);
-            field("length", self.length);
-        }
-    };
+    template <class S> using State = ElementTable<S, Link, LinkRow<S>>;
     template <class S> struct Parts {
         static constexpr Phase phase = phases::substeps, until = phases::fields;
         static constexpr std::string_view name = "rope: parts";
@@ -64,17 +75,16 @@ struct XpbdRope {
         using reads = Columns<InverseMass>;
         explicit Solve(const XpbdRope&) {}
         void run(auto& view, const auto&) const {
-            const auto& rope = view.state();
-            for (std::size_t i = 0; i < rope.length.size(); ++i) {
-                const auto a = view.slot_of_id(rope.first[i]), b = view.slot_of_id(rope.second[i]);
+            view.state().for_each([&](std::uint32_t, const auto& link) {
+                const auto a = view.slot(link.first), b = view.slot(link.second);
                 const auto wa = view.template get<InverseMass>(a), wb = view.template get<InverseMass>(b);
                 const auto xa = view.template get<Position>(a), xb = view.template get<Position>(b);
                 const auto apart = norm(xb - xa);
-                if (!(apart > rope.length[i])) continue; // a rope only pulls
-                const auto way = ((apart - rope.length[i]) / (apart * (wa + wb))) * (xb - xa);
+                if (!(apart > link.length)) return; // a rope only pulls
+                const auto way = ((apart - link.length) / (apart * (wa + wb))) * (xb - xa);
                 if (wa.value() > 0) view.template set<Position>(a, xa + wa * way);
                 if (wb.value() > 0) view.template set<Position>(b, xb - wb * way);
-            }
+            });
         }
     };
     template <class S> struct Velocities {
@@ -88,17 +98,6 @@ struct XpbdRope {
         }
     };
     template <class S> using systems = Types<Parts<S>, Remember<S>, Solve<S>, Velocities<S>>;
-
-    template <class W, class C> class Door : public TableDoor<W, XpbdRope> {
-    public:
-        void link(Handle a, Handle b, typename C::S::Length length) {
-            this->change("World::link", [&](auto& rope) {
-                rope.first.push_back(this->id(a, "World::link"));
-                rope.second.push_back(this->id(b, "World::link"));
-                rope.length.push_back(length);
-            });
-        }
-    };
 };
 //! [rope]
 
@@ -107,7 +106,7 @@ template <class Scalar> auto rope_of(int links) {
     auto last = world.add(position(metres(0, 0, 0)), fixed);
     for (int i = 1; i <= links; ++i) {
         const auto next = world.add(position(metres(0.1 * i, 0, 0)), mass(0.1 * kilogram));
-        world.link(last, next, Quantity<unit::Length, Scalar>::from_value(Scalar(0.1)));
+        world.add(Link{last, next, 0.1 * metre});
         last = next;
     }
     return std::pair(world, last);
@@ -126,6 +125,15 @@ TEMPLATE_TEST_CASE("A rope of a user's own swings in its own substeps and keeps 
         longest = std::max(longest, double(norm(world.position(all[i]) - world.position(all[i - 1])).value()));
     CHECK(longest < 0.101);
     CHECK(double(world.position(end).value()[1]) < -0.3); // it has fallen
+}
+TEST_CASE("A rope whose link goes with a body is two ropes", "[systems]") {
+    auto [world, end] = rope_of<double>(10);
+    for (int i = 0; i < 30; ++i) world.step(1.0 / 60 * second);
+    world.remove(world.handles()[5]);
+    CHECK(world.elements<Link>().size() == 8);
+    for (int i = 0; i < 60; ++i) world.step(1.0 / 60 * second);
+    CHECK(world.status().ok());
+    CHECK(world.position(end).value()[1] < -4); // it falls
 }
 TEST_CASE("It is a part of the world's value: copied, hashed, saved and loaded", "[systems]") {
     auto [world, end] = rope_of<double>(6);
