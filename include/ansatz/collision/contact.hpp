@@ -16,8 +16,10 @@
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/bodies.hpp>
+#include <ansatz/world/elements.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace ansatz {
 
@@ -47,6 +49,20 @@ struct ContactEnd {
     Handle first;                                                           ///< the one with the smaller id
     Handle second;                                                          ///< the other; either may have been removed
     friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
+};
+
+/// The contacts of a world, as observers and systems see them: `using sees = Types<Contacts>;`. As `world.contacts()`,
+/// they may be of bodies that were removed since: `view.contains(contact.first)` tells.
+struct Contacts {
+    template <class S> using Table = std::vector<Contact<S>>; ///< what `view.template table<Contacts>()` is
+    /// Those of a world.
+    template <class Data> static const auto& table_in(const Data& data) {
+        constexpr bool collides = requires { data.collisions.contacts; };
+        static_assert(collides, "Ansatz: a policy sees the contacts of a world whose bodies do not collide; add a "
+                                "Narrowphase and what belongs to it, or take Contacts out of `sees`");
+        if constexpr (collides) return data.collisions.contacts;
+        else return detail::absent;
+    }
 };
 
 } // namespace ansatz

@@ -115,9 +115,7 @@ private:
     template <class F> void each_coupling(F&& f) const {
         [&]<class... Q>(Types<Q...>) {
             (f.template operator()<Q>(detail::Bound<Q, S>(std::get<Q>(policies_)),
-                                      ObserverView<S, Q>(data_.lanes, data_.bodies,
-                                                         std::as_const(data_).template state<Q>(), data_.clock.now(),
-                                                         data_.clock.tick())),
+                                      ObserverView<S, Q>(std::as_const(data_))),
              ...);
         }(typename C::couplings{});
     }

@@ -85,15 +85,10 @@ public:
 
     /// What the policy keeps.
     auto& state() { return step_.data.template state<P>(); }
-    /// What another policy keeps, if the system says that it `sees` it.
-    template <class Q> const auto& state_of() const {
-        constexpr bool seen = stands_in_sees<Q>();
-        static_assert(seen, "Ansatz: a system looks at what another policy keeps without saying so; add it to its "
-                            "`using sees = Types<...>;`");
-        constexpr bool there = detail::stands_in<Q, typename C::policies>;
-        static_assert(!seen || there, "Ansatz: a system looks at what another policy keeps, and this world has no such "
-                                      "policy; add it to the list");
-        return std::as_const(step_.data).template state<Q>();
+    /// A table of another policy, or one that a module names, if the system says that it `sees` it
+    /// (world/seen_tables.hpp).
+    template <class Q> const auto& table() const {
+        return SeenTables<S, detail::sees_of<Y>>::in(std::as_const(step_.data)).template get<Q>();
     }
     /// The parameters of the policy.
     const P& policy() const { return std::get<P>(step_.policies); }
@@ -104,11 +99,6 @@ private:
                       "Ansatz: a system touches a column that it did not declare; add it to its `reads` or, to change "
                       "it, to its `writes`, e.g. `using writes = Columns<Velocity>;`");
     }
-    template <class Q> static constexpr bool stands_in_sees() {
-        if constexpr (requires { typename Y::sees; }) return detail::stands_in<Q, typename Y::sees>;
-        return false;
-    }
-
     StepT& step_;
 };
 

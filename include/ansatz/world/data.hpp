@@ -48,7 +48,6 @@ template <class S, class... P> struct States<S, Types<P...>> {
 template <class S> struct States<S, Types<>> {
     static void for_each(auto&&) {}
 };
-inline constexpr Absent absent{};
 
 /// Whether assigning what a policy keeps cannot fail once there is room: it says so, or owns nothing, for what owns
 /// memory has a destructor.

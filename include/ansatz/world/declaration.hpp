@@ -239,9 +239,7 @@ public:
     std::uint64_t hash() const;
 
     /// What policy `P_` may see of this world: the columns that it declared.
-    template <class P_> ObserverView<S, P_> view() const {
-        return {data_.lanes, data_.bodies, data_.template state<P_>(), data_.clock.now(), data_.clock.tick()};
-    }
+    template <class P_> ObserverView<S, P_> view() const { return ObserverView<S, P_>(data_); }
     /// When the next step begins.
     Context<S> context() const { return inside().context(); }
 

@@ -122,6 +122,7 @@ template <class P, class S> using state_of = typename P::template State<S>;
 struct Absent {
     friend bool operator==(const Absent&, const Absent&) = default;
 };
+inline constexpr Absent absent{};
 template <class P, class S> struct StateOr {
     using type = Absent;
 };

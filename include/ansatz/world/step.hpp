@@ -41,9 +41,7 @@ template <class C, class Policies, class TransientT = typename C::transient, boo
         return {data, policies, bound, context, whole};
     }
     /// What policy `P` may see.
-    template <class P> ObserverView<S, P> view_of() const {
-        return {data.lanes, data.bodies, std::as_const(data).template state<P>(), data.clock.now(), data.clock.tick()};
-    }
+    template <class P> ObserverView<S, P> view_of() const { return ObserverView<S, P>(std::as_const(data)); }
     /// Behind this step: the next one, if it has the same length.
     Context<S> after() const { return Context<S>(data.clock.now(), TimeStep<S>(context.dt(), context.dt())); }
     /// Tells the modules.

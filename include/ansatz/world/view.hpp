@@ -9,6 +9,7 @@
 #include <ansatz/world/context.hpp>
 #include <ansatz/world/elements.hpp>
 #include <ansatz/world/row.hpp>
+#include <ansatz/world/seen_tables.hpp>
 
 #include <cstddef>
 #include <span>
@@ -128,16 +129,21 @@ private:
     std::array<typename S::Scalar*, 3> force_{};
 };
 
-/// What an observer sees.
+/// What an observer sees: the columns that it reads, and the tables that it says it sees (seen_tables.hpp).
 template <class S, class P> class ObserverView : public ColumnsView<S, P, detail::without_clock<P>> {
     using Base = ColumnsView<S, P, detail::without_clock<P>>;
 
 public:
-    /// The columns, the bodies, what the policy keeps, and when.
-    template <class LanesT>
-    ObserverView(const LanesT& lanes, const Bodies& bodies, const typename Base::State& state,
-                 const typename S::ClockTime& time, std::uint64_t tick)
-        : Base(lanes, bodies, state), time_(time), tick_(tick) {}
+    /// Of what a world holds.
+    template <class Data>
+    explicit ObserverView(const Data& data)
+        : Base(data.lanes, data.bodies, data.template state<P>()),
+          tables_(Tables::in(data)),
+          time_(data.clock.now()),
+          tick_(data.clock.tick()) {}
+
+    /// A table that it sees: what policy `Q` keeps, or what a module names, such as `Contacts`.
+    template <class Q> const auto& table() const { return tables_.template get<Q>(); }
 
     /// The world's time, s.
     const typename S::ClockTime& time() const { return time_; }
@@ -145,6 +151,8 @@ public:
     std::uint64_t tick() const { return tick_; }
 
 private:
+    using Tables = SeenTables<S, detail::sees_of<P>>;
+    [[no_unique_address]] Tables tables_;
     typename S::ClockTime time_;
     std::uint64_t tick_;
 };
