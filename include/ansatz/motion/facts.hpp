@@ -123,12 +123,14 @@ template <class... M> constexpr bool changes_velocities(Types<M...>) { return (s
 template <class M, class... P> inline constexpr bool asks_first = requires { requires M::template asks_first<P...>; };
 template <class M, class... P>
 inline constexpr bool looks_at_own = requires { requires M::template looks_at_own<P...>; };
-template <class... P> constexpr LawsAsked how_asked() {
+/// An integrator that solves asks at states of its own; and what an effect before the forces changes, they must see.
+template <class I, class LawsT, class Before, class... P> constexpr LawsAsked how_asked() {
     constexpr auto any = []<class... M>(Types<M...>) {
         if ((asks_first<M, P...> || ...)) return LawsAsked::beforehand;
         return (looks_at_own<M, P...> || ...) ? LawsAsked::and_left : LawsAsked::here;
     };
-    return any(modules_of<P...>{});
+    constexpr bool changed = intersection_of<typename Before::writes, typename LawsT::needs>::size > 0;
+    return LawsT::empty || !is_staged<I> || changed ? LawsAsked::here : any(modules_of<P...>{});
 }
 
 } // namespace detail
@@ -187,14 +189,8 @@ public:
         detail::contains<Velocity,
                          union_of<std::conditional_t<PlaysRole<P, roles::Force> || detail::IsCoupling<P>::value,
                                                      reads_of<P>, Columns<>>...>>;
-    /// Who asks the laws of one body in a step: what they say is asked once, wherever it can be shared. An integrator
-    /// that solves asks at states of its own; and what an effect before the forces changes, they must see.
-    static constexpr LawsAsked asked =
-        laws::size > 0 &&
-                detail::is_staged<Integrator>&&
-                        intersection_of<typename Effects<Place::before_forces>::writes, typename Laws::needs>::size == 0
-            ? detail::how_asked<P...>()
-            : LawsAsked::here;
+    /// Who asks the laws of one body in a step: what they say is asked once, wherever it can be shared.
+    static constexpr LawsAsked asked = detail::how_asked<Integrator, Laws, Effects<Place::before_forces>, P...>();
     /// The scratch that the integrator really has use for.
     using scratch = std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
                                        difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>;

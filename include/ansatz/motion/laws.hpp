@@ -71,6 +71,7 @@ public:
     /// The columns that they declared, and all that evaluating them needs (the mass, where one is a force).
     using reads = union_of<reads_of<P>...>;
     using needs = union_of<detail::needs_of_law<P, S>...>;                  ///< the columns that the laws read
+    static constexpr bool empty = sizeof...(P) == 0;                        ///< whether there are none
     static constexpr bool time_dependent = (detail::reads_clock<P> || ...); ///< whether one of them asks for the time
 
     /// Binds them to the space.

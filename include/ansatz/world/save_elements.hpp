@@ -40,6 +40,8 @@ struct ElementArchive {
             list.push_back(std::move(element));
         });
     }
+    /// The same from a file, into a state that is empty.
+    /// \throws std::invalid_argument naming the place in the file
     template <class C, class State>
     static void read(State& state, const Bodies& bodies, const detail::FileValue& file) {
         const auto generations = file.at("generations");
