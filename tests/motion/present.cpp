@@ -51,7 +51,7 @@ template <class I, bool Damped = true> auto a_chain(int n) {
 } // namespace
 
 TEMPLATE_TEST_CASE("queries of a changed world ask the forces between bodies once for each change",
-                   "[motion][coupling]", Verlet, SemiImplicitEuler, VelocityVerlet) {
+                   "[motion][coupling][V9]", Verlet, SemiImplicitEuler, ExplicitEuler, VelocityVerlet, RungeKutta4) {
     constexpr int n = 40;
     auto world = a_chain<TestType, false>(n);
     const auto accelerations = [&] {

@@ -7,6 +7,7 @@
 
 #include "tests/performance/race.hpp"
 
+#include <cmath>
 #include <memory>
 
 using namespace ansatz;
@@ -32,7 +33,7 @@ double sink = 0;
 } // namespace
 
 TEST_CASE("the kinetic energy of a changed world costs at most twice what it costs after a step",
-          "[springs][performance]") {
+          "[springs][performance][V9]") {
     Race race;
     auto stepped = a_net();
     auto& after_a_step = race.add("kinetic_energy after a step", bodies, [stepped](int times) {
@@ -45,7 +46,22 @@ TEST_CASE("the kinetic energy of a changed world costs at most twice what it cos
             sink += kinetic_energy(*changed).value();
         }
     });
+    auto read = a_net();
+    auto& a_read = race.add("a velocity of each body", bodies, [read](int times) {
+        for (int i = 0; i < times; ++i)
+            for (std::size_t k = 0; k < bodies; ++k) sink += std::abs(read->velocity(read->body_at(k)).value()[1]);
+    });
+    auto written = a_net();
+    auto& a_write = race.add("each body is moved, and its velocity read", bodies, [written](int times) {
+        for (int i = 0; i < times; ++i)
+            for (std::size_t k = 0; k < bodies; ++k) {
+                const auto body = written->body_at(k);
+                written->set_position(body, metres(0.01 * (i % 7), 1, 0));
+                sink += std::abs(written->velocity(body).value()[1]);
+            }
+    });
     race.bound("after a change over after a step", after_a_change, {&after_a_step}, 2);
+    race.bound("a write and a read over a read", a_write, {&a_read}, 4);
     race.run();
     CHECK(sink > 0);
 }

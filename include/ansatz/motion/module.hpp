@@ -114,13 +114,18 @@ struct Motion {
 
     // Room.
     template <class C> static void on(hook::ReserveNotes, WorldData<C>& data, [[maybe_unused]] std::size_t n) {
-        constexpr auto dimension = std::size_t(C::S::dimension);
-        if constexpr (C::history) data.starts.reserve(n);
-        if constexpr (C::rests) data.events.reserve(n);
-        if constexpr (C::islands) data.sleep.value.reserve(n);
-        if constexpr (C::asked != LawsAsked::here) data.own.value.reserve(n);
-        if constexpr (C::coupled) data.coupled.platforms.reserve(data.bodies.count(ansatz::Motion::moving) * dimension);
-        if constexpr (C::coupled && C::history) data.coupled.before.reserve(n * dimension);
+        if constexpr (WorldData<C>::takes_notes) {
+            if (data.notes >= n) return;
+            constexpr auto dimension = std::size_t(C::S::dimension);
+            if constexpr (C::history) data.starts.reserve(n);
+            if constexpr (C::rests) data.events.reserve(n);
+            if constexpr (C::islands) data.sleep.value.reserve(n);
+            if constexpr (C::asked != LawsAsked::here) data.own.value.reserve(n);
+            if constexpr (C::coupled)
+                data.coupled.platforms.reserve(data.bodies.count(ansatz::Motion::moving) * dimension);
+            if constexpr (C::coupled && C::history) data.coupled.before.reserve(n * dimension);
+            data.notes = n;
+        }
     }
     template <class C>
     static void on(hook::MakeRoom, WorldData<C>& data, [[maybe_unused]] std::uint32_t id, [[maybe_unused]] bool moves) {

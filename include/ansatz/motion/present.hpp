@@ -77,6 +77,9 @@ template <class I> bool knows_velocity(const I& inside, std::uint32_t slot) {
 
 /// The velocity of a body now.
 template <class I> auto velocity_at(const I& inside, std::uint32_t slot) {
+    using C = typename I::Composition_;
+    if constexpr (C::history)
+        if (inside.data.waiting(slot)) return inside.data.raw_velocity(slot);
     const bool known = knows_velocity(inside, slot);
     return velocity_in(inside, known ? std::as_const(inside.data) : at_present(inside), slot);
 }

@@ -11,6 +11,7 @@
 #include <ansatz/motion/events.hpp>
 #include <ansatz/motion/facts.hpp>
 #include <ansatz/motion/islands.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/data.hpp>
 
 #include <atomic>
@@ -82,7 +83,10 @@ public:
     }
     ~Present() { forget(); }
     /// Something was changed.
-    void forget() { delete made_.exchange(nullptr); }
+    void forget() {
+        if (made_.load(std::memory_order_relaxed))
+            delete made_.exchange(nullptr); // an exchange takes ten times as long
+    }
     /// \param make a function that makes it
     template <class Make> const Data& get(const Make& make) const {
         const Data* there = made_.load();
@@ -136,6 +140,10 @@ template <class C, class Data> struct MotionState {
     [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::NotKept<3>>
         sleep;
 
+    /// Whether verbs and steps note anything about bodies, so that they need room for it.
+    static constexpr bool takes_notes = C::history || C::rests || C::coupled || C::asked != LawsAsked::here;
+    /// For how many bodies there is; every verb asks.
+    [[no_unique_address]] std::conditional_t<takes_notes, detail::Room, detail::NotKept<7>> notes;
     /// What the laws said, where somebody beside the integrator asks.
     [[no_unique_address]] std::conditional_t<C::asked != LawsAsked::here,
                                              detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>

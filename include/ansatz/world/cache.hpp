@@ -6,6 +6,9 @@
 
 #include <ansatz/core/compiler_flags.hpp>
 
+#include <cstddef>
+#include <utility>
+
 namespace ansatz::detail {
 
 /// A cache: a copy of a world begins without it, and comes to the same bits.
@@ -16,6 +19,26 @@ template <class T> struct Cache {
     Cache(Cache&&) = default;
     Cache& operator=(const Cache&) { return *this; }
     Cache& operator=(Cache&&) = default;
+};
+
+/// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps
+/// what it has.
+struct Room {
+    std::size_t bodies = 0;
+    Room() = default;
+    Room(const Room&) {}
+    Room(Room&& other) noexcept : bodies(std::exchange(other.bodies, 0)) {}
+    Room& operator=(const Room&) { return *this; }
+    Room& operator=(Room&& other) noexcept {
+        bodies = std::exchange(other.bodies, 0);
+        return *this;
+    }
+    Room& operator=(std::size_t n) {
+        bodies = n;
+        return *this;
+    }
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    operator std::size_t() const { return bodies; }
 };
 
 } // namespace ansatz::detail

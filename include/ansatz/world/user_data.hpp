@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace ansatz::detail {
@@ -37,26 +36,6 @@ template <> struct DataOfUser<void> {
 };
 /// Never defined either.
 template <class T> const T& nowhere();
-
-/// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps
-/// what it has.
-struct Room {
-    std::size_t bodies = 0;
-    Room() = default;
-    Room(const Room&) {}
-    Room(Room&& other) noexcept : bodies(std::exchange(other.bodies, 0)) {}
-    Room& operator=(const Room&) { return *this; }
-    Room& operator=(Room&& other) noexcept {
-        bodies = std::exchange(other.bodies, 0);
-        return *this;
-    }
-    Room& operator=(std::size_t n) {
-        bodies = n;
-        return *this;
-    }
-    // NOLINTNEXTLINE(google-explicit-constructor)
-    operator std::size_t() const { return bodies; }
-};
 
 template <class... P> struct DatumOf {
     using type = void;
