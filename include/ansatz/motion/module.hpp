@@ -218,8 +218,11 @@ struct Motion {
             ((finite = finite && is_finite(body.template get<Column>())), ...);
         }(typename WorldData<C>::AllColumns{});
     }
-    template <class C> static void on(hook::Hash, const WorldData<C>& data, auto& hash) {
+    template <class C> static void on(hook::HashCounts, const WorldData<C>& data, auto& hash) {
         hash.add(data.unsolved);
+    }
+    template <class C>
+    static void on(hook::Hash, [[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] auto& hash) {
         if constexpr (C::history) hash.add_number(data.last_part.value());
     }
     template <class C> static void on(hook::HashBody, const WorldData<C>& data, std::uint32_t slot, auto& hash) {

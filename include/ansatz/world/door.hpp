@@ -173,6 +173,7 @@ template <class... P> std::uint64_t World<P...>::hash() const {
     }
     StateHash hash;
     data_.clock.add_to(hash);
+    data_.template ask<hook::HashCounts>(hash);
     data_.bodies.add_free_to(hash);
     data_.states.for_each([&](const auto& state) { detail::hash_state(hash, state); });
     data_.template ask<hook::Hash>(hash);

@@ -74,15 +74,16 @@ struct IsFinite {};      ///< `(data, slot, finite)`: makes it false where somet
 /// @}
 /// \name As a value
 /// @{
-struct Hash {};     ///< `(data, hash)`
-struct HashBody {}; ///< `(data, slot, hash)`
-struct Save {};     ///< `(data, file, files)`: into a JSON object, with what `files` writes
-struct SaveBody {}; ///< `(data, slot, file)`
-struct Load {};     ///< `(data, file)`: from one, when the bodies are there
-struct LoadBody {}; ///< `(data, slot, file)`
-struct Settle {};   ///< `(inside)`: a change that waits to be made good is made good
-struct Waits {};    ///< `(data, waits)`: makes `waits` true where one does
-struct Report {};   ///< `(data, status)`
+struct HashCounts {}; ///< `(data, hash)`: what was counted in steps
+struct Hash {};       ///< `(data, hash)`
+struct HashBody {};   ///< `(data, slot, hash)`
+struct Save {};       ///< `(data, file, files)`: into a JSON object, with what `files` writes
+struct SaveBody {};   ///< `(data, slot, file)`
+struct Load {};       ///< `(data, file)`: from one, when the bodies are there
+struct LoadBody {};   ///< `(data, slot, file)`
+struct Settle {};     ///< `(inside)`: a change that waits to be made good is made good
+struct Waits {};      ///< `(data, waits)`: makes `waits` true where one does
+struct Report {};     ///< `(data, status)`
 /// @}
 } // namespace hook
 
