@@ -246,7 +246,7 @@ private:
         }
     };
 
-    template <class Data> void gather(const Data& data) {
+    template <class Data> [[gnu::flatten]] void gather(const Data& data) {
         auto& w = working_.value;
         w.boxes.clear();
         w.ids.clear();
@@ -275,7 +275,7 @@ private:
     template <class Data> static bool moves(const Data& data, std::size_t slot) {
         return slot < data.bodies.end(Motion::awake) || data.bodies.motion(slot) == Motion::moving;
     }
-    template <class Data, class Pull> void look_ahead(const Data& data, const Pull& pull) {
+    template <class Data, class Pull> [[gnu::flatten]] void look_ahead(const Data& data, const Pull& pull) {
         auto& ahead = working_.value.ahead;
         ahead.resize(data.bodies.size());
         const Scalar dt = expected.value();

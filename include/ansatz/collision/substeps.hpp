@@ -27,7 +27,8 @@ public:
     SubstepBodies(WorldData<C>& data, const Acceleration& acceleration) : data_(data), acceleration_(acceleration) {}
 
     /// All bodies, with their weights: zero for what is not awake. Nothing accelerates them yet.
-    template <class Body> void place(std::vector<Body>& bodies, std::vector<typename Body::Raw>& kicks) const {
+    template <class Body>
+    [[gnu::flatten]] void place(std::vector<Body>& bodies, std::vector<typename Body::Raw>& kicks) const {
         bodies.resize(data_.bodies.size());
         kicks.assign(bodies.size(), S::template zero_vector<unit::Velocity>().value());
         for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
@@ -42,8 +43,9 @@ public:
     /// \param last  the length of the substep before, from which a history's velocity is derived
     /// \param kicks a h of those that are awake, if asked for
     template <class Body>
-    void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h,
-                const Time& last, std::vector<typename Body::Raw>* kicks = nullptr) const {
+    [[gnu::flatten]] void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor,
+                                 const Time& h, const Time& last,
+                                 std::vector<typename Body::Raw>* kicks = nullptr) const {
         before.resize(bodies.size());
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
             auto& body = bodies[slot];
@@ -78,8 +80,8 @@ public:
     /// What the contacts have changed, to the awake bodies.
     /// \param pushed by how much, if asked for
     template <class Body>
-    void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last,
-                 std::vector<typename Body::Raw>* pushed = nullptr) {
+    [[gnu::flatten]] void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before,
+                                  const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
         if (pushed) pushed->resize(bodies.size());
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
             const typename Body::Raw by = bodies[slot].u - before[slot];

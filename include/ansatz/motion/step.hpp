@@ -227,7 +227,8 @@ private:
     using own_written = std::conditional_t<C::asked == LawsAsked::and_left, Columns<OwnAcceleration>, Columns<>>;
 
     /// Asks the laws about every awake body, of which `see` may bring the values up to date.
-    template <class See> void ask_laws(const Context<S>& then, const typename S::Time& last, const See& see) {
+    template <class See>
+    [[gnu::flatten]] void ask_laws(const Context<S>& then, const typename S::Time& last, const See& see) {
         auto& own = data_.own.value;
         make_room_for_own();
         for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {

@@ -227,7 +227,7 @@ private:
     static Scalar length(const Cluster& c) {
         return c.count == 1 ? Scalar(1) : c.curvature > Scalar(0) ? c.slope / c.curvature : Scalar(0);
     }
-    template <class Length> void move(const Length& of) {
+    template <class Length> [[gnu::flatten]] void move(const Length& of) {
         for (std::uint32_t n = 0; n < bodies.size(); ++n) {
             auto& body = bodies[n];
             if (body.count == 0 || !(body.weight > Scalar(0))) continue;
@@ -254,7 +254,7 @@ private:
     }
     /// The direction of a sweep.
     /// \return whether there is one
-    bool choose(bool first, Scalar enough) {
+    [[gnu::flatten]] bool choose(bool first, Scalar enough) {
         for (auto& p : pushes) {
             if (p.waits) continue;
             auto& c = scratch_[p.root];
@@ -282,7 +282,7 @@ private:
         }
         return any;
     }
-    void advance() {
+    [[gnu::flatten]] void advance() {
         for (auto& c : scratch_) c.slope = c.curvature = Scalar(0), c.longest = std::numeric_limits<Scalar>::max();
         for (const auto& p : pushes) {
             if (p.waits) continue;

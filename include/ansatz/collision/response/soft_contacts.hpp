@@ -159,11 +159,7 @@ public:
         return dot(Raw(bodies[c.slot_a].u - bodies[c.slot_b].u), c.normal);
     }
 
-    /// \name The passes
-    /// Flattened: in a file with several worlds g++ would call the arithmetic of vectors instead of inlining it, and
-    /// take half as long again.
-    /// @{
-
+    // The passes are flattened: in a file with several worlds g++ would call the arithmetic of vectors.
     /// The impulses of the substep before act again.
     [[gnu::flatten]] void warm_start() {
         each_acting([&](const Constraint& c) {
@@ -201,8 +197,6 @@ public:
             rub(c);
         });
     }
-    /// @}
-
     /// After the warm start of a step: what pushes because of a load that has gone is taken back (soft_loads.hpp).
     /// \param before by slot: the velocities before the warm start, m/s
     void unload(const std::vector<Raw>& before) { loads_.take_off(*this, before); }
