@@ -21,6 +21,16 @@ foreach(way find_package add_subdirectory)
         PASS_REGULAR_EXPRESSION "2 s: \\([0-9.]+, -?[0-9.]+, 0\\) m, [0-9.]+ J")
 endforeach()
 
+# One policy of a user's own of each kind.
+set(models_build ${PROJECT_BINARY_DIR}/scratch/package/models)
+add_test(NAME package.models COMMAND ${CMAKE_CTEST_COMMAND}
+    --build-and-test ${CMAKE_CURRENT_LIST_DIR}/models ${models_build}
+    --build-generator ${CMAKE_GENERATOR} --build-noclean
+    --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Debug
+        -DCMAKE_PREFIX_PATH=${package_prefix}
+    --test-command ${CMAKE_CTEST_COMMAND} --output-on-failure)
+set_tests_properties(package.models PROPERTIES FIXTURES_REQUIRED installed LABELS package TIMEOUT 600)
+
 find_program(ANSATZ_PKG_CONFIG pkg-config)
 mark_as_advanced(ANSATZ_PKG_CONFIG)
 if(ANSATZ_PKG_CONFIG AND ANSATZ_BASH)
