@@ -107,8 +107,8 @@ TEMPLATE_TEST_CASE("a force of places that is asked once answers what it would h
             }
         }
     };
-    SECTION("of bodies that stay awake") { equal(); }
-    SECTION("of bodies that fall asleep and wake") { equal(Rest{}); }
-    SECTION("where springs couple them") { equal(Springs{}); }
-    SECTION("where springs couple them, and they fall asleep") { equal(Springs{}, Rest{}); }
+    // Springs couple bodies, and who falls asleep wakes; for an integrator that keeps velocities and one that keeps a
+    // history without that, too: each world takes seconds to compile.
+    equal(Springs{}, Rest{});
+    if constexpr (std::same_as<TestType, SemiImplicitEuler> || std::same_as<TestType, Verlet>) equal();
 }
