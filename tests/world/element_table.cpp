@@ -105,6 +105,31 @@ struct Lamps {
     template <class S> using State = ElementTable<S, Lamp, LampRow>;
 };
 
+/// A row that owns memory, and of which the n-th copy fails.
+struct Fragile {
+    using element = Fragile;
+};
+struct FragileRow {
+    static inline int copies_left = -1; // -1: as many as are wanted
+    std::vector<double> numbers = {1, 2, 3};
+    FragileRow() = default;
+    FragileRow(const FragileRow& other) : numbers(other.numbers) {
+        if (copies_left == 0) throw std::runtime_error("no more copies");
+        if (copies_left > 0) --copies_left;
+    }
+    FragileRow(FragileRow&&) noexcept = default;
+    FragileRow& operator=(const FragileRow& other) { return *this = FragileRow(other); }
+    FragileRow& operator=(FragileRow&&) noexcept = default;
+    static void fields(auto& self, auto&& field) { field("numbers", self.numbers); }
+    static FragileRow from(const auto&, const Fragile&) { return {}; }
+};
+struct Fragiles {
+    using role = roles::System;
+    using Element = Fragile;
+    static constexpr std::string_view name = "Fragiles";
+    template <class S> using State = ElementTable<S, Fragile, FragileRow>;
+};
+
 template <class I = SemiImplicitEuler> auto a_world() {
     return World{I{}, Gravity{}, Rest{}, Ties{}, Lamps{}, Keep<InverseMass>{}};
 }
@@ -243,4 +268,17 @@ TEST_CASE("a stale or foreign handle of an element is refused, and what is not a
     CHECK_FALSE(world.contains(tie)); // it went with the body that it held
     CHECK_THROWS_AS(world.get(tie), std::out_of_range);
     CHECK_THROWS_AS(world.remove(tie), std::out_of_range);
+}
+
+TEST_CASE("no copy of a row is made that could fail when the world has been told of it", "[world][elements][V10]") {
+    World world{SemiImplicitEuler{}, Fragiles{}};
+    FragileRow::copies_left = 0;
+    const auto first = world.add(Fragile{}); // grows, too
+    for (int i = 0; i < 20; ++i) world.add(Fragile{});
+    world.set(first, Fragile{});
+    CHECK(world.elements<Fragile>().size() == 21);
+    const auto hash = world.hash();
+    CHECK_THROWS_AS([&] { auto copy = world; }(), std::runtime_error); // a copy of the world needs them
+    CHECK(world.hash() == hash);
+    FragileRow::copies_left = -1;
 }

@@ -76,8 +76,8 @@ template <class S> struct CoupledSums {
 template <class Data> class Present {
 public:
     Present() = default;
-    Present(const Present&) {}
-    Present& operator=(const Present&) {
+    Present(const Present&) noexcept {}
+    Present& operator=(const Present&) noexcept {
         forget();
         return *this;
     }

@@ -13,6 +13,7 @@
 ///
 /// Without them a trivially copyable type, a double among them, is saved byte for byte: for programs of one compiler
 /// and machine, and not for a struct with pointers, which mean nothing in another run; a pointer itself is not saved.
+/// Any bytes of a file are taken back, so that files of strangers ask for the two functions as well.
 /// What is left (a std::shared_ptr, say) is not saved: a body that the loading world has keeps its datum, every other
 /// begins with a new one.
 

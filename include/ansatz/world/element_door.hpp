@@ -25,10 +25,10 @@ ElementHandle<E> World<P...>::add(const E& element, const Option&... option) {
         get_ready("World::add");
         auto& state = data_.template state<Keeper>();
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
-        const auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
+        auto admitted = state.admit("World::add", element, data_.bodies, position, option...);
         state.make_room();
         tell<hook::BeforeChange<>>();
-        handle = state.insert(admitted);
+        handle = state.insert(std::move(admitted)); // a copy may fail, and the modules have been told
         wake_ends(state, handle.id);
     }
     return handle;
@@ -44,10 +44,10 @@ void World<P...>::set(ElementHandle<E> which, const E& to, const Option&... opti
         auto& state = data_.template state<Keeper>();
         const auto id = state.id(which, "World::set");
         const auto position = [&](Slot slot) { return data_.lanes.template get<ansatz::Position>(slot); };
-        const auto admitted = state.admit("World::set", to, data_.bodies, position, option...);
+        auto admitted = state.admit("World::set", to, data_.bodies, position, option...);
         tell<hook::BeforeChange<>>();
         wake_ends(state, id);
-        state.replace(id, admitted);
+        state.replace(id, std::move(admitted));
         wake_ends(state, id);
     }
 }

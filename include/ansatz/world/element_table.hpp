@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -98,7 +99,7 @@ public:
               const Option&...) const {
         static_assert(sizeof...(Option) == 0, "Ansatz: World::add takes nothing beside the description of an element "
                                               "of your own; let the description hold it");
-        const Row row = Row::from(ElementAsked<Where>{where, bodies, place}, description);
+        Row row = Row::from(ElementAsked<Where>{where, bodies, place}, description);
         if constexpr (requires { row.check(); }) row.check();
         return row;
     }
@@ -120,15 +121,15 @@ public:
     }
     /// Room for every element to be removed.
     void reserve_notes() { ids_.reserve_notes(); }
-    /// Adds one.
-    Handle_ insert(const Row& row) {
+    /// Adds one. With room for it, it cannot fail where a row can be moved.
+    Handle_ insert(Row row) {
         const auto id = ids_.take();
-        if (id == rows_.size()) rows_.push_back(row);
-        else rows_[id] = row;
+        if (id == rows_.size()) rows_.push_back(std::move(row));
+        else rows_[id] = std::move(row);
         return handle(id);
     }
     /// Another description for one that is there.
-    void replace(std::uint32_t id, const Row& row) { rows_[id] = row; }
+    void replace(std::uint32_t id, Row row) { rows_[id] = std::move(row); }
     /// Removes one.
     void erase(std::uint32_t id) { ids_.give_back(id); }
     /// Calls `f(body id)` for each body that an element names.
@@ -156,7 +157,7 @@ public:
     /// Adds everything to a hash.
     void add_to(StateHash& hash) const {
         ids_.add_to(hash);
-        for_each([&](std::uint32_t, const Row& row) { detail::hash_state(hash, row); });
+        for_each([&](std::uint32_t, const Row& row) { detail::hash_fields<true>(hash, row); });
     }
     /// @}
 

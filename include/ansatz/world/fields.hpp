@@ -13,9 +13,10 @@
 ///         }
 ///     };
 ///
-/// A field is a number, a bool, a quantity, a vector quantity, a `BodyId`, or a std::vector or std::array of these. In
-/// a file it stands under its name, a quantity as a raw SI number. A state whose numbers have to fit together says so
-/// in `void check() const`, which throws std::invalid_argument, and is called when a file was read.
+/// A field is a number, a bool, a quantity, a vector quantity, or a std::vector or std::array of these; in the row of
+/// an ElementTable a `BodyId`, too. In a file it stands under its name, a quantity as a raw SI number. A state whose
+/// numbers have to fit together says so in `void check() const`, which throws std::invalid_argument, and is called when
+/// a file was read.
 ///
 /// A state without `fields` has functions of its own: `add_to(hash)`, and what world/save_elements.hpp reads.
 
@@ -73,6 +74,21 @@ template <class T> void hash_field(StateHash& hash, const T& x) {
         for (const auto& one : x) hash_field(hash, static_cast<const typename T::value_type&>(one));
     } else hash.add_number(x);
 }
+/// Whether a field names bodies.
+template <class T> inline constexpr bool names_bodies = std::same_as<T, BodyId>;
+template <class T>
+    requires is_list<T>
+inline constexpr bool names_bodies<T> = std::same_as<typename T::value_type, BodyId>;
+/// Adds what something consists of.
+/// \tparam FollowsBodies whether it is told when a body is removed
+template <bool FollowsBodies, class T> void hash_fields(StateHash& hash, const T& state) {
+    T::fields(state, [&]<class X>(std::string_view, const X& x) {
+        static_assert(FollowsBodies || !names_bodies<X>,
+                      "Ansatz: a State with a BodyId among its fields would name a body that is gone, since nobody "
+                      "tells it; keep what names bodies in an ElementTable");
+        hash_field(hash, x);
+    });
+}
 /// Adds a state.
 template <class T> void hash_state(StateHash& hash, const T& state) {
     if constexpr (requires { state.add_to(hash); }) state.add_to(hash);
@@ -82,7 +98,7 @@ template <class T> void hash_state(StateHash& hash, const T& state) {
                       "Ansatz: a policy keeps a State of which the world does not know what it consists of; give it "
                       "`static void fields(auto& self, auto&& field)`, which calls field(\"name\", self.name) for "
                       "each of its members");
-        if constexpr (known) T::fields(state, [&](std::string_view, const auto& x) { hash_field(hash, x); });
+        if constexpr (known) hash_fields<false>(hash, state);
     }
 }
 
