@@ -64,9 +64,10 @@ template <class P, class S> constexpr bool couples_in() {
 
 template <class I, class S, class... W, class... X> constexpr bool advances(Columns<W...>, Columns<X...>) {
     return []<int... K>(std::integer_sequence<int, K...>) {
-        return (requires(value_of<W, S>&... w, value_of<X, S>&... x, const typename S::Acceleration& a,
-                         const TimeStep<S>& dt) { I::advance(Stage<K + first_stage<I>(true)>{}, w..., x..., a, dt); } &&
-                ...);
+        return (requires(const verbs_of<I, S>& verbs, value_of<W, S>&... w, value_of<X, S>&... x,
+                         const typename S::Acceleration& a, const TimeStep<S>& dt) {
+            verbs.advance(Stage<K + first_stage<I>(true)>{}, w..., x..., a, dt);
+        } && ...);
     }(std::make_integer_sequence<int, stage_count<I>() - first_stage<I>(true)>{});
 }
 
@@ -80,8 +81,9 @@ template <class S> struct LawsProbe {
 template <class I, class S> constexpr bool copies_what_it_advances() {
     auto copies = []<class Tried, class... W, class... X, int... K>(Columns<Tried>, Columns<W...>, Columns<X...>,
                                                                     std::integer_sequence<int, K...>) {
-        return (requires(value_of<X, S>&... x, const typename S::Acceleration& a, const TimeStep<S>& dt) {
-            I::advance(Stage<K + first_stage<I>(true)>{}, std::declval<Written<W, Tried, S>>()..., x..., a, dt);
+        return (requires(const verbs_of<I, S>& verbs, value_of<X, S>&... x, const typename S::Acceleration& a,
+                         const TimeStep<S>& dt) {
+            verbs.advance(Stage<K + first_stage<I>(true)>{}, std::declval<Written<W, Tried, S>>()..., x..., a, dt);
         } && ...);
     };
     auto one_of_them = [&]<class... W>(Columns<W...> written) {
@@ -90,11 +92,10 @@ template <class I, class S> constexpr bool copies_what_it_advances() {
                            std::make_integer_sequence<int, stage_count<I>() - first_stage<I>(true)>{}) ||
                     ...);
         else
-            return requires(typename S::Velocity& v, const LawsProbe<S>& laws, const TimeStep<S>& dt) {
-                I::solve(typename S::Position(), v, laws, dt);
-            } || requires(typename S::Position& x, const LawsProbe<S>& laws, const TimeStep<S>& dt) {
-                I::solve(x, typename S::Velocity(), laws, dt);
-            };
+            return requires(const verbs_of<I, S>& verbs, typename S::Velocity& v, const LawsProbe<S>& laws,
+                            const TimeStep<S>& dt) { verbs.solve(typename S::Position(), v, laws, dt); } ||
+                   requires(const verbs_of<I, S>& verbs, typename S::Position& x, const LawsProbe<S>& laws,
+                            const TimeStep<S>& dt) { verbs.solve(x, typename S::Velocity(), laws, dt); };
     };
     return one_of_them(writes_of<I>{});
 }
@@ -109,10 +110,10 @@ concept KeepsHistory =
     };
 
 template <class I, class S>
-concept Solves =
-    requires(typename S::Position& x, typename S::Velocity& v, const LawsProbe<S>& laws, const TimeStep<S>& dt) {
-        { I::solve(x, v, laws, dt) } -> std::convertible_to<bool>;
-    };
+concept Solves = requires(const verbs_of<I, S>& verbs, typename S::Position& x, typename S::Velocity& v,
+                          const LawsProbe<S>& laws, const TimeStep<S>& dt) {
+    { verbs.solve(x, v, laws, dt) } -> std::convertible_to<bool>;
+};
 
 template <class E, class S, class... W, class... C> constexpr bool applies(Columns<W...>, Columns<C...>) {
     if constexpr (Binds<E, S>)
@@ -201,7 +202,9 @@ concept DifferentiableCouplingIn =
     };
 
 /// An integrator of stages: `advance(Stage<k>, written..., scratch..., a, dt)` for every stage; where it keeps no
-/// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means.
+/// Velocity, also `mean_velocity`, `velocity_now` and `history`, which say what velocity means. One without parameters
+/// has them as static functions; one with parameters (`name` and `parameters`, as every policy) has `advance` in its
+/// `template <class S> struct In`, where they are bound to the space, and is changed by `world.set`.
 ///
 /// \snippet tests/world/page.cpp midpoint
 ///
@@ -215,7 +218,8 @@ concept StagedIntegratorIn =
     detail::is_staged<I> && detail::advances<I, S>(writes_of<I>{}, detail::scratch_of<I>{}) &&
     !detail::copies_what_it_advances<I, S>() && (!detail::derives_velocity<I> || detail::KeepsHistory<I, S>);
 
-/// An integrator that solves for the next state: `solve(x, v, laws, dt)` answers whether it succeeded.
+/// An integrator that solves for the next state: `solve(x, v, laws, dt)` answers whether it succeeded. It is a static
+/// function, or one of `In<S>`, as above.
 ///
 /// `ImplicitEuler` and `Odeint` are such integrators (notes 1.6.2); the exercise
 /// \ref exercise_motion_implicit_euler "implicit_euler" asks for one.

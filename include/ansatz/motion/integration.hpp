@@ -77,9 +77,34 @@ template <LawsAsked How, class LawsT, class R, class S>
     }
 }
 
-template <class I, int K, class R, class... W, class... X, class A, class Dt>
-[[gnu::always_inline]] inline void advance(R& row, Columns<W...>, Columns<X...>, const A& a, const Dt& dt) {
-    I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
+/// Where an integrator has its verbs: in its `In<S>` where it has parameters, which is bound to a space like every
+/// other policy; as static functions of its own where it has none.
+template <class I, class S> struct VerbsOf {
+    using type = I;
+};
+template <class I, class S>
+    requires requires { typename Bound<I, S>; }
+struct VerbsOf<I, S> {
+    using type = Bound<I, S>;
+};
+template <class I, class S> using verbs_of = typename VerbsOf<I, S>::type;
+
+/// An integrator in a step: of one without parameters nothing is kept.
+template <class I, class S, class Verbs = verbs_of<I, S>> struct BoundIntegrator {
+    explicit BoundIntegrator(const I& integrator) : verbs(integrator) {}
+    Verbs verbs;
+};
+template <class I, class S> struct BoundIntegrator<I, S, I> {
+    BoundIntegrator() = default;
+    explicit BoundIntegrator(const I&) {}
+};
+
+template <class I, int K, class S, class R, class... W, class... X, class A, class Dt>
+[[gnu::always_inline]] inline void advance([[maybe_unused]] const BoundIntegrator<I, S>& integrator, R& row,
+                                           Columns<W...>, Columns<X...>, const A& a, const Dt& dt) {
+    if constexpr (requires { integrator.verbs; })
+        integrator.verbs.advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
+    else I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
 }
 
 /// The velocity of a body whose integrator derives it, into the row's Velocity: the mean over the last step.
@@ -216,6 +241,7 @@ struct WholeStep {
     After after;             ///< those after it
     Context<S> context;      ///< time and step
     std::uint64_t* unsolved; ///< counts the bodies whose equation an implicit integrator could not solve
+    detail::BoundIntegrator<I, S> integrator{}; ///< its parameters, where it has any
 
     /// One body's whole step.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
@@ -233,8 +259,12 @@ struct WholeStep {
 private:
     template <class R> void solve(R& row) const {
         const R start = row;
-        const bool solved = I::solve(row.template get<Position>(), row.template get<Velocity>(),
-                                     LawsOfBody<S, LawsT, R>(laws, start, context), context.dt());
+        auto& x = row.template get<Position>();
+        auto& v = row.template get<Velocity>();
+        const LawsOfBody<S, LawsT, R> of_body(laws, start, context);
+        bool solved = false;
+        if constexpr (requires { integrator.verbs; }) solved = integrator.verbs.solve(x, v, of_body, context.dt());
+        else solved = I::solve(x, v, of_body, context.dt());
         if (!solved) ++*unsolved;
     }
     template <class R, int... K> [[gnu::always_inline]] void stages(R& row, std::integer_sequence<int, K...>) const {
@@ -243,7 +273,7 @@ private:
     template <int K, class R> [[gnu::always_inline]] void stage(R& row) const {
         constexpr LawsAsked how = K == detail::first_stage<I>(velocity_read) ? How : LawsAsked::here;
         const auto a = detail::own_acceleration<how>(laws, row, context.later(detail::node<I>(K)));
-        detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, a, context.dt());
+        detail::advance<I, K>(integrator, row, writes_of<I>{}, detail::scratch_of<I>{}, a, context.dt());
     }
     template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
         ((row.template get<C>() = value_of<C, S>()), ...);
@@ -255,14 +285,15 @@ template <class S, class I, int K, class LawsT, LawsAsked How = LawsAsked::here>
     /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
-    LawsT laws;         ///< the sum of the laws of one body
-    Context<S> context; ///< time and step
+    LawsT laws;                                 ///< the sum of the laws of one body
+    Context<S> context;                         ///< time and step
+    detail::BoundIntegrator<I, S> integrator{}; ///< its parameters, where it has any
 
     /// One body's stage.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
         const auto own = detail::own_acceleration<How>(laws, row, context.later(detail::node<I>(K)));
         const auto coupled = row.template get<InverseMass>() * row.template get<CoupledForce>();
-        detail::advance<I, K>(row, writes_of<I>{}, detail::scratch_of<I>{}, own + coupled, context.dt());
+        detail::advance<I, K>(integrator, row, writes_of<I>{}, detail::scratch_of<I>{}, own + coupled, context.dt());
     }
 };
 

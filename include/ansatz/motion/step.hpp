@@ -17,18 +17,19 @@
 
 namespace ansatz {
 
-/// The forces and effects of a world, bound to its space.
+/// The integrator, the forces and the effects of a world, bound to its space.
 template <class C> struct BoundMotion {
     /// The space.
     using S = typename C::S;
-    typename C::Laws laws;                                        ///< the forces
-    typename C::template Effects<Place::before_forces> before;    ///< the effects before the integrator
-    typename C::template Effects<Place::after_integration> after; ///< those after it
-    typename C::template Effects<Place::end_of_step> end;         ///< those at the end of the step
+    detail::BoundIntegrator<typename C::Integrator, S> integrator; ///< the integrator
+    typename C::Laws laws;                                         ///< the forces
+    typename C::template Effects<Place::before_forces> before;     ///< the effects before the integrator
+    typename C::template Effects<Place::after_integration> after;  ///< those after it
+    typename C::template Effects<Place::end_of_step> end;          ///< those at the end of the step
 
     /// Binds a world's policies.
     template <class Policies> static BoundMotion from(const Policies& policies) {
-        return {bind<typename C::Laws>(policies, typename C::laws{}),
+        return {bind_integrator(policies), bind<typename C::Laws>(policies, typename C::laws{}),
                 bind<typename C::template Effects<Place::before_forces>>(
                     policies, typename C::template effects<Place::before_forces>{}),
                 bind<typename C::template Effects<Place::after_integration>>(
@@ -45,6 +46,12 @@ template <class C> struct BoundMotion {
     }
 
 private:
+    /// A world without an integrator has a stand-in for one.
+    template <class Policies> static auto bind_integrator([[maybe_unused]] const Policies& policies) {
+        using I = typename C::Integrator;
+        if constexpr (PlaysRole<I, roles::Integrator>) return detail::BoundIntegrator<I, S>(std::get<I>(policies));
+        else return detail::BoundIntegrator<I, S>();
+    }
     template <class To, class Policies, class... Q> static To bind(const Policies& policies, Types<Q...>) {
         return To(std::get<Q>(policies)...);
     }
@@ -253,8 +260,8 @@ private:
         using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
                                typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived, own_read>;
         make_room_for_own();
-        walk<Needs, Written>(Motion::awake,
-                             Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved});
+        walk<Needs, Written>(Motion::awake, Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved,
+                                                   bound_.integrator});
     }
 
     /// All bodies as one system of equations.
@@ -266,7 +273,11 @@ private:
         }
         remember_platforms(data_);
         CoupledSystem<C, Policies> system(data_, policies_, bound_.laws, context_);
-        if (!data_.together.value.solve(system, context_.dt())) ++data_.unsolved;
+        bool solved = false;
+        if constexpr (requires { bound_.integrator.verbs; })
+            solved = data_.together.value.solve(system, context_.dt(), bound_.integrator.verbs);
+        else solved = data_.together.value.solve(system, context_.dt());
+        if (!solved) ++data_.unsolved;
         place_platforms(data_, 0, context_.dt());
         effects_after();
     }
@@ -341,7 +352,8 @@ private:
             union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>,
                      std::conditional_t<how == LawsAsked::here, Columns<>, own_read>>;
         if constexpr (how != LawsAsked::here) make_room_for_own();
-        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws, how>{bound_.laws, context_});
+        walk<Needs, Written>(Motion::awake,
+                             OneStage<S, I, K, typename C::Laws, how>{bound_.laws, context_, bound_.integrator});
     }
 
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.
@@ -361,7 +373,8 @@ private:
                                                              data_.lanes.template get<Velocity>(slot) * context_.dt());
         } else
             walk<union_of<writes_of<I>, detail::scratch_of<I>, derived>, writes_of<I>>(
-                Motion::moving, Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved});
+                Motion::moving,
+                Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved, bound_.integrator});
     }
 
     template <class Q> void let_break_one() {

@@ -58,7 +58,8 @@ struct PlainOscillator {
 };
 
 /// The matrix of one step of length 1: how the two columns that integrator `I` keeps follow from themselves.
-template <class I, class... Kept> std::array<double, 4> one_step(double stiffness, double damping, Columns<Kept...>) {
+template <class I, class... Kept>
+std::array<double, 4> one_step(const I& integrator, double stiffness, double damping, Columns<Kept...>) {
     static_assert(sizeof...(Kept) == 2,
                   "Ansatz: stable_step knows integrators that keep two columns, Position and another");
     using S = Space<double, 2>;
@@ -67,8 +68,8 @@ template <class I, class... Kept> std::array<double, 4> one_step(double stiffnes
     const auto one = S::Time::from_value(1.0);
     std::uint64_t unsolved = 0;
     const WholeStep<S, I, Sum, Effects<S>, Effects<S>, Columns<>> step{
-        Sum(PlainOscillator{stiffness, damping}), Effects<S>(), Effects<S>(),
-        Context<S>(S::ClockTime(), TimeStep<S>(one, one)), &unsolved};
+        Sum(PlainOscillator{stiffness, damping}),          Effects<S>(), Effects<S>(),
+        Context<S>(S::ClockTime(), TimeStep<S>(one, one)), &unsolved,    BoundIntegrator<I, S>(integrator)};
     R row{};
     // Both trajectories at once, one in each component.
     auto start = [&]<class First, class Second>(Columns<First, Second>) {
@@ -86,8 +87,8 @@ template <class I, class... Kept> std::array<double, 4> one_step(double stiffnes
 
 /// Jury's conditions for a matrix of two rows: both eigenvalues at most 1. Those of a symplectic method are 1 exactly,
 /// so that rounding must not decide.
-template <class I> bool is_stable(double stiffness, double damping) {
-    const auto m = one_step<I>(stiffness, damping, writes_of<I>{});
+template <class I> bool is_stable(const I& integrator, double stiffness, double damping) {
+    const auto m = one_step(integrator, stiffness, damping, writes_of<I>{});
     const double trace = m[0] + m[3], determinant = m[0] * m[3] - m[1] * m[2];
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     return determinant <= 1 + rounding && std::abs(trace) <= 1 + determinant + rounding * (1 + std::abs(trace));
@@ -99,16 +100,17 @@ template <class I> bool is_stable(double stiffness, double damping) {
 /// step, infinite if it never does.
 /// \param stiffness omega^2 = k/m, 1/s^2, finite, not negative
 /// \param damping   gamma = c/m, 1/s, finite, not negative
+/// \param integrator the one that is meant, where it has parameters
 /// \throws std::invalid_argument for other values
 template <class I>
 Quantity<unit::Time> stable_step(const Quantity<unit::FrequencySquared>& stiffness,
-                                 const Quantity<unit::Frequency>& damping = 0.0 * hertz) {
+                                 const Quantity<unit::Frequency>& damping = 0.0 * hertz, const I& integrator = I()) {
     require_not_negative("stable_step", "stiffness", stiffness);
     require_not_negative("stable_step", "damping", damping);
     const double k = stiffness.value(), c = damping.value(), rate = std::max(std::sqrt(k), c);
     if (rate == 0) return std::numeric_limits<double>::infinity() * second;
     // In units of 1 / rate, so that nothing depends on how fast the oscillator is.
-    auto stable = [&](double h) { return detail::is_stable<I>(k / rate / rate * h * h, c / rate * h); };
+    auto stable = [&](double h) { return detail::is_stable(integrator, k / rate / rate * h * h, c / rate * h); };
     constexpr double least = 1e-6, usual = 1e-2, most = 1e6, apart = 1.05;
     double below = stable(usual) ? usual : least;
     if (!stable(below)) return 0.0 * second;
@@ -255,14 +257,15 @@ Quantity<unit::FrequencySquared> measured_stiffness(const World<P...>& world, in
 }
 
 /// The largest time step that integrator `I` takes without growing, whatever such springs do, s.
-template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
+/// \param integrator the one that is meant, where it has parameters
+template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs, const I& integrator = I()) {
     if (springs.largest.value() == 0 && springs.damping.value() == 0)
         return std::numeric_limits<double>::infinity() * second;
     // A network swings in many ways, each with some stiffness up to the largest and some damping between the least and
     // the most that goes with it, and not every method is held most by the same of them: semi-implicit Euler by what is
     // stiffest and most damped, explicit Euler by what is damped least, Runge-Kutta by what is damped much and hardly
     // stiff.
-    auto limit = stable_step<I>(springs.largest, springs.damping);
+    auto limit = stable_step<I>(springs.largest, springs.damping, integrator);
     constexpr int parts = 8;
     for (int i = 0; i <= parts; ++i) {
         const auto stiffness = springs.largest * (double(i) / parts);
@@ -271,7 +274,8 @@ template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
         };
         const auto least = at_most(springs.least_ratio), most = at_most(springs.most_ratio);
         for (int j = 0; j <= parts; ++j)
-            limit = std::min(limit, stable_step<I>(stiffness, least + (most - least) * (double(j) / parts)));
+            limit =
+                std::min(limit, stable_step<I>(stiffness, least + (most - least) * (double(j) / parts), integrator));
     }
     return limit;
 }
@@ -285,7 +289,8 @@ template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs) {
 /// how stiff they are: give yours `stiffnesses` and `jacobian` (DifferentiableCouplingIn), and it counts; `Attraction`
 /// has neither.
 template <class... P> Quantity<unit::Time> stable_step(const World<P...>& world) {
-    return stable_step<typename World<P...>::Integrator>(stiffness_of(world));
+    using I = typename World<P...>::Integrator;
+    return stable_step<I>(stiffness_of(world), world.template get<I>());
 }
 
 } // namespace ansatz

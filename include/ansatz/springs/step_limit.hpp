@@ -59,8 +59,10 @@ template <class Beyond = void> struct StepLimit {
     /// \throws std::invalid_argument where it is refused
     template <class World_> int parts(const World_& world, const Quantity<unit::Time>& dt, Kept& kept) const {
         const auto now = stiffness_of(world, kept.scratch);
-        if (!kept.found || !(now == kept.of)) {
-            kept.limit = stable_step<typename World_::Integrator>(now);
+        using I = typename World_::Integrator;
+        constexpr bool may_change = requires { typename detail::Bound<I, typename World_::S>; };
+        if (!kept.found || may_change || !(now == kept.of)) {
+            kept.limit = stable_step<I>(now, world.template get<I>());
             kept.of = now;
             kept.found = true;
         }

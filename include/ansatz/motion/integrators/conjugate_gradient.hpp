@@ -30,18 +30,19 @@ struct ConjugateGradient {
     template <class Scalar> class Solver {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
-        /// How small a part of b it leaves.
+        /// How small a part of b it leaves, unless it is told.
         static constexpr Scalar close = std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
 
-        /// \param x the solution; what it holds is not used
+        /// \param x    the solution; what it holds is not used
+        /// \param leave how small a part of b it leaves
         /// \return whether it converged
-        template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x) {
+        template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x, const Scalar& leave = close) {
             x.setZero(b.size());
             // In units of the largest of b: the square of what dies away is nothing long before it is.
             const Scalar unit = b.size() > 0 ? b.cwiseAbs().maxCoeff() : Scalar(0);
             if (!(unit > Scalar(0))) return unit == Scalar(0);
             residual_ = b / unit;
-            const Scalar target = close * close * sum(residual_, residual_);
+            const Scalar target = leave * leave * sum(residual_, residual_);
             preconditioner_.compute(A);
             towards_ = preconditioner_.solve(residual_);
             Scalar steep = sum(residual_, towards_);

@@ -30,24 +30,23 @@ template <class S, class LinearSolver> class ImplicitSystem {
 public:
     using Scalar = typename S::Scalar;
     using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
-    static constexpr int most_iterations =
-        50; ///< Newton's iterations before a step counts as unsolved (`World::status`)
 
     /// Advances the bodies of a system by a step of length `dt`.
+    /// \param asked its `tolerance` and `most_iterations`: see ImplicitEulerBy
     /// \return whether it converged; if not, the bodies have moved with the best velocities that were found
-    template <class System, class Dt> bool solve(System& system, const Dt& dt) {
+    template <class System, class Dt> bool solve(System& system, const Dt& dt, const auto& asked) {
         const Scalar h = dt.value();
         system.read(x_, v_, mass_);
         if (x_.size() == 0) return true;
         u_ = v_;
         Scalar left = residual(system, u_, h, r_);
+        const Scalar close = close_enough(asked.tolerance);
         // Below the smallest normal number there are too few digits left to come any closer.
-        const Scalar enough =
-            std::max(Scalar(LinearSolver::template Solver<Scalar>::close * left), std::numeric_limits<Scalar>::min());
+        const Scalar enough = std::max(Scalar(close * left), std::numeric_limits<Scalar>::min());
         bool converged = left == Scalar(0), solved = true;
-        for (iterations_ = 0; iterations_ < most_iterations && !converged && is_finite(left); ++iterations_) {
+        for (iterations_ = 0; iterations_ < asked.most_iterations && !converged && is_finite(left); ++iterations_) {
             linearise(system, h);
-            solved = solver_.solve(matrix_.matrix(), r_, step_) && solved;
+            solved = solve_linear(close) && solved;
             if (!step_.allFinite()) break;
             // A change that the positions cannot hold, or that is nothing beside the velocities, is the end.
             const Scalar eps = std::numeric_limits<Scalar>::epsilon();
@@ -56,15 +55,15 @@ public:
                 return h * change <= factor * eps * x_.cwiseAbs().maxCoeff() ||
                        change <= factor * eps * u_.cwiseAbs().maxCoeff();
             };
-            const bool settled = negligible(Scalar(4)), close = negligible(Scalar(4000));
+            const bool settled = negligible(Scalar(4)), rounds = negligible(Scalar(4000));
             next_ = u_ - step_;
             Scalar next_left = residual(system, next_, h, next_r_);
-            for (int half = 0; half < 30 && !close && !(next_left <= left); ++half) {
+            for (int half = 0; half < 30 && !rounds && !(next_left <= left); ++half) {
                 step_ *= Scalar(0.5);
                 next_ = u_ - step_;
                 next_left = residual(system, next_, h, next_r_);
             }
-            const bool rounding = close && !(next_left < left); // as small as rounding lets it become
+            const bool rounding = rounds && !(next_left < left); // as small as rounding lets it become
             if (!rounding) {
                 std::swap(u_, next_);
                 std::swap(r_, next_r_);
@@ -84,6 +83,17 @@ public:
     const typename LinearSolver::template Solver<Scalar>& solver() const { return solver_; }
 
 private:
+    using Solver = typename LinearSolver::template Solver<Scalar>;
+    /// What part of a residual may be left: as much as is wanted, or the solver's own.
+    static Scalar close_enough(double tolerance) {
+        return tolerance > 0 ? std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon()) : Solver::close;
+    }
+    /// One that iterates is told how far; what solves by factors has rounding left, and no choice.
+    bool solve_linear(const Scalar& close) {
+        if constexpr (requires { solver_.solve(matrix_.matrix(), r_, step_, close); })
+            return solver_.solve(matrix_.matrix(), r_, step_, close);
+        else return solver_.solve(matrix_.matrix(), r_, step_);
+    }
     /// r = M (u - v) - dt f at the end of the step with velocities u.
     /// \return |r|, each row by the square root of its mass: what Newton's method must make small
     template <class System> Scalar residual(System& system, const Column& u, const Scalar& h, Column& r) {
@@ -139,7 +149,7 @@ private:
     }
 
     BlockMatrix<Scalar, S::dimension> matrix_;
-    typename LinearSolver::template Solver<Scalar> solver_;
+    Solver solver_;
     std::vector<std::pair<int, int>> pairs_, known_;
     Column x_, v_, mass_;          // at the beginning of the step
     Column u_, r_, next_, next_r_; // the velocities tried, and what is left
