@@ -16,7 +16,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace ansatz {
@@ -91,8 +90,10 @@ public:
     template <class Make> const Data& get(const Make& make) const {
         const Data* there = made_.load();
         if (there) return *there;
-        auto mine = std::make_unique<const Data>(make());
-        return made_.compare_exchange_strong(there, mine.get()) ? *mine.release() : *there;
+        const auto* mine = new Data(make()); // <memory> would take longer to compile than this file
+        if (made_.compare_exchange_strong(there, mine)) return *mine;
+        delete mine;
+        return *there;
     }
 
 private:
