@@ -15,7 +15,6 @@
 #include <ansatz/core/compiler_flags.hpp>
 
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace ansatz {
@@ -28,7 +27,7 @@ public:
     /// n islands of one each.
     void reset(std::size_t n) {
         parent_.resize(n);
-        std::iota(parent_.begin(), parent_.end(), 0u);
+        for (std::uint32_t i = 0; i < n; ++i) parent_[i] = i;
     }
     /// The number that stands for the island of `i`.
     std::uint32_t of(std::uint32_t i) {

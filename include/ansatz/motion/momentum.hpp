@@ -20,7 +20,7 @@
 
 #include <ansatz/motion/newton.hpp>
 
-#include <iterator>
+#include <array> // and with it std::begin and std::end
 #include <type_traits>
 #include <utility>
 
