@@ -154,11 +154,8 @@ template <class I> void wake_around(const I& inside, [[maybe_unused]] std::uint3
         data.template ask<hook::EachNeighbour>(id, wake);
         if constexpr (C::islands)
             if (data.bodies.count(Motion::resting) > 0)
-                for_each_element(data, [&](const auto& state, std::uint32_t element) {
-                    bool holds = false;
-                    state.for_each_body(element, [&](std::uint32_t body) { holds = holds || body == id; });
-                    if (holds) state.for_each_body(element, wake);
-                });
+                for_each_element_of(
+                    data, id, [&](const auto& state, std::uint32_t element) { state.for_each_body(element, wake); });
     }
 }
 

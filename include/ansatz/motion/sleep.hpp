@@ -40,6 +40,26 @@ template <class C, class F> void for_each_element(const WorldData<C>& data, F&& 
             });
     });
 }
+/// The same for those that name one body.
+template <class C, class F> void for_each_element_of(const WorldData<C>& data, std::uint32_t body, F&& f) {
+    const auto at = [&](std::uint32_t id) { return data.lanes.template get<Position>(data.bodies.slot_of_id(id)); };
+    data.states.for_each([&](const auto& state) {
+        if constexpr (requires { state.for_each_body(0u, at); }) {
+            const auto one = [&](std::uint32_t id) {
+                bool names = false;
+                state.for_each_body(id, [&](std::uint32_t named) { names = names || named == body; });
+                if constexpr (requires { state.is_slack(id, at); }) names = names && !state.is_slack(id, at);
+                if (names) f(state, id);
+            };
+            if constexpr (requires { state.knows_named(); })
+                if (state.knows_named()) {
+                    state.for_each_naming(body, one);
+                    return;
+                }
+            state.for_each([&](std::uint32_t id, const auto&) { one(id); });
+        }
+    });
+}
 /// Wakes who hangs on somebody that disturbs.
 /// \param disturbs whether the body of a slot wakes those that hang together with it
 /// \param wake     what wakes the body of a slot

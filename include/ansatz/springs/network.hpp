@@ -11,6 +11,7 @@
 
 #include <ansatz/springs/spring.hpp>
 #include <ansatz/world/hash.hpp>
+#include <ansatz/world/named_by.hpp>
 #include <ansatz/world/space.hpp>
 
 #include <algorithm>
@@ -221,11 +222,24 @@ public:
         links_[id].a = no_body;
         arranged_ = false;
     }
+    /// Calls `f(id)` for each, by id from the last to the first.
+    template <class F> void for_each_backwards(F&& f) const {
+        for (auto id = std::uint32_t(links_.size()); id-- > 0;)
+            if (links_[id].a != no_body) f(id);
+    }
+    /// A body will be removed: `bodies` is one more than the largest id of one.
+    void find_named(std::size_t bodies) { named_by_.find(*this, bodies); }
+    /// Whether that is known.
+    bool knows_named() const { return named_by_.known(); }
+    /// Calls `f(id)` by id for each that holds a body, of which `f` may remove it. Behind `find_named`.
+    template <class F> void for_each_naming(std::uint32_t body, F&& f) const {
+        named_by_.each(body, [&](std::uint32_t id) {
+            if (links_[id].a != no_body && (links_[id].a == body || links_[id].b == body)) f(id);
+        });
+    }
     /// Removes all that hold this body.
     void body_removed(std::uint32_t body) {
-        for_each([&](std::uint32_t id, const Link& link) {
-            if (link.a == body || link.b == body) erase(id);
-        });
+        for_each_naming(body, [&](std::uint32_t id) { erase(id); });
     }
 
     /// The description of a living one.
@@ -306,6 +320,7 @@ private:
         anchors_[id] = in.anchor;
         if constexpr (Breaks) limits_[id] = {Scalar(in.limit.force.value()), Scalar(in.limit.strain)};
         arranged_ = false;
+        named_by_.note(id);
     }
     static void add_limit(const char* where, Admitted& in, const BreakLimit& limit) {
         static_assert(Breaks, "Ansatz: the springs of this world do not break; write Springs<Breaking>{} or "
@@ -336,6 +351,7 @@ private:
     [[no_unique_address]] std::conditional_t<Breaks, std::vector<Broken<E>>, detail::Absent> broken_;
     std::vector<Link> pairs_;
     std::vector<Hung> hung_;
+    detail::NamedBy named_by_;
     bool arranged_ = false;
     std::uint64_t layout_ = 0;
 };

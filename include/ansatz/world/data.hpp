@@ -133,6 +133,12 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
             if constexpr (requires { state.reserve_notes(); }) state.reserve_notes();
         });
     }
+    /// Before a body is removed: who names it is found, which may fail.
+    void find_named() {
+        states.for_each([&](auto& state) {
+            if constexpr (requires { state.find_named(bodies.ids()); }) state.find_named(bodies.ids());
+        });
+    }
     /// Room for what only a step notes, such as what breaks in it: who reads those of the last step may do what he
     /// likes meanwhile.
     void reserve_notes_of_step() {

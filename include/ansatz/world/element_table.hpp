@@ -17,6 +17,7 @@
 
 #include <ansatz/world/elements.hpp>
 #include <ansatz/world/fields.hpp>
+#include <ansatz/world/named_by.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -126,23 +127,40 @@ public:
         const auto id = ids_.take();
         if (id == rows_.size()) rows_.push_back(std::move(row));
         else rows_[id] = std::move(row);
+        named_by_.note(id);
         return handle(id);
     }
     /// Another description for one that is there.
-    void replace(std::uint32_t id, Row row) { rows_[id] = std::move(row); }
+    void replace(std::uint32_t id, Row row) {
+        rows_[id] = std::move(row);
+        named_by_.note(id);
+    }
     /// Removes one.
     void erase(std::uint32_t id) { ids_.give_back(id); }
     /// Calls `f(body id)` for each body that an element names.
     template <class F> void for_each_body(std::uint32_t id, F&& f) const {
         Row::fields(rows_[id], [&](std::string_view, const auto& x) { detail::each_body_in(x, f); });
     }
-    /// Removes all that name this body.
-    void body_removed(std::uint32_t body) {
-        for (std::uint32_t id = 0; id < rows_.size(); ++id) {
+    /// Calls `f(id)` for each, by id from the last to the first.
+    template <class F> void for_each_backwards(F&& f) const {
+        for (auto id = std::uint32_t(rows_.size()); id-- > 0;)
+            if (ids_.alive(id)) f(id);
+    }
+    /// A body will be removed: `bodies` is one more than the largest id of one.
+    void find_named(std::size_t bodies) { named_by_.find(*this, bodies); }
+    /// Whether that is known.
+    bool knows_named() const { return named_by_.known(); }
+    /// Calls `f(id)` by id for each element that names a body, of which `f` may remove it. Behind `find_named`.
+    template <class F> void for_each_naming(std::uint32_t body, F&& f) const {
+        named_by_.each(body, [&](std::uint32_t id) {
             bool names = false;
             if (ids_.alive(id)) for_each_body(id, [&](std::uint32_t one) { names = names || one == body; });
-            if (names) erase(id);
-        }
+            if (names) f(id);
+        });
+    }
+    /// Removes all that name this body.
+    void body_removed(std::uint32_t body) {
+        for_each_naming(body, [&](std::uint32_t id) { erase(id); });
     }
     /// The description of a living one.
     E describe_element(std::uint32_t id, const Bodies& bodies) const {
@@ -166,6 +184,7 @@ private:
 
     ElementIds ids_;
     std::vector<Row> rows_; // by id
+    detail::NamedBy named_by_;
 };
 
 } // namespace ansatz

@@ -19,6 +19,7 @@ namespace ansatz {
 template <class... P> void World<P...>::remove(Handle body) {
     data_.bodies.slot(body, "World::remove");
     get_ready("World::remove");
+    data_.find_named();
     const auto erase = [&] {
         tell<hook::BeforeChange<>>();
         tell<hook::Disturbed>(body.id);
