@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // The sums of the forces between bodies: summed once where they can be, and anew where they must.
 
+#include <ansatz/motion/bound_motion.hpp>
 #include <ansatz/motion/coupling.hpp>
 
 #include "tests/catch.hpp"

@@ -9,6 +9,7 @@
 /// see makes them stale (`CoupledSums`). Only worlds in which something couples bodies have any of this.
 
 #include <ansatz/motion/state.hpp>
+#include <ansatz/world/execution.hpp>
 #include <ansatz/world/view.hpp>
 
 #include <algorithm>
@@ -19,11 +20,14 @@ namespace ansatz {
 
 /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
 /// \param last the length of the last step, from which the velocity is derived
-template <class C>
-void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typename C::S::Time& last) {
+template <class C, class Policies>
+void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
+                       [[maybe_unused]] const typename C::S::Time& last) {
     if constexpr (C::history && C::template stores<Velocity>)
-        for (std::size_t slot = 0; slot < data.bodies.size(); ++slot)
-            data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
+        in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t slot = begin; slot < end; ++slot)
+                data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
+        });
 }
 
 /// \name Platforms within a step
@@ -148,7 +152,7 @@ void refresh_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const
             if (data.coupled.changed) detail::remember_sums(data);
             detail::KeepSums<C> keep{C::history && data.coupled.changed ? &data : nullptr};
             data.template tell<hook::RefreshBetweenSteps>(policies);
-            derive_velocities(data, context.dt().previous);
+            derive_velocities(data, policies, context.dt().previous);
             sum_coupled(data, policies, context);
             keep.data = nullptr;
         };

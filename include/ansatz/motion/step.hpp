@@ -10,52 +10,17 @@
 /// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
 /// couples, they run stage by stage.
 
+#include <ansatz/motion/bound_motion.hpp>
 #include <ansatz/motion/coupled_system.hpp>
 #include <ansatz/motion/coupling.hpp>
 #include <ansatz/motion/state.hpp>
+#include <ansatz/world/execution.hpp>
 #include <ansatz/world/step.hpp>
 
+#include <atomic>
+#include <cstdint>
+
 namespace ansatz {
-
-/// The integrator, the forces and the effects of a world, bound to its space.
-template <class C> struct BoundMotion {
-    /// The space.
-    using S = typename C::S;
-    detail::BoundIntegrator<typename C::Integrator, S> integrator; ///< the integrator
-    typename C::Laws laws;                                         ///< the forces
-    typename C::template Effects<Place::before_forces> before;     ///< the effects before the integrator
-    typename C::template Effects<Place::after_integration> after;  ///< those after it
-    typename C::template Effects<Place::end_of_step> end;          ///< those at the end of the step
-
-    /// Binds a world's policies.
-    template <class Policies> static BoundMotion from(const Policies& policies) {
-        return {bind_integrator(policies), bind<typename C::Laws>(policies, typename C::laws{}),
-                bind<typename C::template Effects<Place::before_forces>>(
-                    policies, typename C::template effects<Place::before_forces>{}),
-                bind<typename C::template Effects<Place::after_integration>>(
-                    policies, typename C::template effects<Place::after_integration>{}),
-                bind<typename C::template Effects<Place::end_of_step>>(
-                    policies, typename C::template effects<Place::end_of_step>{})};
-    }
-    /// What can be computed once for all bodies.
-    void prepare(const Context<S>& context) {
-        laws.prepare(context);
-        before.prepare(context);
-        after.prepare(context);
-        end.prepare(context);
-    }
-
-private:
-    /// A world without an integrator has a stand-in for one.
-    template <class Policies> static auto bind_integrator([[maybe_unused]] const Policies& policies) {
-        using I = typename C::Integrator;
-        if constexpr (PlaysRole<I, roles::Integrator>) return detail::BoundIntegrator<I, S>(std::get<I>(policies));
-        else return detail::BoundIntegrator<I, S>();
-    }
-    template <class To, class Policies, class... Q> static To bind(const Policies& policies, Types<Q...>) {
-        return To(std::get<Q>(policies)...);
-    }
-};
 
 namespace detail {
 template <class T, std::size_t M, std::size_t N>
@@ -161,7 +126,7 @@ public:
 
     /// What holds bodies together breaks where the state that was made is too much for it.
     void let_break() {
-        derive_velocities(data_, context_.dt());
+        derive_velocities(data_, policies_, context_.dt());
         [&]<class... Q>(Types<Q...>) { (let_break_one<Q>(), ...); }(typename C::breakers{});
     }
 
@@ -211,15 +176,29 @@ protected:
     }
     /// One loop over the bodies of a kind.
     template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {
+        const std::size_t begin = data_.bodies.begin(range), end = data_.bodies.end(range);
+        if constexpr (C::executed) {
+            std::atomic<std::uint64_t> unsolved = 0;
+            in_parts<C>(policies_, begin, end, [&](std::size_t first, std::size_t last) {
+                Kernel part = kernel;
+                std::uint64_t of_part = 0;
+                if constexpr (requires { part.unsolved; }) part.unsolved = &of_part;
+                walk_slots<Needs, Written>(first, last, part);
+                if (of_part != 0) unsolved += of_part;
+            });
+            data_.unsolved += unsolved;
+        } else walk_slots<Needs, Written>(begin, end, kernel);
+    }
+    /// The same over some of them.
+    template <class Needs, class Written, class Kernel>
+    void walk_slots(std::size_t begin, std::size_t end, const Kernel& kernel) {
         using Load = loaded<Needs>;
         if constexpr (detail::contains<OwnAcceleration, Needs>) {
             using Own = Columns<OwnAcceleration>;
             sweep<S, union_of<Load, Own>, Written, difference_of<locals<Needs>, Own>>(
-                detail::joined(data_.lanes.pointers(Load{}), data_.own.value.lanes.pointers(Own{})),
-                data_.bodies.begin(range), data_.bodies.end(range), kernel);
-        } else
-            sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), data_.bodies.begin(range),
-                                                   data_.bodies.end(range), kernel);
+                detail::joined(data_.lanes.pointers(Load{}), data_.own.value.lanes.pointers(Own{})), begin, end,
+                kernel);
+        } else sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), begin, end, kernel);
     }
 
     StepT& step_;             ///< the step
@@ -238,11 +217,13 @@ private:
     [[gnu::flatten]] void ask_laws(const Context<S>& then, const typename S::Time& last, const See& see) {
         auto& own = data_.own.value;
         make_room_for_own();
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
-            auto row = data_.load(Slot(slot), last);
-            see(Slot(slot), row);
-            own.lanes.template set<OwnAcceleration>(slot, bound_.laws.acceleration(row, then));
-        }
+        in_parts<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t slot = begin; slot < end; ++slot) {
+                auto row = data_.load(Slot(slot), last);
+                see(Slot(slot), row);
+                own.lanes.template set<OwnAcceleration>(slot, bound_.laws.acceleration(row, then));
+            }
+        });
         own.known = true;
     }
     /// Of a body, if they have been asked already; it is asked alone otherwise.
@@ -327,7 +308,7 @@ private:
     template <int K> void stage() {
         if constexpr (K == first_stage && detail::node<I>(K) == 0) refresh_coupled(data_, policies_, context_);
         else {
-            if constexpr (K == first_stage) derive_velocities(data_, context_.dt().previous);
+            if constexpr (K == first_stage) derive_velocities(data_, policies_, context_.dt().previous);
             place_platforms(data_, detail::node<I>(K), context_.dt());
             sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
         }
@@ -342,7 +323,7 @@ private:
             if constexpr (C::history)
                 if (!data_.starts.list.empty()) {
                     complete_starts();
-                    derive_velocities(data_, context_.dt().previous);
+                    derive_velocities(data_, policies_, context_.dt().previous);
                 }
         }
         constexpr LawsAsked how = K == first_stage ? C::asked : LawsAsked::here;

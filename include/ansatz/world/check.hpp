@@ -35,7 +35,7 @@ template <class P> struct CheckRole {
     static_assert(
         RoleFacts<P>::known,
         "Ansatz: unknown role: a policy's role is one of ansatz::roles: Space, Integrator, Force, Effect, StepControl, "
-        "System, Observer, or one of a module, such as Broadphase, Filter, Narrowphase, Response of "
+        "System, Observer, Execution, or one of a module, such as Broadphase, Filter, Narrowphase, Response of "
         "<ansatz/collision.hpp>");
     static_assert(RoleFacts<P>::check,
                   "Ansatz: a policy whose check the world cannot call; write `void check() const`");
@@ -53,6 +53,15 @@ template <class O, class S> struct CheckObserver {
         "Ansatz: an observer sees and never changes; it declares `reads` and no `writes` (an Effect may write)");
     static_assert(Facts::observe,
                   "Ansatz: an observer whose observe the world cannot call; write `void observe(const auto& view)`");
+};
+
+template <class E> struct ExecutionFacts {
+    static constexpr bool ok = ExecutionPolicy<E>;
+};
+template <class E> struct CheckExecution {
+    static_assert(ExecutionFacts<E>::ok,
+                  "Ansatz: an execution whose execute the world cannot call; write `void execute(std::size_t count, "
+                  "std::size_t grain, const auto& loop) const`, which calls loop(begin, end) for parts of 0 to count");
 };
 
 struct NoFacts {
@@ -81,6 +90,8 @@ template <class P, class S> struct OfModule {
 template <class P, class S> constexpr auto check_for() {
     if constexpr (PlaysRole<P, roles::Observer>)
         return std::type_identity<FactsAndSentences<ObserverFacts<P, S>, CheckObserver<P, S>>>{};
+    else if constexpr (PlaysRole<P, roles::Execution>)
+        return std::type_identity<FactsAndSentences<ExecutionFacts<P>, CheckExecution<P>>>{};
     else if constexpr (!std::is_void_v<module_of_role<role_of<P>>>) {
         if constexpr (module_is_here<module_of_role<role_of<P>>>) return std::type_identity<OfModule<P, S>>{};
         else return std::type_identity<FactsAndSentences<NotHere, CheckModule<P>>>{};
@@ -92,9 +103,10 @@ template <class P, class S> using CheckFor = typename decltype(check_for<P, S>()
 template <class... P> struct CountFacts {
     static constexpr int spaces = count_of_role<roles::Space, P...>;
     static constexpr int controls = count_of_role<roles::StepControl, P...>;
+    static constexpr int executions = count_of_role<roles::Execution, P...>;
     static constexpr int data = (0 + ... + int(is_datum<P>));
     static constexpr bool moves = modules_of<P...>::size > 0;
-    static constexpr bool ok = spaces <= 1 && controls <= 1 && data <= 1 && moves;
+    static constexpr bool ok = spaces <= 1 && controls <= 1 && executions <= 1 && data <= 1 && moves;
 };
 template <class... P> struct CheckCounts {
     using Facts = CountFacts<P...>;
@@ -103,6 +115,10 @@ template <class... P> struct CheckCounts {
     static_assert(
         Facts::controls <= 1,
         "Ansatz: World has more than one policy that decides how a step is taken; keep one, e.g. StepLimit<Divide>{}");
+    static_assert(
+        Facts::executions <= 1,
+        "Ansatz: World has more than one policy that runs its loops; keep one Execution, or none for a serial "
+        "step");
     static_assert(Facts::data <= 1,
                   "Ansatz: World has more than one Datum; keep one, e.g. of a struct that holds them all");
 };

@@ -70,11 +70,12 @@ private:
 public:
     /// The space.
     using S = space_of<P...>;
-    using policies = Types<P...>;                               ///< all of them
-    using modules = detail::modules_of<P...>;                   ///< what they come with, the upper ones first
-    using controls = detail::filter<detail::IsControl, P...>;   ///< what decides how a step is taken
-    static constexpr bool controlled = controls::size > 0;      ///< whether something does
-    using observers = detail::filter<detail::IsObserver, P...>; ///< the observers
+    using policies = Types<P...>;                             ///< all of them
+    using modules = detail::modules_of<P...>;                 ///< what they come with, the upper ones first
+    using controls = detail::filter<detail::IsControl, P...>; ///< what decides how a step is taken
+    static constexpr bool controlled = controls::size > 0;    ///< whether something does
+    static constexpr bool executed = count_of_role<roles::Execution, P...> > 0; ///< whether a policy runs the loops
+    using observers = detail::filter<detail::IsObserver, P...>;                 ///< the observers
     using keepers =
         detail::filter<detail::KeepsStateIn<S>::template Is, P...>;    ///< the policies that keep a state of their own
     using element_keepers = detail::filter<detail::HasElements, P...>; ///< those of them that keep elements

@@ -72,6 +72,23 @@ concept StepControlFor =
         { control.parts(world, dt, kept) } -> std::same_as<int>;
     };
 
+namespace detail {
+/// A loop as an Execution sees it.
+struct AnyLoop {
+    void operator()(std::size_t begin, std::size_t end) const;
+};
+} // namespace detail
+
+/// Who runs the loops of a step: `execute(count, grain, loop)` calls `loop(begin, end)` for disjoint ranges that
+/// together are 0 to `count`, at the same time if it likes, and comes back when all of them have. execution.hpp says
+/// what it may rely on and what relies on it.
+///
+/// The library has none of its own: without one a step is serial.
+template <class E>
+concept ExecutionPolicy =
+    PlaysRole<E, roles::Execution> &&
+    requires(const E& execution, std::size_t n, const detail::AnyLoop& loop) { execution.execute(n, n, loop); };
+
 /// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only.
 ///
 /// \snippet tests/world/page.cpp recorder

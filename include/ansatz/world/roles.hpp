@@ -22,6 +22,7 @@ namespace roles {
 struct Space {};       ///< scalar type and dimension; at most one, `Space<double, 3>` without it
 struct StepControl {}; ///< whether a step is taken as it is, in parts, or refused; at most one
 struct Observer {};    ///< sees, never changes; any number
+struct Execution {};   ///< who runs the loops of a step; at most one, serial without it
 } // namespace roles
 
 namespace detail {
@@ -49,8 +50,8 @@ template <class R> using module_of_role = typename ModuleOfRole<R>::type;
 template <class R, class... Known> inline constexpr bool one_of = (std::same_as<R, Known> || ...);
 
 template <class R>
-inline constexpr bool known_role =
-    one_of<R, roles::Space, roles::StepControl, roles::Observer> || !std::is_void_v<module_of_role<R>>;
+inline constexpr bool known_role = one_of<R, roles::Space, roles::StepControl, roles::Observer, roles::Execution> ||
+                                   !std::is_void_v<module_of_role<R>>;
 
 } // namespace detail
 

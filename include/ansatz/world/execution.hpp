@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `in_parts`: how a loop over the rows of a world is run, by the world's Execution if it has one.
+///
+/// An Execution is a policy of your own, on std::thread or on whatever your program runs its threads with:
+///
+///     struct MyThreads {
+///         using role = roles::Execution;
+///         void execute(std::size_t count, std::size_t grain, const auto& loop) const;
+///     };
+///
+/// `execute` calls `loop(begin, end)` for ranges that are disjoint and together are 0 to `count`, in any order, on any
+/// threads, and returns when all of them have returned. A range of less than `grain` is not worth a thread. Which
+/// ranges, and on which threads, changes no bit of a world: a row writes its own values only, counts are whole numbers,
+/// and sums are gathered row by row in the order in which a serial loop adds them.
+///
+/// What a policy may rely on: no loop asks for another one, and no loop throws, unless a policy's own law does; what it
+/// throws must leave `execute`, once the other ranges have returned, and then bodies stand between two steps, as they
+/// do where a serial loop throws. What relies on it: `execute` may be called by several threads at once, by those that
+/// ask a world that nobody changes and those that step its copies, so that threads that are kept belong to one call at
+/// a time. The laws of a world with an Execution are asked at the same time, so that they must not change anything that
+/// they share; those of the library do not.
+///
+/// Not for what a step does in an order: contacts, islands of sleep and the door stay serial.
+
+#include <ansatz/world/roles.hpp>
+#include <ansatz/world/types.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+
+namespace ansatz {
+
+namespace detail {
+template <class P> struct IsExecution : std::bool_constant<PlaysRole<P, roles::Execution>> {};
+/// The one of a world that has one.
+template <class... P> const auto& execution_of(const std::tuple<P...>& policies) {
+    return std::get<typename FirstIn<filter<IsExecution, P...>>::type>(policies);
+}
+
+/// How many rows of a lane fill a cache line: parts that begin there share none.
+template <class Scalar> inline constexpr std::size_t rows_of_a_line = sizeof(Scalar) < 64 ? 64 / sizeof(Scalar) : 1;
+/// A part of fewer cache lines takes less time than waking a thread does.
+inline constexpr std::size_t grain_in_lines = 32;
+} // namespace detail
+
+/// Calls `loop(first, last)` for parts of `begin` to `end`, which the Execution of a world runs; once for all of it
+/// where the world has none. Every part but the first begins at a multiple of a cache line's rows.
+/// \tparam C the world's composition
+/// \param policies of the world
+template <class C, class Policies, class Loop>
+[[gnu::always_inline]] inline void in_parts([[maybe_unused]] const Policies& policies, std::size_t begin,
+                                            std::size_t end, const Loop& loop) {
+    if constexpr (C::executed) {
+        if (begin >= end) return;
+        constexpr std::size_t line = detail::rows_of_a_line<typename C::S::Scalar>;
+        const std::size_t before = begin / line, behind = (end + line - 1) / line;
+        const auto part = [&](std::size_t first, std::size_t last) {
+            if (first < last) loop(std::max(begin, (before + first) * line), std::min(end, (before + last) * line));
+        };
+        detail::execution_of(policies).execute(behind - before, detail::grain_in_lines, part);
+    } else loop(begin, end);
+}
+
+} // namespace ansatz
