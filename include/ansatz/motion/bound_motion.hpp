@@ -19,13 +19,16 @@ template <class C> struct BoundMotion {
     using S = typename C::S;
     detail::BoundIntegrator<typename C::Integrator, S> integrator; ///< the integrator
     typename C::Laws laws;                                         ///< the forces
+    typename C::Degrees degrees;                                   ///< what is advanced beside translation
     typename C::template Effects<Place::before_forces> before;     ///< the effects before the integrator
     typename C::template Effects<Place::after_integration> after;  ///< those after it
     typename C::template Effects<Place::end_of_step> end;          ///< those at the end of the step
 
     /// Binds a world's policies.
     template <class Policies> static BoundMotion from(const Policies& policies) {
-        return {bind_integrator(policies), bind<typename C::Laws>(policies, typename C::laws{}),
+        return {bind_integrator(policies),
+                bind<typename C::Laws>(policies, typename C::laws{}),
+                bind<typename C::Degrees>(policies, typename C::degrees{}),
                 bind<typename C::template Effects<Place::before_forces>>(
                     policies, typename C::template effects<Place::before_forces>{}),
                 bind<typename C::template Effects<Place::after_integration>>(
@@ -36,6 +39,7 @@ template <class C> struct BoundMotion {
     /// What can be computed once for all bodies.
     void prepare(const Context<S>& context) {
         laws.prepare(context);
+        if constexpr (!C::Degrees::empty) degrees.prepare(context);
         before.prepare(context);
         after.prepare(context);
         end.prepare(context);

@@ -60,6 +60,30 @@ template <class P, class S> struct CheckForce {
         "order; a force between bodies needs `couples_bodies` and couple(view, context)");
 };
 
+template <class D, class S> struct DegreeFacts {
+    static constexpr bool columns = NamesDegree<D>;
+    static constexpr bool binds = !columns || Binds<D, S>;
+    static constexpr bool prepare = !columns || !binds || PreparesIn<D, S>;
+    static constexpr bool verbs = !columns || !binds || !prepare || accelerates<D, S>();
+    static constexpr bool moves = !columns || !binds || !prepare || !verbs || DegreeOfFreedomIn<D, S>;
+    static constexpr bool ok = columns && binds && prepare && verbs && moves;
+};
+template <class D, class S> struct CheckDegree {
+    using Facts = DegreeFacts<D, S>;
+    static_assert(Facts::columns, "Ansatz: a degree of freedom names the columns that stand for position and velocity; "
+                                  "e.g. `using position = Orientation; using velocity = AngularVelocity;`");
+    static_assert(Facts::binds,
+                  "Ansatz: a degree of freedom that cannot be bound to a space; it needs `template <class S> struct "
+                  "In` with a constructor from the policy, e.g. `explicit In(const Turning& t)`");
+    static_assert(Facts::prepare,
+                  "Ansatz: a policy whose prepare the world cannot call; write `void prepare(const auto& context)`");
+    static_assert(Facts::verbs, "Ansatz: a degree of freedom with a wrong signature; its In<S> needs "
+                                "acceleration(position, velocity, read columns..., context)");
+    static_assert(Facts::moves, "Ansatz: a degree of freedom whose columns do not go together; integrators write x + v "
+                                "* dt, x += v * dt, v + a * dt and v += a * dt with its position x, its velocity v and "
+                                "what its acceleration answers");
+};
+
 template <class E, class S> struct EffectFacts {
     static constexpr bool columns = DeclaresWrites<E>;
     static constexpr bool place = !columns || HasPlace<E>;
@@ -105,6 +129,8 @@ template <class P, class S> constexpr auto check_of_motion() {
         return std::type_identity<FactsAndSentences<IntegratorFacts<P, S>, CheckIntegrator<P, S>>>{};
     else if constexpr (PlaysRole<P, roles::Force>)
         return std::type_identity<FactsAndSentences<ForceFacts<P, S>, CheckForce<P, S>>>{};
+    else if constexpr (PlaysRole<P, roles::DegreeOfFreedom>)
+        return std::type_identity<FactsAndSentences<DegreeFacts<P, S>, CheckDegree<P, S>>>{};
     else if constexpr (PlaysRole<P, roles::Effect>)
         return std::type_identity<FactsAndSentences<EffectFacts<P, S>, CheckEffect<P, S>>>{};
     else return std::type_identity<FactsAndSentences<NoFacts, CheckNothing>>{}; // its systems are looked at below
@@ -153,12 +179,17 @@ template <class... P> struct TogetherFacts {
     static constexpr bool differentiable = !implicit || (has_jacobian<P, S> && ...);
     static constexpr bool apart = solves_together<I, S> || is_staged<I> || !Composition<P...>::coupled;
     static constexpr bool solver = !Composition<P...>::together || solver_is_here<I, S>;
-    static constexpr bool ok = differentiable && apart && solver && (observable<P, I> && ...);
+    static constexpr bool degrees = Composition<P...>::Degrees::empty || (is_staged<I> && !derives_velocity<I>);
+    static constexpr bool ok = differentiable && apart && solver && degrees && (observable<P, I> && ...);
 };
 template <class... P> struct CheckTogether {
     static_assert(TogetherFacts<P...>::apart,
                   "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; "
                   "take an integrator of stages, e.g. RungeKutta4");
+    static_assert(TogetherFacts<P...>::degrees,
+                  "Ansatz: this integrator advances translation alone, because it keeps a history of positions or "
+                  "solves for them; beside a degree of freedom take one of stages that keeps a velocity, e.g. "
+                  "SemiImplicitEuler or RungeKutta4");
     static_assert(
         TogetherFacts<P...>::solver,
         "Ansatz: where forces couple bodies, an implicit integrator solves one system for all of them, and its "

@@ -238,6 +238,48 @@ concept SolvingIntegratorIn = PlaysRole<I, roles::Integrator> && !detail::is_sta
 template <class I, class S>
 concept IntegratorIn = StagedIntegratorIn<I, S> || SolvingIntegratorIn<I, S>;
 
+namespace detail {
+template <class D>
+concept NamesDegree = Column<typename D::position> && Column<typename D::velocity>;
+/// Whether its law answers, with the columns that it reads.
+template <class D, class S> constexpr bool accelerates() {
+    if constexpr (NamesDegree<D> && Binds<D, S>)
+        return []<class... C>(Columns<C...>) {
+            return requires(const Bound<D, S>& law, const value_of<typename D::position, S>& x,
+                            const value_of<typename D::velocity, S>& v, const value_of<C, S>&... c,
+                            const Context<S, reads_clock<D>>& context) { law.acceleration(x, v, c..., context); };
+        }(without_clock<D>{});
+    else return false;
+}
+/// Whether what integrators write can be written of its columns: its acceleration moves v, and v moves x.
+template <class D, class S> constexpr bool moves_by_its_columns() {
+    if constexpr (accelerates<D, S>())
+        return []<class... C>(Columns<C...>) {
+            using X = value_of<typename D::position, S>;
+            using V = value_of<typename D::velocity, S>;
+            using A = decltype(std::declval<const Bound<D, S>&>().acceleration(
+                std::declval<const X&>(), std::declval<const V&>(), std::declval<const value_of<C, S>&>()...,
+                std::declval<const Context<S, reads_clock<D>>&>()));
+            return requires(X& x, V& v, const A& a, const TimeStep<S>& dt) {
+                x += v * dt;
+                x = x + 0.5 * dt * v;
+                v += a * dt;
+                v = v + 0.5 * dt * a;
+            };
+        }(without_clock<D>{});
+    else return false;
+}
+} // namespace detail
+
+/// A degree of freedom beside translation: names the columns that stand for `position` and `velocity`, and its `In<S>`
+/// has `acceleration(position, velocity, read columns..., context)`, whose answer changes the velocity by `a * dt`, as
+/// the velocity changes the position by `v * dt`.
+///
+/// \snippet tests/world/systems/orientation.cpp turning
+template <class D, class S>
+concept DegreeOfFreedomIn =
+    PlaysRole<D, roles::DegreeOfFreedom> && detail::moves_by_its_columns<D, S>() && detail::PreparesIn<D, S>;
+
 /// An effect in space `S`: declares `writes` (and `reads`), a `place`, and `In<S>` has
 /// `apply(written&..., read..., context)`. Where it matters when it acts among those of its place, it says so with
 /// `static constexpr int turn`, 0 to 2 (damping 0, StopBelow 1, Rest 2); those of one turn act as listed and should

@@ -5,7 +5,7 @@
 /// What follows from a list of policies for the motion of bodies: which integrator, which forces act on one body and
 /// which couple bodies, which effects act where, and the columns that a world stores because of how they are run.
 
-#include <ansatz/motion/integration.hpp>
+#include <ansatz/motion/degrees_of_freedom.hpp>
 #include <ansatz/motion/roles.hpp>
 #include <ansatz/world/elements.hpp>
 #include <ansatz/world/modules.hpp>
@@ -30,6 +30,7 @@ template <class P> inline constexpr bool puts_to_rest = requires { requires P::p
 template <class P> struct IsIntegrator : std::bool_constant<PlaysRole<P, roles::Integrator>> {};
 /// A policy of another module's role may couple bodies, too: contacts that are forces of the next step.
 template <class P> struct IsCoupling : std::bool_constant<couples_bodies<P>> {};
+template <class P> struct IsDegree : std::bool_constant<PlaysRole<P, roles::DegreeOfFreedom>> {};
 template <class P> struct IsLaw : std::bool_constant<PlaysRole<P, roles::Force> && !couples_bodies<P>> {};
 /// What an integrator keeps that advances all bodies together.
 template <class I, class S> inline constexpr bool solves_together = requires { typename I::template Together<S>; };
@@ -83,6 +84,7 @@ template <class... P> struct InEveryPart<Types<P...>> {
 template <class P, class S> constexpr auto needs_in_motion() {
     if constexpr (IsCoupling<P>::value) return union_of<reads_of<P>, Columns<CoupledForce, InverseMass>>{};
     else if constexpr (IsLaw<P>::value) return needs_of_law<P, S>{};
+    else if constexpr (IsDegree<P>::value) return union_of<columns_of_degree<P>, reads_of<P>>{};
     else return union_of<writes_of<P>, reads_of<P>>{};
 }
 /// Systems of policies: motion/policy_systems.hpp.
@@ -94,6 +96,7 @@ template <class P> constexpr bool keeps_reversible() {
     if constexpr (PlaysRole<P, roles::Integrator>) return requires { requires P::reversible; };
     else if constexpr (PlaysRole<P, roles::Force>)
         return intersection_of<reads_of<P>, Columns<Velocity, Clock>>::size == 0;
+    else if constexpr (IsDegree<P>::value) return false; // its law may be one of its velocity
     else return difference_of<writes_of<P>, Columns<DrawnPosition>>::size == 0;
 }
 
@@ -104,6 +107,13 @@ template <class S, class... P> struct LawsFrom<S, Types<P...>> {
 template <class S, class List> struct EffectsFrom;
 template <class S, class... P> struct EffectsFrom<S, Types<P...>> {
     using type = Effects<S, P...>;
+};
+
+template <class S, class List> struct DegreesFrom {
+    using type = NoDegrees;
+};
+template <class S, class First, class... P> struct DegreesFrom<S, Types<First, P...>> {
+    using type = DegreesOfFreedom<S, false, First, P...>;
 };
 
 template <class I, class List> struct OrElse {
@@ -161,6 +171,9 @@ public:
     template <class List> using in_every_part = typename detail::InEveryPart<List>::type;
 
     using Laws = typename detail::LawsFrom<S_, laws>::type; ///< the sum of the laws, bound to the space
+    using degrees = detail::filter<detail::IsDegree, P...>; ///< what is advanced beside translation
+    /// The same, bound to the space.
+    using Degrees = typename detail::DegreesFrom<S_, degrees>::type;
     /// The effects at a place of the step.
     template <Place At> using Effects = typename detail::EffectsFrom<S_, effects<At>>::type;
 
@@ -192,8 +205,9 @@ public:
     /// Who asks the laws of one body in a step: what they say is asked once, wherever it can be shared.
     static constexpr LawsAsked asked = detail::how_asked<Integrator, Laws, Effects<Place::before_forces>, P...>();
     /// The scratch that the integrator really has use for.
-    using scratch = std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
-                                       difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>;
+    using scratch = union_of<std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
+                                                difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>,
+                             typename Degrees::template scratch<Integrator>>;
     /// Of the columns that are needed, those with lanes: scratch becomes columns only where stages are run over all
     /// bodies, one after the other.
     template <class Needed>
@@ -202,8 +216,8 @@ public:
         std::conditional_t<history, difference_of<union_of<writes_of<Integrator>, Needed>, Columns<Velocity>>,
                            union_of<writes_of<Integrator>, Needed>>>;
     /// Of those, the ones that are made anew in every step.
-    using made_anew = union_of<detail::scratch_of<Integrator>, Columns<CoupledForce>,
-                               std::conditional_t<history, Columns<Velocity>, Columns<>>>;
+    using made_anew = union_of<detail::scratch_of<Integrator>, typename Degrees::template scratch<Integrator>,
+                               Columns<CoupledForce>, std::conditional_t<history, Columns<Velocity>, Columns<>>>;
 
     /// Whether the motion runs back to its start, but for rounding, when every velocity is negated and the same steps
     /// are made again. Any damping, with whatever factor, and Rest make it false.

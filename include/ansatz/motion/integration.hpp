@@ -67,6 +67,16 @@ template <class I> constexpr double node(int k) {
     return 0;
 }
 
+/// No degree of freedom beside translation.
+struct NoDegrees {
+    using writes = Columns<>;
+    using needs = Columns<>;
+    static constexpr bool empty = true;
+    template <class> using scratch = Columns<>;
+    using coasting = NoDegrees;
+    NoDegrees without_acceleration() const { return {}; }
+};
+
 /// What the laws say in a stage.
 template <LawsAsked How, class LawsT, class R, class S>
 [[gnu::always_inline]] inline auto own_acceleration(const LawsT& laws, R& row, const Context<S>& context) {
@@ -105,6 +115,19 @@ template <class I, int K, class S, class R, class... W, class... X, class A, cla
     if constexpr (requires { integrator.verbs; })
         integrator.verbs.advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
     else I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
+}
+
+/// Stage `K` of all degrees of freedom: what accelerates them is asked before any of them moves.
+template <class I, int K, class S, class Degrees, class R, class A>
+[[gnu::always_inline]] inline void advance_all(const BoundIntegrator<I, S>& integrator,
+                                               [[maybe_unused]] const Degrees& degrees, R& row, const A& a,
+                                               [[maybe_unused]] const Context<S>& stage, const TimeStep<S>& dt) {
+    if constexpr (Degrees::empty) advance<I, K>(integrator, row, writes_of<I>{}, scratch_of<I>{}, a, dt);
+    else {
+        const auto others = degrees.accelerations(row, stage);
+        advance<I, K>(integrator, row, writes_of<I>{}, scratch_of<I>{}, a, dt);
+        degrees.template advance<I, K>(integrator, row, others, dt);
+    }
 }
 
 /// The velocity of a body whose integrator derives it, into the row's Velocity: the mean over the last step.
@@ -230,7 +253,8 @@ private:
 };
 
 /// All of one body's step, every stage with its forces, effects. For worlds where nothing couples.
-template <class S, class I, class LawsT, class Before, class After, class Transient, LawsAsked How = LawsAsked::here>
+template <class S, class I, class LawsT, class Before, class After, class Transient, LawsAsked How = LawsAsked::here,
+          class Degrees = detail::NoDegrees>
 struct WholeStep {
     /// Whether a force asks for the velocity.
     static constexpr bool velocity_read = detail::contains<Velocity, typename LawsT::reads>;
@@ -242,6 +266,7 @@ struct WholeStep {
     Context<S> context;      ///< time and step
     std::uint64_t* unsolved; ///< counts the bodies whose equation an implicit integrator could not solve
     detail::BoundIntegrator<I, S> integrator{}; ///< its parameters, where it has any
+    Degrees degrees{};                          ///< what else is advanced
 
     /// One body's whole step.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
@@ -273,7 +298,7 @@ private:
     template <int K, class R> [[gnu::always_inline]] void stage(R& row) const {
         constexpr LawsAsked how = K == detail::first_stage<I>(velocity_read) ? How : LawsAsked::here;
         const auto a = detail::own_acceleration<how>(laws, row, context.later(detail::node<I>(K)));
-        detail::advance<I, K>(integrator, row, writes_of<I>{}, detail::scratch_of<I>{}, a, context.dt());
+        detail::advance_all<I, K>(integrator, degrees, row, a, context.later(detail::node<I>(K)), context.dt());
     }
     template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
         ((row.template get<C>() = value_of<C, S>()), ...);
@@ -281,19 +306,22 @@ private:
 };
 
 /// Stage `K` of one body, with the coupled force that was summed for it. For worlds where something couples.
-template <class S, class I, int K, class LawsT, LawsAsked How = LawsAsked::here> struct OneStage {
+template <class S, class I, int K, class LawsT, LawsAsked How = LawsAsked::here, class Degrees = detail::NoDegrees>
+struct OneStage {
     /// It is one kernel: the loop inlines it.
     static constexpr bool inlines = true;
 
     LawsT laws;                                 ///< the sum of the laws of one body
     Context<S> context;                         ///< time and step
     detail::BoundIntegrator<I, S> integrator{}; ///< its parameters, where it has any
+    Degrees degrees{};                          ///< what else is advanced
 
     /// One body's stage.
     template <class R> [[gnu::always_inline]] void operator()(R& row, std::size_t) const {
         const auto own = detail::own_acceleration<How>(laws, row, context.later(detail::node<I>(K)));
         const auto coupled = row.template get<InverseMass>() * row.template get<CoupledForce>();
-        detail::advance<I, K>(integrator, row, writes_of<I>{}, detail::scratch_of<I>{}, own + coupled, context.dt());
+        detail::advance_all<I, K>(integrator, degrees, row, own + coupled, context.later(detail::node<I>(K)),
+                                  context.dt());
     }
 };
 

@@ -21,6 +21,10 @@ struct Integrator {
 struct Force {
     using module = modules::Motion; ///< it comes with
 };
+/// Something of a body beside its place that has a rate and is accelerated: an orientation; any number.
+struct DegreeOfFreedom {
+    using module = modules::Motion; ///< it comes with
+};
 /// Takes part in the step by systems of its own (motion/policy_systems.hpp), and may keep a state; any number. So may a
 /// policy of any other role.
 struct System {

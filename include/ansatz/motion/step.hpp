@@ -234,15 +234,16 @@ private:
     }
 
     void body_by_body() {
-        using Kernel =
-            WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient, C::asked>;
-        using Written = union_of<writes_of<I>, typename decltype(bound_.before)::writes,
+        using Kernel = WholeStep<S, I, typename C::Laws, decltype(bound_.before), decltype(bound_.after), Transient,
+                                 C::asked, typename C::Degrees>;
+        using Written = union_of<writes_of<I>, typename C::Degrees::writes, typename decltype(bound_.before)::writes,
                                  typename decltype(bound_.after)::writes, Transient, own_written>;
-        using Needs = union_of<Written, typename C::Laws::needs, typename decltype(bound_.before)::reads,
-                               typename decltype(bound_.after)::reads, detail::scratch_of<I>, derived, own_read>;
+        using Needs = union_of<Written, typename C::Laws::needs, typename C::Degrees::needs,
+                               typename decltype(bound_.before)::reads, typename decltype(bound_.after)::reads,
+                               detail::scratch_of<I>, typename C::Degrees::template scratch<I>, derived, own_read>;
         make_room_for_own();
         walk<Needs, Written>(Motion::awake, Kernel{bound_.laws, bound_.before, bound_.after, context_, &data_.unsolved,
-                                                   bound_.integrator});
+                                                   bound_.integrator, bound_.degrees});
     }
 
     /// All bodies as one system of equations.
@@ -327,14 +328,14 @@ private:
                 }
         }
         constexpr LawsAsked how = K == first_stage ? C::asked : LawsAsked::here;
-        using Written = union_of<writes_of<I>, typename C::scratch,
+        using Written = union_of<writes_of<I>, typename C::Degrees::writes, typename C::scratch,
                                  std::conditional_t<how == LawsAsked::and_left, own_written, Columns<>>>;
-        using Needs =
-            union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, Columns<CoupledForce, InverseMass>,
-                     std::conditional_t<how == LawsAsked::here, Columns<>, own_read>>;
+        using Needs = union_of<Written, detail::scratch_of<I>, typename C::Laws::needs, typename C::Degrees::needs,
+                               Columns<CoupledForce, InverseMass>,
+                               std::conditional_t<how == LawsAsked::here, Columns<>, own_read>>;
         if constexpr (how != LawsAsked::here) make_room_for_own();
-        walk<Needs, Written>(Motion::awake,
-                             OneStage<S, I, K, typename C::Laws, how>{bound_.laws, context_, bound_.integrator});
+        walk<Needs, Written>(Motion::awake, OneStage<S, I, K, typename C::Laws, how, typename C::Degrees>{
+                                                bound_.laws, context_, bound_.integrator, bound_.degrees});
     }
 
     /// Platforms keep their velocity: the integrator's own stages without any acceleration.
@@ -346,16 +347,20 @@ private:
                                         Motion::moving);
         }(std::conditional_t<StepT::later, typename C::template in_every_part<typename C::platform_effects>,
                              typename C::platform_effects>{});
+        using Degrees = typename C::Degrees::coasting;
         using Coast = WholeStep<S, std::conditional_t<detail::is_staged<I>, I, detail::NoIntegrator>, Laws<S>,
-                                Effects<S>, Effects<S>, Columns<>>;
+                                Effects<S>, Effects<S>, Columns<>, LawsAsked::here, Degrees>;
         if constexpr (!detail::is_staged<I>) {
             for (auto slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot)
                 data_.lanes.template set<Position>(slot, data_.lanes.template get<Position>(slot) +
                                                              data_.lanes.template get<Velocity>(slot) * context_.dt());
-        } else
-            walk<union_of<writes_of<I>, detail::scratch_of<I>, derived>, writes_of<I>>(
-                Motion::moving,
-                Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved, bound_.integrator});
+        } else {
+            using Written = union_of<writes_of<I>, typename Degrees::writes>;
+            walk<union_of<Written, detail::scratch_of<I>, typename Degrees::needs,
+                          typename Degrees::template scratch<I>, derived>,
+                 Written>(Motion::moving, Coast{Laws<S>(), Effects<S>(), Effects<S>(), context_, &data_.unsolved,
+                                                bound_.integrator, bound_.degrees.without_acceleration()});
+        }
     }
 
     template <class Q> void let_break_one() {

@@ -32,11 +32,11 @@ template <class P> struct CheckRole {
     static_assert(
         RoleFacts<P>::named,
         "Ansatz: unknown policy: this type names no role; give it one, e.g. `using role = ansatz::roles::Force;`");
-    static_assert(
-        RoleFacts<P>::known,
-        "Ansatz: unknown role: a policy's role is one of ansatz::roles: Space, Integrator, Force, Effect, StepControl, "
-        "System, Observer, Execution, or one of a module, such as Broadphase, Filter, Narrowphase, Response of "
-        "<ansatz/collision.hpp>");
+    static_assert(RoleFacts<P>::known, "Ansatz: unknown role: a policy's role is one of ansatz::roles: Space, "
+                                       "Integrator, Force, Effect, DegreeOfFreedom, "
+                                       "StepControl, System, Observer, Execution, or one of a module, such as "
+                                       "Broadphase, Filter, Narrowphase, Response of "
+                                       "<ansatz/collision.hpp>");
     static_assert(RoleFacts<P>::check,
                   "Ansatz: a policy whose check the world cannot call; write `void check() const`");
 };

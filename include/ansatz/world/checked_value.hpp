@@ -61,9 +61,30 @@ typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_v
     return result;
 }
 
+/// The same for a column of a shape of your own.
+template <class S, class C, class Q>
+value_of<C, S> own_value([[maybe_unused]] std::string_view where, [[maybe_unused]] const Q& q) {
+    using V = value_of<C, S>;
+    constexpr bool fits = std::constructible_from<V, const Q&>;
+    static_assert(fits, "Ansatz: a value of another type belongs into this column, whose shape is one of your own: the "
+                        "Value<S, Unit> of its shape, or what that is made from");
+    if constexpr (fits) {
+        const V value(q);
+        typename S::Scalar raw[room_for<C, S>] = {};
+        value.to_lanes(raw);
+        for (std::size_t k = 0; k < lanes_of<C>(S::dimension); ++k)
+            if (!is_finite(raw[k]))
+                refuse_value(where, joined({C::name, ", its number ", std::to_string(k)}), raw[k],
+                             "it is a finite number that the world's scalar can hold");
+        if constexpr (requires { value.check(); }) value.check();
+        return value;
+    } else return V();
+}
+
 /// A value from outside for a column, in the world's scalar and within the column's bounds.
 template <class S, class C, class Q> value_of<C, S> value_for(std::string_view where, const Q& q) {
-    if constexpr (C::shape == Shape::vector) return finite_vector<S, typename C::Unit>(where, C::name, q);
+    if constexpr (own_shape<C>) return own_value<S, C>(where, q);
+    else if constexpr (C::shape == Shape::vector) return finite_vector<S, typename C::Unit>(where, C::name, q);
     else {
         const auto value = finite_scalar<S, typename C::Unit>(where, C::name, q);
         if (!in_range<C>(value.value())) refuse_value(where, C::name, q, joined({"it is ", range_of<C>()}));

@@ -17,8 +17,26 @@
 
 namespace ansatz {
 
-/// One number of a body, or one number for each dimension.
+/// One number of a body, or one number for each dimension. What else a column holds (a rotation, a symmetric matrix) is
+/// a shape of your own: an object of a class, in the place of one of these.
+///
+/// \snippet tests/world/shapes.cpp shape
+///
+/// Its `Value<S, Unit>` says how it lies in lanes, by `from_lanes(raw)` and `to_lanes(raw)`; default constructed it is
+/// what a body has for which none is given. It may refuse values from outside with `check() const`, which throws
+/// std::invalid_argument. In a hash and in a file it is its lanes.
 enum class Shape : unsigned char { scalar, vector };
+
+namespace detail {
+template <class C> using shape_of = std::remove_cvref_t<decltype(C::shape)>;
+/// Whether a column holds something other than a number or a vector.
+template <class C> inline constexpr bool own_shape = !std::convertible_to<shape_of<C>, Shape>;
+/// Whether a class is a shape.
+template <class T>
+concept ShapeType = requires {
+    { T::lanes(3) } -> std::convertible_to<std::size_t>;
+};
+} // namespace detail
 
 /// \name The columns of the library
 /// Position and Velocity are what integrators usually keep; InverseMass is 1/m, zero for a body that nothing moves.
@@ -97,7 +115,7 @@ struct Clock {};
 template <class C>
 concept Column = requires {
     typename C::Unit;
-    { C::shape } -> std::convertible_to<Shape>;
+    requires std::convertible_to<detail::shape_of<C>, Shape> || detail::ShapeType<detail::shape_of<C>>;
     { C::name } -> std::convertible_to<std::string_view>;
 };
 
@@ -175,14 +193,29 @@ template <class P> using reads_of = typename detail::Reads<P>::type;
 /// The columns that a policy changes; none where it names none.
 template <class P> using writes_of = typename detail::Writes<P>::type;
 
-/// A column's value in a space: a scalar or a vector quantity.
-template <class C, class S>
-using value_of = std::conditional_t<C::shape == Shape::vector, typename S::template VectorOf<typename C::Unit>,
+namespace detail {
+template <class C, class S, bool Own = own_shape<C>> struct ValueOf {
+    using type = std::conditional_t<C::shape == Shape::vector, typename S::template VectorOf<typename C::Unit>,
                                     typename S::template ScalarOf<typename C::Unit>>;
+};
+template <class C, class S> struct ValueOf<C, S, true> {
+    using type = typename shape_of<C>::template Value<S, typename C::Unit>;
+};
+} // namespace detail
+
+/// A column's value in a space: a scalar or a vector quantity, or what a shape of your own makes of them.
+template <class C, class S> using value_of = typename detail::ValueOf<C, S>::type;
 
 /// How many lanes (arrays of raw scalars) a column takes in a space of `Dim` dimensions.
 template <class C> constexpr std::size_t lanes_of(int dimension) {
-    return C::shape == Shape::vector ? std::size_t(dimension) : 1;
+    if constexpr (detail::own_shape<C>) return detail::shape_of<C>::lanes(dimension);
+    else return C::shape == Shape::vector ? std::size_t(dimension) : 1;
 }
+
+namespace detail {
+/// Room for one value of a column, as raw scalars.
+template <class C, class S>
+inline constexpr std::size_t room_for = lanes_of<C>(S::dimension) < 3 ? 3 : lanes_of<C>(S::dimension);
+} // namespace detail
 
 } // namespace ansatz

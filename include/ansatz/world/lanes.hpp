@@ -180,7 +180,7 @@ public:
 
     /// A body's value in a column.
     template <class Which> value_of<Which, S> get(std::size_t i) const {
-        Scalar raw[3] = {};
+        Scalar raw[detail::room_for<Which, S>] = {};
         const auto first = offset<Which>();
         for (std::size_t k = 0; k < lanes_of<Which>(S::dimension); ++k) raw[k] = lane_at(first + k)[i];
         return detail::load<Which, S>(raw);
@@ -193,7 +193,7 @@ public:
     }
     /// Sets a body's value in a column.
     template <class Which> void set(std::size_t i, const value_of<Which, S>& q) {
-        Scalar raw[3] = {};
+        Scalar raw[detail::room_for<Which, S>] = {};
         detail::store<Which, S>(q, raw);
         const auto first = offset<Which>();
         for (std::size_t k = 0; k < lanes_of<Which>(S::dimension); ++k) lane_at(first + k)[i] = raw[k];

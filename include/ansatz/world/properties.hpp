@@ -135,9 +135,10 @@ template <class Q> auto mass(const Q& m) {
 template <class C, class Q> auto with(const Q& value) {
     static_assert(Column<C>, "Ansatz: with<C> names a column: a type with Unit, shape and name; see columns.hpp");
     using Given_ = detail::stripped<Q>;
-    static_assert(detail::has_unit<typename C::Unit, Given_> &&
-                      detail::vector_valued<Given_> == (C::shape == Shape::vector),
-                  "Ansatz: the value given to with<C> has not the unit or the shape of column C");
+    if constexpr (!detail::own_shape<C>) // one of a shape of your own is looked at where the scalar is known
+        static_assert(detail::has_unit<typename C::Unit, Given_> &&
+                          detail::vector_valued<Given_> == (C::shape == Shape::vector),
+                      "Ansatz: the value given to with<C> has not the unit or the shape of column C");
     return Given<C, Given_>{value};
 }
 

@@ -22,14 +22,16 @@ template <class C, class S> struct Cell {
 
 template <class C, class S, class Scalar> [[gnu::always_inline]] inline value_of<C, S> load(const Scalar* raw) {
     using V = value_of<C, S>;
-    if constexpr (C::shape == Shape::scalar) return V::from_value(raw[0]);
+    if constexpr (own_shape<C>) return V::from_lanes(raw);
+    else if constexpr (C::shape == Shape::scalar) return V::from_value(raw[0]);
     else if constexpr (S::dimension == 2) return V::from_value(typename V::value_type(raw[0], raw[1]));
     else return V::from_value(typename V::value_type(raw[0], raw[1], raw[2]));
 }
 
 template <class C, class S, class Scalar>
 [[gnu::always_inline]] inline void store(const value_of<C, S>& q, Scalar* raw) {
-    if constexpr (C::shape == Shape::scalar) raw[0] = q.value();
+    if constexpr (own_shape<C>) q.to_lanes(raw);
+    else if constexpr (C::shape == Shape::scalar) raw[0] = q.value();
     else
         for (int i = 0; i < S::dimension; ++i) raw[i] = q.value()[i];
 }

@@ -289,11 +289,11 @@ private:
     static void write_columns(detail::Json& body, const LanesT& lanes, std::size_t slot, Columns<Col...>) {
         auto one = [&]<class Which>(Columns<Which>) {
             auto& json = body[std::string(Which::name)];
-            if constexpr (Which::shape == Shape::scalar)
+            if constexpr (lanes_of<Which>(2) == 1 && lanes_of<Which>(3) == 1)
                 json = detail::number_to_file(lanes.template lane<Which>()[slot]);
             else
-                for (int k = 0; k < LanesT::dimension; ++k)
-                    json.push_back(detail::number_to_file(lanes.template lane<Which>(k)[slot]));
+                for (std::size_t k = 0; k < lanes_of<Which>(LanesT::dimension); ++k)
+                    json.push_back(detail::number_to_file(lanes.template lane<Which>(int(k))[slot]));
         };
         (one(Columns<Col>{}), ...);
     }
@@ -302,14 +302,22 @@ private:
         auto one = [&]<class Which>(Columns<Which>) {
             const auto json = body.at(std::string(Which::name).c_str());
             using Scalar = typename LanesT::Scalar;
-            if constexpr (Which::shape == Shape::scalar) {
+            if constexpr (lanes_of<Which>(2) == 1 && lanes_of<Which>(3) == 1) {
                 const auto value = json.template number<Scalar>();
                 if (!detail::in_range<Which>(value)) json.refuse_here(detail::range_of<Which>());
                 lanes.template lane<Which>()[slot] = value;
             } else {
-                json.size_is(std::size_t(LanesT::dimension), "numbers");
-                for (int k = 0; k < LanesT::dimension; ++k)
-                    lanes.template lane<Which>(k)[slot] = json.at(std::size_t(k)).template number<Scalar>();
+                constexpr std::size_t count = lanes_of<Which>(LanesT::dimension);
+                json.size_is(count, "numbers");
+                for (std::size_t k = 0; k < count; ++k)
+                    lanes.template lane<Which>(int(k))[slot] = json.at(k).template number<Scalar>();
+            }
+            if constexpr (requires { lanes.template get<Which>(slot).check(); }) {
+                try {
+                    lanes.template get<Which>(slot).check();
+                } catch (const std::invalid_argument& e) {
+                    refuse(Refusal::invalid_argument, json.place + ": " + e.what());
+                }
             }
         };
         (one(Columns<Col>{}), ...);

@@ -62,7 +62,7 @@ public:
     /// The value of a declared column.
     template <class C> [[gnu::always_inline]] value_of<C, S> get(std::size_t slot) const {
         check<C>();
-        Scalar raw[3] = {};
+        Scalar raw[detail::room_for<C, S>] = {};
         for (std::size_t k = 0; k < lanes_of<C>(S::dimension); ++k) raw[k] = pointers_[offset<C>() + k][slot];
         return detail::load<C, S>(raw);
     }
