@@ -12,6 +12,7 @@
 #include <ansatz/collision/save_collisions.hpp>
 #include <ansatz/collision/sleep.hpp>
 #include <ansatz/collision/step.hpp>
+#include <ansatz/collision/substep_driver.hpp>
 #include <ansatz/motion/module.hpp>
 
 #include <string_view>
@@ -34,7 +35,7 @@ struct RememberPlaces {
 struct Substeps {
     static constexpr Phase phase = phases::substeps, until = phases::contacts;
     static constexpr std::string_view name = "substeps";
-    static void run(auto& step, const auto& inside) { CollisionStep(step).in_substeps(inside); }
+    static void run(auto& step, const auto& inside) { SubstepDriver(step).run(inside); }
 };
 /// Contacts are found, wake who sleeps, and are answered.
 struct Collide {
@@ -56,6 +57,10 @@ template <class Description, class Shape> struct AdmittedShape {
 /// \tparam C the world's composition
 template <class C> struct CollisionState {
     typename C::Narrowphase::template Collisions<C> collisions; ///< the shapes of bodies, and their contacts
+    /// Room for the rows of joints.
+    [[no_unique_address]] std::conditional_t<(C::row_givers::size > 0), detail::Cache<SolverRows<typename C::S>>,
+                                             detail::NotKept<8>>
+        rows;
 };
 
 namespace modules {
@@ -69,6 +74,7 @@ struct Collision {
     static constexpr bool changes_velocities = true; ///< behind the integration
     /// Whether the laws are asked before the integrator asks, or what they said to it is looked at behind it.
     template <class... P> static constexpr bool asks_first = CollisionFacts<P...>::substeps;
+    template <class... P> static constexpr bool solves_rows = CollisionFacts<P...>::substeps;
     template <class... P> static constexpr bool looks_at_own = CollisionFacts<P...>::holds_near;
 
     template <class... P> using Facts = CollisionFacts<P...>;

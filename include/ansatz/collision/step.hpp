@@ -2,11 +2,10 @@
 #pragma once
 
 /// \file
-/// What a step does where bodies collide: contacts are found and handed to the responses, a response that owns substeps
-/// runs them, and who was hit wakes.
+/// What a step does where bodies collide: contacts are found and handed to the responses, and who was hit wakes. What a
+/// response does that owns substeps is in substep_driver.hpp.
 
 #include <ansatz/collision/contact_step.hpp>
-#include <ansatz/collision/substeps.hpp>
 #include <ansatz/motion/rest_step.hpp>
 
 namespace ansatz {
@@ -14,6 +13,8 @@ namespace ansatz {
 /// Collisions in a step, or in a part of one.
 template <class StepT> class CollisionStep : public MotionStep<StepT> {
     using Base = MotionStep<StepT>;
+
+protected:
     using Base::bound_;
     using Base::context_;
     using Base::data_;
@@ -30,91 +31,6 @@ public:
     using typename Base::Scalar;
     using typename Base::Slot;
     using typename Base::Transient;
-
-    /// A response that owns substeps solves its contacts between them.
-    /// \param inside what stands in the schedule between its beginning and the contacts
-    template <class Inner> void in_substeps(const Inner& inside) {
-        using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
-        constexpr double leads = detail::velocity_leads<I>();
-        const detail::Bound<R, S> response(std::get<R>(policies_));
-        auto& contacts = data_.template state<R>();
-        data_.collisions.expect(context_.dt());
-        settle();
-        data_.collisions.refresh(data_, policies_, [&](Slot slot) {
-            return this->acceleration(slot, data_.load(slot, context_.dt().previous));
-        });
-        const Scalar h = context_.dt().value() / Scalar(response.parts());
-        const auto whole = context_;
-        const auto start = data_.clock.now();
-        auto last = context_.dt().previous;
-        const auto acceleration = [&](Slot slot, [[maybe_unused]] const typename Data::Body& row) {
-            if constexpr (shares) return this->known_acceleration(slot);
-            else return this->acceleration(slot, row);
-        };
-        SubstepBodies<C, decltype(acceleration)> bodies(data_, acceleration);
-        auto& before = data_.collisions.before_solving();
-        bodies.place(contacts.bodies, contacts.kicks);
-        contacts.expect_platforms(data_.bodies.count(Motion::moving) > 0);
-        contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
-        bool bounces = response.find_bouncing(contacts, data_);
-        const auto dt = S::Time::from_value(h);
-        for (int part = 0; part < response.parts(); ++part) {
-            context_ =
-                Context<S>(start + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h)),
-                           TimeStep<S>(dt, last));
-            bound_.prepare(context_);
-            if constexpr (shares) this->know_own(context_);
-            if constexpr (C::history) this->complete_starts();
-            if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
-            bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
-            if constexpr (C::rests)
-                if (wake_the_hit(contacts, h)) { // others stand in other slots now
-                    bodies.place(contacts.bodies, contacts.kicks);
-                    const auto met = std::move(contacts.impacts.pairs);
-                    contacts.begin(data_, [&](std::size_t a, std::size_t b) { return response.friction(data_, a, b); });
-                    bounces = response.find_bouncing(contacts, data_);
-                    contacts.impacts.keep_met(met);
-                    if constexpr (shares) {
-                        data_.own.value.known = false;
-                        this->know_own(context_);
-                    }
-                    if constexpr (C::history) this->complete_starts();
-                    bodies.gather(contacts.bodies, before, 0.5 + leads, dt, last, &contacts.kicks);
-                }
-            const bool struck = bounces && response.bounce(contacts, h);
-            if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, -1 / h, last);
-            contacts.warm_start();
-            if (part == 0) contacts.unload(before);
-            response.solve(contacts, h);
-            bodies.scatter(contacts.bodies, before, last, &contacts.pushed);
-            if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
-            last = dt;
-            if (part + 1 < response.parts()) {
-                auto one = step_.template as<Columns<>, StepT::later>();
-                inside(one);
-            } else inside(step_);
-            if constexpr (C::coupled) {
-                data_.coupled.current = false;
-                refresh_coupled(data_, policies_, step_.after());
-            }
-            if constexpr (shares && (C::history || leads != 0.5)) { // the next part begins with what they say now
-                const auto end =
-                    start + S::ClockTime::from_value(typename S::ClockScalar(part + 1) * typename S::ClockScalar(h));
-                context_ = Context<S>(end, TimeStep<S>(dt, last));
-                bound_.prepare(context_);
-                this->know_own_again(context_);
-            }
-            bodies.gather(contacts.bodies, before, leads - 0.5, dt, last);
-            if (struck) bodies.scatter_late(contacts.bodies, before, contacts.impacts, 1 / h, last);
-            contacts.relax(h);
-            contacts.calm(before);
-            bodies.scatter(contacts.bodies, before, last);
-        }
-        if (bounces) contacts.note_impacts();
-        data_.collisions.parts = response.parts();
-        context_ = whole;
-        if constexpr (C::coupled) data_.coupled.current = false;
-    }
 
     /// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
     void collide() {
@@ -183,34 +99,22 @@ public:
         }
     }
 
-private:
+protected:
     /// Whether the laws are asked once for the response and the integrator.
     static constexpr bool shares = C::asked == LawsAsked::beforehand;
 
-    /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
-    /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed
-    /// into it.
-    /// \param h s, the part
-    /// \return whether somebody was woken
-    bool wake_the_hit(auto& contacts, Scalar h) {
-        if (data_.bodies.count(Motion::resting) == 0) return false;
-        auto& hit = data_.sleep.value.sleepers;
-        hit.clear();
-        const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
-        contacts.each_acting([&](const auto& c) {
-            const bool a_rests = rests(Slot(c.slot_a));
-            if (!a_rests && !rests(Slot(c.slot_b))) return;
-            const Scalar way = Scalar(1.25) * h * contacts.along(c); // who is woken in vain lies on
-            if (!(c.impulse > Scalar(0)) && !(contacts.apart(c) + way < Scalar(0))) return;
-            if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
-        });
-        for (const auto id : hit)
-            if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
-        if (hit.empty()) return false;
-        RestStep<StepT>(step_).wake_neighbours();
-        return true;
+    /// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
+    /// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find
+    /// other last bits.
+    void settle() {
+        if constexpr (C::coupled)
+            if (C::substeps || data_.coupled.changed)
+                refresh_coupled(
+                    data_, policies_,
+                    Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
     }
 
+private:
     /// Bodies that would have passed each other are kept where they touched, with the velocity that they had there:
     /// what the laws did to it on the way that is taken back is taken back, so that energy is what it was. With v_a
     /// along the acceleration a and the way back delta, v_a^2 changes by 2 a . delta.
@@ -244,17 +148,6 @@ private:
                 data_.lanes.template set<Position>(slot, to);
                 if (C::history || size.value() > Scalar(0)) data_.set_velocity(slot, v);
             });
-    }
-
-    /// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
-    /// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find
-    /// other last bits.
-    void settle() {
-        if constexpr (C::coupled)
-            if (C::substeps || data_.coupled.changed)
-                refresh_coupled(
-                    data_, policies_,
-                    Context<S>(data_.clock.now(), TimeStep<S>(context_.dt().previous, context_.dt().previous)));
     }
 };
 template <class StepT> CollisionStep(StepT&) -> CollisionStep<StepT>; ///< of a step

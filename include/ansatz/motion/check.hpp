@@ -180,12 +180,16 @@ template <class... P> struct TogetherFacts {
     static constexpr bool apart = solves_together<I, S> || is_staged<I> || !Composition<P...>::coupled;
     static constexpr bool solver = !Composition<P...>::together || solver_is_here<I, S>;
     static constexpr bool degrees = Composition<P...>::Degrees::empty || (is_staged<I> && !derives_velocity<I>);
-    static constexpr bool ok = differentiable && apart && solver && degrees && (observable<P, I> && ...);
+    static constexpr bool rows = !(gives_rows<P, S> || ...) || solves_rows<P...>(modules_of<P...>{});
+    static constexpr bool ok = differentiable && apart && solver && degrees && rows && (observable<P, I> && ...);
 };
 template <class... P> struct CheckTogether {
     static_assert(TogetherFacts<P...>::apart,
                   "Ansatz: this integrator advances one body by itself, but a force of this world couples bodies; "
                   "take an integrator of stages, e.g. RungeKutta4");
+    static_assert(TogetherFacts<P...>::rows,
+                  "Ansatz: a policy gives rows of joints, and nothing in this world solves them; take SoftSubsteps as "
+                  "its response, with a broadphase and a Narrowphase, e.g. SortAndSweep{}, Narrowphase<Sphere>{}");
     static_assert(TogetherFacts<P...>::degrees,
                   "Ansatz: this integrator advances translation alone, because it keeps a history of positions or "
                   "solves for them; beside a degree of freedom take one of stages that keeps a velocity, e.g. "

@@ -133,6 +133,10 @@ template <class... M> constexpr bool changes_velocities(Types<M...>) { return (s
 template <class M, class... P> inline constexpr bool asks_first = requires { requires M::template asks_first<P...>; };
 template <class M, class... P>
 inline constexpr bool looks_at_own = requires { requires M::template looks_at_own<P...>; };
+/// Whether a policy gives rows of joints, and whether a module solves them.
+template <class P, class S> inline constexpr bool gives_rows = requires { typename P::template Rows<S>; };
+template <class M, class... P> inline constexpr bool says_solves = requires { requires M::template solves_rows<P...>; };
+template <class... P, class... M> constexpr bool solves_rows(Types<M...>) { return (says_solves<M, P...> || ...); }
 /// An integrator that solves asks at states of its own; and what an effect before the forces changes, they must see.
 template <class I, class LawsT, class Before, class... P> constexpr LawsAsked how_asked() {
     constexpr auto any = []<class... M>(Types<M...>) {

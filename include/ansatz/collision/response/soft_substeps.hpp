@@ -108,6 +108,11 @@ template <class... Options> struct SoftSubsteps {
             contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h),
                            Scalar(policy.slop.value()), Scalar(policy.push_out.value()));
         }
+        /// How softly rows of joints are held: as contacts with what is not moved.
+        Softness<Scalar> softness(Scalar h) const {
+            return Softness<Scalar>::of(2 * std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h),
+                                        Scalar(policy.damping_ratio), h);
+        }
         /// The friction of two bodies.
         template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {
             if constexpr (rubs)

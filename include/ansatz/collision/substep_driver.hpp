@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `SubstepDriver`: a step in parts, by a response that owns substeps (`SoftSubsteps`). Before each part contacts and
+/// joints take away what is wrong with the velocities; behind it, what only corrected.
+
+#include <ansatz/collision/step.hpp>
+#include <ansatz/collision/substeps.hpp>
+#include <ansatz/motion/policy_systems.hpp>
+
+#include <utility>
+
+namespace ansatz {
+
+/// The driver of the phases from `substeps` to `contacts`.
+template <class StepT> class SubstepDriver : public CollisionStep<StepT> {
+    using Base = CollisionStep<StepT>;
+    using Base::bound_;
+    using Base::context_;
+    using Base::data_;
+    using Base::policies_;
+    using Base::shares;
+    using Base::step_;
+
+public:
+    using typename Base::C;
+    using typename Base::Data;
+    using typename Base::I;
+    using typename Base::S;
+    using typename Base::Scalar;
+    using typename Base::Slot;
+
+    /// Of a step.
+    explicit SubstepDriver(StepT& step)
+        : Base(step),
+          response_(std::get<R>(policies_)),
+          contacts_(data_.template state<R>()),
+          before_(data_.collisions.before_solving()),
+          start_(data_.clock.now()),
+          whole_(context_),
+          h_(context_.dt().value() / Scalar(response_.parts())),
+          dt_(S::Time::from_value(h_)),
+          last_(context_.dt().previous) {}
+
+    /// The step.
+    /// \param inside what stands in the schedule between its beginning and the contacts: forces and integrator
+    template <class Inside> void run(const Inside& inside) {
+        look_ahead();
+        find_contacts();
+        for (int part = 0; part < response_.parts(); ++part) {
+            begin_part(part);
+            see_bodies();
+            if constexpr (C::rests)
+                if (wake_the_hit()) see_who_woke();
+            const bool struck = bounce();
+            hold(part);
+            move(part, inside);
+            let_go(struck);
+        }
+        if (bounces_) contacts_.note_impacts();
+        data_.collisions.parts = response_.parts();
+        context_ = whole_;
+        if constexpr (C::coupled) data_.coupled.current = false;
+    }
+
+private:
+    using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
+    using Contacts = std::remove_cvref_t<decltype(std::declval<Data&>().template state<R>())>;
+    /// How the acceleration of a body is asked for while contacts are solved.
+    struct Acceleration {
+        const SubstepDriver* driver;
+        typename S::Acceleration operator()(Slot slot, [[maybe_unused]] const typename Data::Body& row) const {
+            if constexpr (shares) return driver->known_acceleration(slot);
+            else return driver->acceleration(slot, row);
+        }
+    };
+    static constexpr double leads = detail::velocity_leads<I>();
+
+    /// When a part begins.
+    typename S::ClockTime time_of(int part) const {
+        return start_ + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h_));
+    }
+    /// Who may come to touch in the whole step.
+    void look_ahead() {
+        data_.collisions.expect(context_.dt());
+        this->settle();
+        data_.collisions.refresh(data_, policies_, [&](Slot slot) {
+            return this->acceleration(slot, data_.load(slot, context_.dt().previous));
+        });
+    }
+    /// The contacts and their bodies, for all parts.
+    void find_contacts() {
+        bodies_.place(contacts_.bodies, contacts_.kicks);
+        contacts_.expect_platforms(data_.bodies.count(Motion::moving) > 0);
+        begin_contacts();
+    }
+    void begin_contacts() {
+        contacts_.begin(data_, [&](std::size_t a, std::size_t b) { return response_.friction(data_, a, b); });
+        bounces_ = response_.find_bouncing(contacts_, data_);
+    }
+    /// Its time and what is bound to it, and what accelerates bodies as they stand.
+    void begin_part(int part) {
+        context_ = Context<S>(time_of(part), TimeStep<S>(dt_, last_));
+        bound_.prepare(context_);
+        if constexpr (shares) this->know_own(context_);
+        if constexpr (C::history) this->complete_starts();
+        if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
+    }
+    /// Positions, and the mean velocities over this part, were there no contacts.
+    void see_bodies() { bodies_.gather(contacts_.bodies, before_, 0.5 + leads, dt_, last_, &contacts_.kicks); }
+    /// The same where others stand in other slots now.
+    void see_who_woke() {
+        bodies_.place(contacts_.bodies, contacts_.kicks);
+        const auto met = std::move(contacts_.impacts.pairs);
+        begin_contacts();
+        contacts_.impacts.keep_met(met);
+        if constexpr (shares) {
+            data_.own.value.known = false;
+            this->know_own(context_);
+        }
+        if constexpr (C::history) this->complete_starts();
+        see_bodies();
+    }
+    /// \return whether somebody met somebody within this part
+    bool bounce() {
+        const bool struck = bounces_ && response_.bounce(contacts_, h_);
+        if (struck) bodies_.scatter_late(contacts_.bodies, before_, contacts_.impacts, -1 / h_, last_);
+        return struck;
+    }
+    /// Contacts and joints take away what is wrong with the velocities, and part what is in each other.
+    void hold(int part) {
+        if constexpr (constrained) {
+            find_rows();
+            data_.rows.value.warm_start(contacts_.bodies, before_, contacts_.kicks);
+        }
+        contacts_.warm_start();
+        if (part == 0) contacts_.unload(without_contacts());
+        if constexpr (constrained) data_.rows.value.solve(contacts_.bodies, h_, softness_of_rows(), contacts_.kicks);
+        response_.solve(contacts_, h_);
+        bodies_.scatter(contacts_.bodies, before_, last_, &contacts_.pushed);
+        if constexpr (constrained) data_.rows.value.take_out(contacts_.bodies, contacts_.pushed);
+        if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+    }
+    /// Forces and integrator: everybody moves.
+    template <class Inside> void move(int part, const Inside& inside) {
+        last_ = dt_;
+        if (part + 1 < response_.parts()) {
+            auto one = step_.template as<Columns<>, StepT::later>();
+            inside(one);
+        } else inside(step_);
+        if constexpr (C::coupled) {
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, step_.after());
+        }
+        if constexpr (shares && (C::history || leads != 0.5)) { // the next part begins with what they say now
+            context_ = Context<S>(time_of(part + 1), TimeStep<S>(dt_, last_));
+            bound_.prepare(context_);
+            this->know_own_again(context_);
+        }
+    }
+    /// What only parted bodies or corrected joints is taken back, and energy that contacts have given.
+    void let_go(bool struck) {
+        bodies_.gather(contacts_.bodies, before_, leads - 0.5, dt_, last_);
+        if (struck) bodies_.scatter_late(contacts_.bodies, before_, contacts_.impacts, 1 / h_, last_);
+        if constexpr (constrained) {
+            find_rows();
+            data_.rows.value.relax(contacts_.bodies, h_);
+        }
+        contacts_.relax(h_);
+        contacts_.calm(without_contacts());
+        bodies_.scatter(contacts_.bodies, before_, last_);
+    }
+
+    /// Whether joints are solved with the contacts.
+    static constexpr bool constrained = C::row_givers::size > 0;
+
+    /// What joints ask of the bodies where they are now.
+    void find_rows() {
+        auto& rows = data_.rows.value;
+        rows.clear();
+        auto of_one = [&]<class P>() {
+            using Rows = typename P::template Rows<S>;
+            SystemView<StepT, P, Rows> view(step_);
+            Rows(std::get<P>(policies_)).rows(view, [&](const SolverRow<S>& row) { rows.add(row, contacts_.bodies); });
+        };
+        [&]<class... P>(Types<P...>) { (of_one.template operator()<P>(), ...); }(typename C::row_givers{});
+    }
+    /// By slot: velocities to which contacts have done nothing in this pass.
+    const auto& without_contacts() const {
+        if constexpr (constrained) return data_.rows.value.without_contacts();
+        else return before_;
+    }
+    /// As soft as the contacts with what is not moved, unless the response says something else.
+    auto softness_of_rows() const {
+        if constexpr (requires { response_.softness(h_); }) return response_.softness(h_);
+        else return Softness<Scalar>::of(std::min(Scalar(120), Scalar(0.5) / h_), Scalar(5), h_);
+    }
+
+    /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
+    /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed
+    /// into it.
+    /// \return whether somebody was woken
+    bool wake_the_hit() {
+        if (data_.bodies.count(Motion::resting) == 0) return false;
+        auto& hit = data_.sleep.value.sleepers;
+        hit.clear();
+        const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
+        contacts_.each_acting([&](const auto& c) {
+            const bool a_rests = rests(Slot(c.slot_a));
+            if (!a_rests && !rests(Slot(c.slot_b))) return;
+            const Scalar way = Scalar(1.25) * h_ * contacts_.along(c); // who is woken in vain lies on
+            if (!(c.impulse > Scalar(0)) && !(contacts_.apart(c) + way < Scalar(0))) return;
+            if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
+        });
+        for (const auto id : hit)
+            if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
+        if (hit.empty()) return false;
+        RestStep<StepT>(step_).wake_neighbours();
+        return true;
+    }
+
+    detail::Bound<R, S> response_;
+    Contacts& contacts_;
+    Acceleration acceleration_{this};
+    SubstepBodies<C, Acceleration> bodies_{data_, acceleration_};
+    std::remove_reference_t<decltype(std::declval<Data&>().collisions.before_solving())>& before_;
+    typename S::ClockTime start_;
+    Context<S> whole_;
+    Scalar h_;              // s, a part
+    typename S::Time dt_;   // the same
+    typename S::Time last_; // the part before
+    bool bounces_ = false;  // whether anything may, in this step
+};
+template <class StepT> SubstepDriver(StepT&) -> SubstepDriver<StepT>; ///< of a step
+
+} // namespace ansatz
