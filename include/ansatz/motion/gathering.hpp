@@ -47,11 +47,13 @@ struct BesideElementVerb
 template <class Force> inline constexpr bool names_elements = !requires { &BesideElementVerb<Force>::element_count; };
 } // namespace detail
 
-/// A force between bodies whose elements can be asked one by one, so that an Execution may divide the loop over them:
-/// beside `couple`, `In<S>` has `element_count(view)`, `ends(view, k)`, which answers with an array of the slots that
-/// element k acts on (`view.size()` for one that is no body), and `forces(view, k, context)`, with an array of the
-/// forces on them. `couple` comes to the same: it adds them element by element, end by end. `Springs` and `Ropes` have
-/// them.
+/// A force between bodies whose elements can be asked one by one, so that an Execution may divide the loop over them.
+///
+/// Beside `couple`, `In<S>` has `element_count(view)`; `ends(view, k)`, an array of the slots that element k acts on
+/// (`view.size()` for one that is no body); and `forces(view, k, context)`, an array of the forces on them. `couple`
+/// comes to the same: it adds them element by element, end by end.
+///
+/// \ref ansatz::Springs "Springs" and \ref ansatz::Ropes "Ropes" have them (notes 3).
 template <class P, class S>
 concept GatheredCouplingIn =
     (detail::ends_of_element<detail::Bound<P, S>, CouplingView<S, P>> > 0) &&
