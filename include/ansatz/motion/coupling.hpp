@@ -18,6 +18,16 @@
 
 namespace ansatz {
 
+namespace detail {
+/// With everything inlined: left to itself the compiler calls `load` for each body, which doubles the instructions.
+template <class C>
+[[gnu::flatten]] void derive_velocities_of(WorldData<C>& data, const typename C::S::Time& last, std::size_t begin,
+                                           std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+        data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
+}
+} // namespace detail
+
 /// Where velocity is derived and a force between bodies reads it, it must stand in its lane.
 /// \param last the length of the last step, from which the velocity is derived
 template <class C, class Policies>
@@ -25,8 +35,7 @@ void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] con
                        [[maybe_unused]] const typename C::S::Time& last) {
     if constexpr (C::history && C::template stores<Velocity>)
         in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t slot = begin; slot < end; ++slot)
-                data.lanes.template set<Velocity>(slot, data.load(Bodies::Slot(slot), last).template get<Velocity>());
+            detail::derive_velocities_of<C>(data, last, begin, end);
         });
 }
 
@@ -71,7 +80,19 @@ void couple_one(WorldData<C>& data, const Policies& policies, const Context<type
     Bound<Q, typename C::S> force(std::get<Q>(policies));
     const auto limited = context.template restricted<reads_clock<Q>>();
     if constexpr (requires { force.prepare(limited); }) force.prepare(limited);
-    force.couple(view, limited);
+    if constexpr (C::executed) {
+        static_assert(GatheredCouplingIn<Q, typename C::S> || !names_elements<Bound<Q, typename C::S>>,
+                      "Ansatz: a force between bodies that has element_count, and whose elements the world cannot ask; "
+                      "write `std::array<std::size_t, 2> ends(const auto& view, std::size_t k) const` and "
+                      "`std::array<typename S::Force, 2> forces(const auto& view, std::size_t k, const auto& context) "
+                      "const` beside it");
+        if constexpr (GatheredCouplingIn<Q, typename C::S>) {
+            std::array<typename C::S::Scalar*, std::size_t(C::S::dimension)> sums{};
+            for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = data.lanes.template lane<CoupledForce>(int(k));
+            auto& gathered = data.gathered.value[place_of<Q, typename C::couplings>];
+            gathered.template add<C>(policies, force, std::as_const(view), limited, sums);
+        } else force.couple(view, limited);
+    } else force.couple(view, limited);
 }
 } // namespace detail
 
@@ -80,10 +101,12 @@ template <class C, class Policies>
 void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
                  [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
-        for (int k = 0; k < C::S::dimension; ++k) {
-            auto* lane = data.lanes.template lane<CoupledForce>(k);
-            std::fill(lane, lane + data.bodies.size(), typename C::S::Scalar(0));
-        }
+        in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
+            for (int k = 0; k < C::S::dimension; ++k) {
+                auto* lane = data.lanes.template lane<CoupledForce>(k);
+                std::fill(lane + begin, lane + end, typename C::S::Scalar(0));
+            }
+        });
         [&]<class... Q>(Types<Q...>) {
             (detail::couple_one<Q>(data, policies, context), ...);
         }(typename C::couplings{});

@@ -122,10 +122,12 @@ private:
     /// \param touched whether a contact may hold the body of a slot
     void begin_anew(const auto& rest, const auto& touched) {
         auto* time = data_.lanes.template lane<RestTime>();
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
-            if (time[slot] > Scalar(0) && !touched(slot) &&
-                !detail::balanced<S>(rest, pull_at_rest(Slot(slot), step_.after())))
-                time[slot] = Scalar(0);
+        in_parts<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t slot = begin; slot < end; ++slot)
+                if (time[slot] > Scalar(0) && !touched(slot) &&
+                    !detail::balanced<S>(rest, pull_at_rest(Slot(slot), step_.after())))
+                    time[slot] = Scalar(0);
+        });
     }
     typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
         auto row = data_.load(slot);

@@ -10,10 +10,12 @@
 
 #include <ansatz/motion/events.hpp>
 #include <ansatz/motion/facts.hpp>
+#include <ansatz/motion/gathering.hpp>
 #include <ansatz/motion/islands.hpp>
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/data.hpp>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -135,6 +137,12 @@ template <class C, class Data> struct MotionState {
         coupled;
     /// The same for queries, where they are not.
     [[no_unique_address]] std::conditional_t<C::coupled, detail::Present<Data>, detail::NotKept<6>> present;
+    /// Room for summing them body by body, where an Execution runs the loops.
+    [[no_unique_address]] std::conditional_t<
+        C::coupled && C::executed,
+        detail::Cache<std::array<detail::Gathering<typename C::S>, std::size_t(C::couplings::size)>>,
+        detail::NotKept<8>>
+        gathered;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
     /// Room for finding out who falls asleep.

@@ -25,6 +25,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace ansatz {
@@ -64,14 +66,29 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         /// The forces of all springs.
         void couple(auto& view, const auto&) const {
             for (const auto& spring : view.state().pairs())
-                view.add_force_pair(spring.a, spring.b,
-                                    pull(spring,
-                                         view.template get<Position>(spring.b) - view.template get<Position>(spring.a),
-                                         departing(view, spring.a, spring.b)));
-            for (const auto& spring : view.state().hung())
-                view.add_force(spring.a, pull(spring, spring.anchor - view.template get<Position>(spring.a),
-                                              leaving(view, spring.a)));
+                view.add_force_pair(spring.a, spring.b, pull_of(view, spring));
+            for (const auto& spring : view.state().hung()) view.add_force(spring.a, pull_of(view, spring));
         }
+
+        /// \name One spring by itself: first those between bodies, then those at points, each by id
+        /// @{
+        std::size_t element_count(const auto& view) const {
+            return view.state().pairs().size() + view.state().hung().size();
+        }
+        /// The slots of its ends; `view.size()` for a point.
+        std::array<std::size_t, 2> ends(const auto& view, std::size_t k) const {
+            const auto& pairs = view.state().pairs();
+            if (k < pairs.size()) return {pairs[k].a, pairs[k].b};
+            return {view.state().hung()[k - pairs.size()].a, view.size()};
+        }
+        /// The forces on them, N.
+        std::array<typename S::Force, 2> forces(const auto& view, std::size_t k, const auto&) const {
+            const auto& pairs = view.state().pairs();
+            const auto f =
+                k < pairs.size() ? pull_of(view, pairs[k]) : pull_of(view, view.state().hung()[k - pairs.size()]);
+            return {f, -f};
+        }
+        /// @}
 
         /// How the force on the first end changes with its position and velocity: on the second end it is the opposite,
         /// and with the second end's position and velocity too. Of a slack or pushing spring only the part along the
@@ -178,6 +195,14 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         [[gnu::always_inline]] static typename S::Velocity leaving(const auto& view, std::size_t a) {
             if constexpr (damped) return -view.template get<Velocity>(a);
             else return S::template zero_vector<unit::Velocity>();
+        }
+        [[gnu::always_inline]] static typename S::Force pull_of(const auto& view, const Link& spring) {
+            return pull(spring, view.template get<Position>(spring.b) - view.template get<Position>(spring.a),
+                        departing(view, spring.a, spring.b));
+        }
+        [[gnu::always_inline]] static typename S::Force pull_of(const auto& view,
+                                                                const typename Network::Hung& spring) {
+            return pull(spring, spring.anchor - view.template get<Position>(spring.a), leaving(view, spring.a));
         }
         [[gnu::always_inline]] static typename S::Force pull(const auto& link, const typename S::Position& to,
                                                              const typename S::Velocity& v) {

@@ -14,14 +14,14 @@
 /// `execute` calls `loop(begin, end)` for ranges that are disjoint and together are 0 to `count`, in any order, on any
 /// threads, and returns when all of them have returned. A range of less than `grain` is not worth a thread. Which
 /// ranges, and on which threads, changes no bit of a world: a row writes its own values only, counts are whole numbers,
-/// and sums are gathered row by row in the order in which a serial loop adds them.
+/// and sums over elements are gathered row by row in the order in which a serial loop adds them (motion/gathering.hpp).
 ///
-/// What a policy may rely on: no loop asks for another one, and no loop throws, unless a policy's own law does; what it
-/// throws must leave `execute`, once the other ranges have returned, and then bodies stand between two steps, as they
-/// do where a serial loop throws. What relies on it: `execute` may be called by several threads at once, by those that
-/// ask a world that nobody changes and those that step its copies, so that threads that are kept belong to one call at
-/// a time. The laws of a world with an Execution are asked at the same time, so that they must not change anything that
-/// they share; those of the library do not.
+/// What a policy may rely on: no loop asks for another one, and none throws unless a policy of yours does; what that
+/// throws must leave `execute`, once the other ranges have returned, and the world is lost then, as it is where a
+/// serial step throws. What relies on it: `execute` may be called by several threads at once, by those that ask a world
+/// that nobody changes and by those that step its copies, so that threads that are kept serve one call at a time. The
+/// laws of a world with an Execution are asked at the same time, so that they must not change what they share; those of
+/// the library do not.
 ///
 /// Not for what a step does in an order: contacts, islands of sleep and the door stay serial.
 

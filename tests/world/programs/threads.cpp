@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSL-1.0
+// A small world of each kind whose loops run on three threads, for the thread sanitizer: laws in one loop, with an
+// integrator that solves for no body, whom the world counts; stages with springs, a history of positions, rest. Ends
+// with 0 if the bits are those of one thread. With ANSATZ_RACE it has an effect that counts what it has slowed, in one
+// number for all bodies.
+
+#include <ansatz/springs.hpp>
+#include <ansatz/world.hpp>
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <cstdio>
+#include <thread>
+#include <vector>
+
+using namespace ansatz;
+
+struct Threads {
+    using role = roles::Execution;
+    int threads = 3;
+    void execute(std::size_t count, std::size_t, const auto& loop) const {
+        const auto n = std::size_t(threads);
+        std::vector<std::thread> others;
+        for (std::size_t i = 1; i < n; ++i)
+            others.emplace_back([=, &loop] { loop(i * count / n, (i + 1) * count / n); });
+        loop(0, count / n);
+        for (auto& other : others) other.join();
+    }
+};
+
+struct Slowed {
+    using role = roles::Effect;
+    using writes = Columns<Velocity>;
+    static constexpr Place place = Place::after_integration;
+#ifdef ANSATZ_RACE
+    static inline std::uint64_t count = 0;
+#endif
+    template <class S> struct In {
+        explicit In(const Slowed&) {}
+        void apply(typename S::Velocity& v, const auto&) const {
+            v = typename S::Scalar(0.99) * v;
+#ifdef ANSATZ_RACE
+            ++count;
+#endif
+        }
+    };
+};
+
+/// Finds no solution, and says so.
+struct Unsolving {
+    using role = roles::Integrator;
+    using writes = Columns<Position, Velocity>;
+    static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
+        v += laws(x, v, 0) * dt;
+        x += v * dt;
+        return false;
+    }
+};
+
+constexpr int bodies = 101, steps = 20;
+int wrong_counts = 0;
+
+template <class World_> std::uint64_t hash_of(World_ world) {
+    std::vector<Handle> all;
+    for (int i = 0; i < bodies; ++i) {
+        const double t = i;
+        all.push_back(world.add(position(metres(t, std::sin(t), std::cos(3 * t))), mass((1 + 0.1 * (i % 7)) * kilogram),
+                                velocity(metres_per_second(std::cos(t), 0, 0.1 * t))));
+        if constexpr (World_::composition::coupled)
+            if (i > 3) world.add(Spring{all[std::size_t(i - 3)], all.back(), 20.0 * newton_per_metre});
+    }
+    for (int i = 0; i < steps; ++i) world.step(0.01 * second);
+    const auto status = world.status();
+    if constexpr (std::same_as<typename World_::composition::Integrator, Unsolving>)
+        if (status.unsolved != bodies * steps) return ++wrong_counts;
+    return world.hash();
+}
+/// Whether three threads come to what one comes to.
+int differs(const auto&... policies) {
+    return hash_of(World{policies..., Threads{1}}) != hash_of(World{policies..., Threads{3}});
+}
+
+int main() {
+    int faults = differs(Unsolving{}, Gravity{}, QuadraticDrag{}, Slowed{}, Keep<InverseMass>{});
+    faults += differs(Verlet{}, Gravity{}, Springs{}, Slowed{}, Rest{});
+    std::printf("%d of 2 worlds differ, %d wrong counts\n", faults, wrong_counts);
+    return faults + wrong_counts;
+}
