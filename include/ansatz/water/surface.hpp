@@ -20,7 +20,8 @@ namespace ansatz {
 /// What moves a surface, bound to a scalar: what Surface asks of a policy. `State<Scalar>` has the lane `height`, and
 /// what else is kept; `In<Scalar>` says the longest step and makes one.
 ///
-/// \ref WaterColumns and \ref ClampedColumns are such policies (notes 7.2).
+/// \ref ansatz::WaterColumns "WaterColumns", \ref ansatz::ClampedColumns "ClampedColumns", \ref ansatz::Pipes "Pipes"
+/// and \ref ansatz::ShallowWater "ShallowWater" are such policies (notes 7.2). (notes 7.2).
 template <class P, class Scalar>
 concept SurfacePolicyIn =
     requires(const P& policy, const ColumnGrid& grid, typename P::template State<Scalar>& state,
