@@ -13,6 +13,7 @@
 #include <ansatz/water/height_files.hpp>
 #include <ansatz/water/height_map.hpp>
 #include <ansatz/water/pipes.hpp>
+#include <ansatz/water/ripples.hpp>
 #include <ansatz/water/shallow_water.hpp>
 #include <ansatz/water/surface.hpp>
 #include <ansatz/water/water_columns.hpp>

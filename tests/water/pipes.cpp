@@ -145,6 +145,19 @@ TEST_CASE("the flow is the water's: it moves the middle of the volume", "[water]
     CHECK(Surface(Pipes{}, grid, 0.0 * metre).velocity(2, 3) == metres_per_second(0, 0));
 }
 
+TEST_CASE("the first step is the law itself: into a dry column, and over a sill that stands below the higher level",
+          "[water]") {
+    const ColumnGrid grid(3, 1, 2.0 * metre, 3.0 * metre);
+    const std::vector<double> bed{0.0, 0.25, 5.0}; // the last one is out of reach
+    Surface water(Pipes{}, grid, std::span<const double>(bed), 0.0 * metre);
+    water.set_height(0, 0, 1.0 * metre);
+    water.step(0.01 * second);
+    const double flow = 9.81 * 0.01 * 3 * (1 - 0.25) * (1 - 0.25) / 2; // g dt w d (eta - eta') / s
+    CHECK(water.state().flow_x[0] == Approx(flow).epsilon(1e-14));
+    CHECK(water.state().flow_x[1] == 0);
+    CHECK(water.height(1, 0).value() == Approx(0.01 * flow / 6).epsilon(1e-14));
+}
+
 TEST_CASE("mirrored and turned, the water does the same", "[water]") {
     const std::size_t n = 7;
     const ColumnGrid grid(n, n, 1.0 * metre);

@@ -185,6 +185,27 @@ TEST_CASE("along z the water does as along x, and in a mirror as well", "[water]
             CHECK(other.heights()[i * n + (n - 1 - j)] == Approx(water.heights()[j * n + i]).margin(1e-9));
 }
 
+TEST_CASE("what passes a face is Harten, Lax and van Leer's flux, as their paper writes it", "[water]") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> height(0.01, 2), speed(-6, 6);
+    for (int n = 0; n < 1000; ++n) {
+        const double h1 = height(random), h2 = height(random), u1 = speed(random), u2 = speed(random),
+                     w1 = speed(random), w2 = speed(random), c1 = std::sqrt(g * h1), c2 = std::sqrt(g * h2);
+        const double slow = std::min(u1 - c1, u2 - c2), fast = std::max(u1 + c1, u2 + c2);
+        auto flux = [&](double q1, double q2, double f1, double f2) {
+            if (slow >= 0) return f1;
+            return fast <= 0 ? f2 : (fast * f1 - slow * f2 + slow * fast * (q2 - q1)) / (fast - slow);
+        };
+        const double p1 = g / 2 * h1 * h1, p2 = g / 2 * h2 * h2, mass = flux(h1, h2, h1 * u1, h2 * u2),
+                     momentum = flux(h1 * u1, h2 * u2, h1 * u1 * u1 + p1, h2 * u2 * u2 + p2);
+        const auto found = detail::hll<double>({h1, 0.5, u1, w1, c1}, {h2, 0.5, u2, w2, c2}, g);
+        CHECK(found.mass == Approx(mass).margin(1e-12));
+        CHECK(found.push_low == Approx(momentum - p1).margin(1e-11));
+        CHECK(found.push_high == Approx(momentum - p2).margin(1e-11));
+        CHECK(found.along == Approx(mass * (mass > 0 ? w1 : w2)).margin(1e-11));
+    }
+}
+
 TEST_CASE("in a pit whose banks are higher than its water, the water comes to rest", "[water]") {
     const auto grid = channel(5, 5);
     const std::vector<double> bed{0.0, 2.0, 0.0, 2.0, 0.0};

@@ -14,7 +14,7 @@
 /// drifts to and fro, and a diver is at rest.
 ///
 /// A whole map is filled by turning: the next point of a row is the last one turned by k dx, two products in the place
-/// of a cosine, sixteen points abreast. Each row begins anew in double, so that nothing adds up.
+/// of a cosine, thirty-two points abreast. Each row begins anew in double, so that nothing adds up.
 
 #include <ansatz/water/dispersion.hpp>
 #include <ansatz/water/height_map.hpp>
@@ -149,7 +149,7 @@ public:
     std::span<const Term> terms() const { return terms_; } ///< what is summed
 
 private:
-    static constexpr std::size_t abreast = 16;
+    static constexpr std::size_t abreast = 32;
     template <class Scalar>
     static void add_row(std::size_t count, const Scalar turn_c, const Scalar turn_s, Scalar* __restrict c,
                         Scalar* __restrict s, Scalar* __restrict heights) {
@@ -161,7 +161,8 @@ private:
                 c[n] = was_c * turn_c - was_s * turn_s;
                 s[n] = was_s * turn_c + was_c * turn_s;
             }
-        for (std::size_t n = 0; i < count; ++i, ++n) heights[i] += c[n];
+        const std::size_t left = std::min(count - i, abreast);
+        for (std::size_t n = 0; n < left; ++n) heights[i + n] += c[n];
     }
     double depth_;
     std::vector<Term> terms_;
