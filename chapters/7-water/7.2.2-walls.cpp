@@ -33,6 +33,8 @@ Surface<WaterColumns> channel_after(Wall wall) {
     return water;
 }
 //! [channel]
+/// To a millionth.
+double rounded(double x) { return std::round(1e6 * x) / 1e6 + 0.0; }
 } // namespace
 
 int main() {
@@ -51,8 +53,9 @@ int main() {
         }
         high[k] = std::max_element(y.begin(), y.end())->value();
         low[k] = std::min_element(y.begin(), y.end())->value();
-        std::cout << "A wall that " << names[k] << ": from " << low[k] << " m to " << high[k] << " m, "
-                  << water.volume() - 20.0 * cubic_metre << " more than still water\n";
+        const double more = (water.volume() - 20.0 * cubic_metre).value();
+        std::cout << "A wall that " << names[k] << ": from " << rounded(low[k]) << " m to " << rounded(high[k])
+                  << " m, " << rounded(more) << " m^3 more than still water\n";
         plot.line(names[k], x, y);
     }
     claim("a solid wall sends it back upright", high[0] > 0.049 && low[0] > -0.001);
