@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSL-1.0
+// 7.3 Functional approach: a sea as a sum of sines, whose periods follow from their lengths, with round and with sharp
+// crests
+
+// No column is stored and no step is made: the height at a place and a time is a formula, a few cosines on top of each
+// other. A wave's length is free; its period is not, omega^2 = g k tanh(k d), and a sea that ignores it looks like
+// cloth. Sharp crests move the points of the surface towards each other, and then the height "at x" has to be looked
+// for: who takes the height of the point that rests at x floats beside the water.
+
+#include "claims.hpp"
+#include "plot.hpp"
+
+#include <ansatz/water.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <span>
+#include <vector>
+
+using namespace ansatz;
+using Length = Quantity<unit::Length>;
+
+int main() {
+    workbook::Claims claim;
+
+    //! [dispersion]
+    for (const double metres_long : {1.0, 10.0, 100.0})
+        std::cout << "A wave of " << metres_long << " m runs at " << water::phase_speed(metres_long * metre)
+                  << " over deep water and at " << water::phase_speed(metres_long * metre, 2.0 * metre)
+                  << " where it is 2 m deep\n";
+    //! [dispersion]
+    const auto period = water::period(10.0 * metre);
+    std::cout << "10 m long, it passes in " << period << '\n';
+    claim("k is 2 pi / lambda: 2.53079 s; with 2 / lambda it would be 4.49 s",
+          abs(period - 2.53079 * second) < 1e-5 * second);
+    claim("long waves do not know how long they are",
+          abs(water::phase_speed(1e5 * metre, 2.0 * metre) - std::sqrt(9.81 * 2) * metre_per_second) <
+              1e-6 * metre_per_second);
+
+    //! [sea]
+    const Waves sea({{20.0 * metre, 0.40 * metre, 0.0},
+                     {13.0 * metre, 0.25 * metre, 0.6},
+                     {7.00 * metre, 0.12 * metre, -0.5, 1.0},
+                     {3.10 * metre, 0.05 * metre, 1.1, 2.0}});
+    const auto t = 42.0 * second;
+    const auto map = sea.height_map<float>(256, 256, 0.25 * metre, 0.25 * metre, t);
+    //! [sea]
+    double most = 0;
+    for (std::size_t j = 0; j < 256; j += 5)
+        for (std::size_t i = 0; i < 256; ++i)
+            most = std::max(most, std::abs(double(map(i, j).value()) - sea.height(map.x(i), map.z(j), t).value()));
+    claim("a map of 256 x 256 points in float is right to 1.3e-6 of the sum of amplitudes", most < 1.3e-6 * 0.82);
+
+    //! [sharp]
+    const GerstnerWaves sharp(Waves({{10.0 * metre, 0.5 * metre}}), 0.9);
+    const auto place = 1.0 * metre, zero = 0.0 * metre;
+    const auto right = sharp.height(place, zero, 0.0 * second);
+    const auto naive = y(sharp.position(place, zero, 0.0 * second)); // of the point that rests at 1 m, and is not there
+    //! [sharp]
+    std::cout << "At 1 m a sharp crest is " << right << " high; the point that rests there is at "
+              << x(sharp.position(place, zero, 0.0 * second)) << ", " << naive << " high\n";
+    const auto found = sharp.position(x(sharp.rest(place, zero, 0.0 * second)), zero, 0.0 * second);
+    claim("the height at x is that of the point that is at x",
+          abs(x(found) - place) < 1e-9 * metre && abs(y(found) - right) < 1e-9 * metre);
+    claim("who does not look for it is more than half of the amplitude off", abs(naive - right) > 0.25 * metre);
+
+    //! [drift]
+    // Something that floats goes with the water: to and fro below a crest and a trough.
+    const Waves swell({{10.0 * metre, 0.3 * metre}});
+    const auto crest = swell.velocity(0.0 * metre, zero, zero, 0.0 * second),
+               trough = swell.velocity(5.0 * metre, zero, zero, 0.0 * second),
+               deep = swell.velocity(0.0 * metre, -5.0 * metre, zero, 0.0 * second);
+    //! [drift]
+    std::cout << "Under a crest the water runs at " << x(crest) << ", under a trough at " << x(trough)
+              << ", and 5 m below the crest at " << x(deep) << '\n';
+    claim("with the wave under a crest, against it under a trough",
+          x(crest) == -x(trough) && x(crest) > 0.0 * metre_per_second);
+    claim("half a wavelength down, exp(-pi) of it is left",
+          std::abs(double(x(deep) / x(crest)) - std::exp(-3.14159265)) < 1e-8);
+
+    std::vector<Length> places, sines, circles;
+    const Waves round({{10.0 * metre, 0.5 * metre}});
+    for (double at = -10; at <= 10; at += 0.05) {
+        places.push_back(at * metre);
+        sines.push_back(round.height(at * metre, zero, 0.0 * second));
+        circles.push_back(sharp.height(at * metre, zero, 0.0 * second));
+    }
+    workbook::Plot plot("7.3", "The same wave with its points on lines and on circles");
+    plot.x("x").y("height");
+    plot.line("sum of sines", places, sines).line("Gerstner, steepness 0.9", places, circles).write();
+    return claim.result();
+}

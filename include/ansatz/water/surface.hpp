@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Surface<Policy, Scalar>`: a body of water by itself, whose surface a policy moves (notes 7.2): WaterColumns, Pipes,
+/// ShallowWater.
+///
+/// Use it to have water without a world: heights in, a step, heights out. A copy is a snapshot, and continues bit for
+/// bit as the original does. For one loop over spans of your own, without checks, take the policy's `In<Scalar>`.
+///
+/// Everything that can be wrong is refused here, at the door, with the water left as it was: a height that is negative
+/// or not finite, and a step that is longer than the policy takes (its Courant limit), with the longest that would do.
+
+#include <ansatz/water/height_map.hpp>
+
+#include <concepts>
+
+namespace ansatz {
+
+/// What moves a surface, bound to a scalar: what Surface asks of a policy. `State<Scalar>` has the lane `height`, and
+/// what else is kept; `In<Scalar>` says the longest step and makes one.
+///
+/// \ref ansatz::WaterColumns "WaterColumns", \ref ansatz::ClampedColumns "ClampedColumns", \ref ansatz::Pipes "Pipes"
+/// and \ref ansatz::ShallowWater "ShallowWater" are such policies (notes 7.2). (notes 7.2).
+template <class P, class Scalar>
+concept SurfacePolicyIn =
+    requires(const P& policy, const ColumnGrid& grid, typename P::template State<Scalar>& state,
+             typename P::template In<Scalar>& bound, Quantity<unit::Length> level, Quantity<unit::Time> dt) {
+        { P::name } -> std::convertible_to<std::string_view>;
+        { P::has_bed } -> std::convertible_to<bool>;
+        policy.check();
+        requires std::constructible_from<typename P::template In<Scalar>, const P&, const ColumnGrid&,
+                                         Quantity<unit::Length>>;
+        bound.prepare(state, level);
+        { bound.longest_step(state) } -> std::convertible_to<Quantity<unit::Time>>;
+        bound.advance(state, dt);
+        { state.height } -> std::same_as<std::vector<Scalar>&>;
+    };
+
+/// A body of water: columns, and what a policy keeps for each of them.
+/// \tparam Policy WaterColumns, ClampedColumns, Pipes, ShallowWater, or one of yours
+/// \tparam Scalar float, double, or a class scalar
+template <class Policy, class Scalar = double> class Surface {
+    static_assert(SurfacePolicyIn<Policy, Scalar>,
+                  "Ansatz: Surface takes a policy that moves columns of water, e.g. Surface{WaterColumns{3.0 * "
+                  "metre_per_second}, grid, 2.0 * metre}");
+
+public:
+    using Length = Quantity<unit::Length>;                        ///< places, m
+    using Height = Quantity<unit::Length, Scalar>;                ///< heights, m
+    using Time = Quantity<unit::Time>;                            ///< s
+    using State = typename Policy::template State<Scalar>;        ///< what is copied and saved
+    using Volume = Quantity<unit::Volume, detail::SumOf<Scalar>>; ///< m^3
+
+    /// Still water of one height over a level bed at y = 0.
+    /// \param level m, finite, not negative
+    /// \throws std::invalid_argument for another level, or what the policy refuses
+    Surface(const Policy& policy, ColumnGrid grid, Length level)
+        : policy_(checked(policy, level)), grid_(std::move(grid)), bound_(policy_, grid_, level) {
+        state_.height.assign(grid_.size(), Scalar(level.value()));
+        bound_.prepare(state_, level);
+    }
+    /// Still water over a bed: up to the level, and none where the bed is higher.
+    /// \param bed   its height at each column, m, finite, x fastest
+    /// \param level m, finite, not negative
+    /// \throws std::invalid_argument for other values
+    Surface(const Policy& policy, ColumnGrid grid, std::span<const Scalar> bed, Length level)
+        requires(Policy::has_bed)
+        : Surface(policy, std::move(grid), level) {
+        grid_.require_one_each("Surface", "heights of the bed", bed.size());
+        for (std::size_t n = 0; n < bed.size(); ++n)
+            if (!is_finite(bed[n])) refuse_value("Surface", place("the bed", n), meters(bed[n]), "it must be finite");
+        for (std::size_t n = 0; n < bed.size(); ++n) {
+            state_.bed[n] = bed[n];
+            state_.height[n] = std::max(Scalar(0), Scalar(level.value()) - bed[n]);
+        }
+    }
+
+    /// Advances the water.
+    /// \param dt s, finite, positive, at most longest_step()
+    /// \throws std::invalid_argument for another step, before anything moves
+    void step(Time dt) {
+        require_positive("Surface::step", "dt", dt);
+        const Time longest = longest_step();
+        if (!(dt <= longest))
+            refuse_value("Surface::step", "dt", dt,
+                         detail::joined({"the longest step that ", Policy::name, " takes with these columns is ",
+                                         describe(longest), " (Courant's limit)"}));
+        bound_.advance(state_, dt);
+    }
+    /// The longest step that does not make these waves grow, s; infinite where nothing can move.
+    Time longest_step() const { return bound_.longest_step(state_); }
+
+    const Policy& policy() const { return policy_; }                  ///< what moves it
+    const ColumnGrid& grid() const { return grid_; }                  ///< where its columns are
+    const State& state() const { return state_; }                     ///< its lanes, raw SI
+    std::span<const Scalar> heights() const { return state_.height; } ///< of each column, m, x fastest
+    /// \f$ \sum h\,\Delta x\,\Delta z \f$, m^3; summed in double for float.
+    Volume volume() const { return grid_.volume(heights()); }
+    /// How much water stands on column (i, j), m.
+    /// \throws std::out_of_range if there is no such column
+    Height height(std::size_t i, std::size_t j) const { return Height::from_value(state_.height[known(i, j)]); }
+    /// Sets how much water stands on column (i, j): m, finite, not negative. What moves it stays.
+    /// \throws std::out_of_range, std::invalid_argument
+    void set_height(std::size_t i, std::size_t j, const Height& height) {
+        const std::size_t n = known(i, j);
+        require_height("Surface::set_height", n, height.value());
+        state_.height[n] = height.value();
+    }
+    /// Sets them all: one for each column, m, finite, not negative, x fastest.
+    /// \throws std::invalid_argument for other values, with the water left as it was
+    void set_heights(std::span<const Scalar> heights) {
+        grid_.require_one_each("Surface::set_heights", "heights", heights.size());
+        for (std::size_t n = 0; n < heights.size(); ++n) require_height("Surface::set_heights", n, heights[n]);
+        std::copy(heights.begin(), heights.end(), state_.height.begin());
+    }
+
+    /// Whether there are columns; where there are none, it is dry.
+    bool covers(Length x, Length z) const { return grid_.covers(x, z); }
+    /// Where the surface is: bilinear between the centres of columns, level from the outermost centres to the walls; m.
+    /// \throws std::out_of_range where there are no columns
+    Height level(Length x, Length z) const { return Height::from_value(patch("Surface::level", x, z).height()); }
+    /// Its normal there: upwards, of length 1.
+    /// \throws std::out_of_range where there are no columns
+    Vector<Scalar, 3> normal(Length x, Length z) const { return patch("Surface::normal", x, z).normal(); }
+    /// How fast the surface rises at column (i, j), m/s: the notes' velocity.
+    Quantity<unit::Velocity, Scalar> rate(std::size_t i, std::size_t j) const
+        requires requires(State s) { s.rate; }
+    {
+        return Quantity<unit::Velocity, Scalar>::from_value(state_.rate[known(i, j)]);
+    }
+    /// How fast the water of column (i, j) flows along x and z, m/s; zero where it is dry.
+    VectorQuantity<unit::Velocity, 2, Scalar> velocity(std::size_t i, std::size_t j) const
+        requires requires(const typename Policy::template In<Scalar>& b, State s) { b.velocity(s, i, j); }
+    {
+        known(i, j);
+        return VectorQuantity<unit::Velocity, 2, Scalar>::from_value(bound_.velocity(state_, i, j));
+    }
+    /// The surface as a map of heights through the centres of columns.
+    /// \throws std::invalid_argument for unequal footprints, or a channel
+    HeightMap<Scalar> height_map() const {
+        if (!grid_.uniform())
+            refuse(Refusal::invalid_argument, "Surface::height_map: these columns have unequal footprints; a map has "
+                                              "points at equal distances, ask for level(x, z) at each of them");
+        HeightMap<Scalar> map(grid_.columns_x(), grid_.columns_z(), grid_.width_x(0), grid_.width_z(0));
+        for (std::size_t j = 0; j < grid_.columns_z(); ++j)
+            for (std::size_t i = 0; i < grid_.columns_x(); ++i)
+                map.set(i, j, Height::from_value(surface_at(grid_.index(i, j))));
+        return map.at(grid_.centre_x(0), grid_.centre_z(0));
+    }
+
+private:
+    static const Policy& checked(const Policy& policy, Length level) {
+        policy.check();
+        require_not_negative("Surface", "level", level);
+        return policy;
+    }
+    static Height meters(const Scalar& value) { return Height::from_value(value); }
+    std::string place(std::string_view what, std::size_t n) const {
+        return detail::joined({what, " at column (", std::to_string(n % grid_.columns_x()), ", ",
+                               std::to_string(n / grid_.columns_x()), ")"});
+    }
+    void require_height(std::string_view where, std::size_t n, const Scalar& height) const {
+        if (!is_finite(height) || height < Scalar(0))
+            refuse_value(where, place("the height", n), meters(height), "it must be finite and not negative");
+    }
+    std::size_t known(std::size_t i, std::size_t j) const {
+        if (i >= grid_.columns_x() || j >= grid_.columns_z())
+            refuse(Refusal::out_of_range,
+                   detail::joined({"Surface: a column is (", std::to_string(i), ", ", std::to_string(j),
+                                   "); there are ", std::to_string(grid_.columns_x()), " x ",
+                                   std::to_string(grid_.columns_z()), ", counted from 0"}));
+        return grid_.index(i, j);
+    }
+    Scalar surface_at(std::size_t n) const {
+        if constexpr (Policy::has_bed) return state_.bed[n] + state_.height[n];
+        else return state_.height[n];
+    }
+    detail::Patch<Scalar> patch(std::string_view where, Length x, Length z) const {
+        grid_.require_covered(where, x, z);
+        const auto a = grid_.x().between(x.value()), b = grid_.z().between(z.value());
+        auto apart = [](const detail::ColumnAxis& axis, const detail::Between& c) {
+            return Scalar(c.low == c.high ? 1.0 : axis.distance(c.low)); // alone: equal heights, no slope
+        };
+        return {surface_at(grid_.index(a.low, b.low)),
+                surface_at(grid_.index(a.high, b.low)),
+                surface_at(grid_.index(a.low, b.high)),
+                surface_at(grid_.index(a.high, b.high)),
+                Scalar(a.part),
+                Scalar(b.part),
+                apart(grid_.x(), a),
+                apart(grid_.z(), b)};
+    }
+    Policy policy_;
+    ColumnGrid grid_;
+    typename Policy::template In<Scalar> bound_;
+    State state_;
+};
+
+/// A surface in double; write Surface<WaterColumns, float> for lanes half as wide.
+template <class Policy> Surface(const Policy&, ColumnGrid, Quantity<unit::Length>) -> Surface<Policy, double>;
+/// In the scalar of its bed.
+template <class Policy, class Bed>
+Surface(const Policy&, ColumnGrid, const Bed&, Quantity<unit::Length>)
+    -> Surface<Policy, std::remove_cvref_t<decltype(*std::declval<const Bed&>().data())>>;
+
+} // namespace ansatz

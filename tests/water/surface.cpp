@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSL-1.0
+// A body of water as a value: its copies, its level between columns, and what it refuses.
+
+#include <ansatz/water/surface.hpp>
+#include <ansatz/water/water_columns.hpp>
+
+#include "tests/water/support.hpp"
+
+using namespace water_tests;
+
+TEST_CASE("a copy of water is a snapshot, and goes on bit for bit", "[water]") {
+    Surface water(WaterColumns{.wave_speed = 2.0 * mps, .damping = 0.1 / second}, unequal(6, 5), 1.0 * metre);
+    set_heights(water, [](double x, double z) { return 1 + 0.2 * std::sin(x + 2 * z); });
+    for (int n = 0; n < 20; ++n) water.step(0.1 * second);
+    auto copy = water;
+    for (int n = 0; n < 20; ++n) water.step(0.1 * second);
+    CHECK_FALSE(copy.state() == water.state());
+    for (int n = 0; n < 20; ++n) copy.step(0.1 * second);
+    CHECK(copy.state() == water.state());
+}
+
+TEMPLATE_TEST_CASE("the level goes through the centres, is linear between them and level beside walls", "[water]",
+                   float, double) {
+    const auto grid = unequal(6, 5).at(4.0 * metre, -2.0 * metre);
+    Surface<WaterColumns, TestType> water({2.0 * mps}, grid, 3.0 * metre);
+    set_heights(water, [](double x, double z) { return 3 + 0.1 * x - 0.2 * z; });
+    const double near = 32 * std::numeric_limits<TestType>::epsilon();
+    for (std::size_t i = 0; i < 6; ++i)
+        CHECK(double(water.level(grid.centre_x(i), grid.centre_z(2)).value()) ==
+              Approx(double(water.height(i, 2).value())).epsilon(near));
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> x(grid.centre_x(0).value(), grid.centre_x(5).value()),
+        z(grid.centre_z(0).value(), grid.centre_z(4).value());
+    const Vector<double, 3> up = Vector<double, 3>(-0.1, 1, 0.2).normalized();
+    for (int n = 0; n < 300; ++n) {
+        const double at_x = x(random), at_z = z(random);
+        CHECK(double(water.level(at_x * metre, at_z * metre).value()) ==
+              Approx(3 + 0.1 * at_x - 0.2 * at_z).epsilon(near));
+        CHECK((water.normal(at_x * metre, at_z * metre).template cast<double>() - up).norm() < 50 * near);
+    }
+    CHECK(water.level(grid.begin_x(), grid.begin_z()) == water.height(0, 0));
+    CHECK(water.level(grid.end_x(), grid.end_z()) == water.height(5, 4));
+    CHECK(water.normal(grid.begin_x(), grid.begin_z()) == Vector<TestType, 3>(0, 1, 0));
+}
+
+TEST_CASE("its map of heights is its surface; where there are no columns there is no water", "[water]") {
+    Surface water(WaterColumns{mps}, ColumnGrid(5, 4, 0.5 * metre, 2.0 * metre).at(1.0 * metre, 1.0 * metre),
+                  1.0 * metre);
+    set_heights(water, [](double x, double z) { return 1 + 0.3 * std::sin(2 * x) * std::cos(z); });
+    const auto map = water.height_map();
+    for (const double x : {1.3, 2.0, 3.2})
+        for (const double z : {2.0, 5.5, 7.9})
+            CHECK(map.height(x * metre, z * metre).value() ==
+                  Approx(water.level(x * metre, z * metre).value()).epsilon(1e-13));
+    CHECK_FALSE(water.covers(0.5 * metre, 2.0 * metre));
+    CHECK(sentence<std::out_of_range>([&] { (void)water.level(0.5 * metre, 2.0 * metre); }) ==
+          "Surface::level: (x, z) is (0.5 m, 2 m); the columns cover x from 1 m to 3.5 m and z from 1 m to 9 m");
+}
+
+TEST_CASE("what water cannot be is refused, and nothing is changed", "[water]") {
+    const ColumnGrid grid(3, 3, 1.0 * metre);
+    Surface water(WaterColumns{mps}, grid, 1.0 * metre);
+    const auto before = water.state();
+    CHECK(refusal([&] { water.set_height(1, 2, -0.5 * metre); }) ==
+          "Surface::set_height: the height at column (1, 2) is -0.5 m; it must be finite and not negative");
+    CHECK(refusal([&] { water.set_height(0, 0, not_a_number * metre); }) ==
+          "Surface::set_height: the height at column (0, 0) is nan m; it must be finite and not negative");
+    std::vector<double> heights(9, 2.0);
+    heights[8] = std::numeric_limits<double>::infinity();
+    CHECK(refusal([&] { water.set_heights(heights); }) ==
+          "Surface::set_heights: the height at column (2, 2) is inf m; it must be finite and not negative");
+    heights.pop_back();
+    CHECK(refusal([&] { water.set_heights(heights); }) ==
+          "Surface::set_heights: the number of heights is 8; there is one for each of the 9 columns");
+    CHECK(sentence<std::out_of_range>([&] { (void)water.height(3, 0); }) ==
+          "Surface: a column is (3, 0); there are 3 x 3, counted from 0");
+    for (const double dt : {0.0, -1.0, not_a_number})
+        CHECK(refusal([&] { water.step(dt * second); }).find("Surface::step: dt is ") == 0);
+    CHECK(water.state() == before);
+    CHECK(refusal([&] { Surface(WaterColumns{mps}, grid, -1.0 * metre); }) ==
+          "Surface: level is -1 m; it must be finite and not negative");
+    CHECK(refusal([&] { Surface(WaterColumns{0.0 * mps}, grid, 1.0 * metre); }) ==
+          "WaterColumns: wave_speed is 0 m/s; it must be finite and greater than zero");
+    CHECK(refusal([&] {
+              Surface(WaterColumns{mps, -1.0 / second}, grid, 1.0 * metre);
+          }) == "WaterColumns: damping is -1 1/s; it must be finite and not negative");
+    CHECK(refusal([&] {
+              (void)Surface(WaterColumns{mps}, unequal(3, 3), 1.0 * metre).height_map();
+          }).find("unequal footprints") != std::string::npos);
+}
