@@ -242,7 +242,7 @@ TEST_CASE("a file with a row that cannot be is refused with its place, and the w
     CHECK(with("\"first\": 0", "\"first\": 7") ==
           "load: elements.Ties.list[0].row.first is 7; expected the id of a body that is in the file");
     CHECK(with("\"first\": 0", "\"first\": -1") ==
-          "load: elements.Ties.list[0].row.first is -1; expected a whole number from 0 to 4294967294");
+          "load: elements.Ties.list[0].row.first is -1; expected a whole number from 0 to 4294967295");
     CHECK(with("\"second\": 1", "\"second\": 0") ==
           "load: elements.Ties.list[0].row: a tie: its ends is one body; it holds two");
     CHECK(with("\"length\": 3.0", "\"length\": -3.0").find("length is -3 m; it is greater than zero") !=
@@ -281,4 +281,60 @@ TEST_CASE("no copy of a row is made that could fail when the world has been told
     CHECK_THROWS_AS([&] { auto copy = world; }(), std::runtime_error); // a copy of the world needs them
     CHECK(world.hash() == hash);
     FragileRow::copies_left = -1;
+}
+
+namespace {
+/// Names bodies in a list of pairs, and one more or nobody.
+struct Net {
+    using element = Net;
+    std::vector<std::array<Handle, 2>> pairs;
+    std::optional<Handle> owner;
+};
+template <class S> struct NetRow {
+    std::vector<std::array<BodyId, 2>> pairs;
+    BodyId owner;
+    static void fields(auto& self, auto&& field) {
+        field("pairs", self.pairs);
+        field("owner", self.owner);
+    }
+    static NetRow from(const auto& asked, const Net& net) {
+        NetRow row;
+        for (const auto& [a, b] : net.pairs) row.pairs.push_back({asked.body(a), asked.body(b)});
+        if (net.owner) row.owner = asked.body(*net.owner);
+        return row;
+    }
+};
+struct Nets {
+    using role = roles::System;
+    using Element = Net;
+    static constexpr std::string_view name = "Nets";
+    template <class S> using State = ElementTable<S, Net, NetRow<S>>;
+};
+} // namespace
+
+TEST_CASE("a row follows bodies in lists of lists, and one that names nobody waits for none",
+          "[world][elements][named_by]") {
+    World world{SemiImplicitEuler{}, Rest{}, Nets{}};
+    std::vector<Handle> bodies;
+    for (int i = 0; i < 6; ++i) bodies.push_back(world.add(position(metres(i, 0, 0))));
+    const auto of_pairs = world.add(Net{{{bodies[0], bodies[1]}, {bodies[2], bodies[3]}}, std::nullopt});
+    const auto owned = world.add(Net{{}, bodies[4]});
+    const auto of_nobody = world.add(Net{});
+    world.step(0.1 * second);
+    std::stringstream file;
+    save(world, file);
+    World loaded{SemiImplicitEuler{}, Rest{}, Nets{}};
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+    for (auto* one : {&world, &loaded}) {
+        one->remove(bodies[5]);
+        CHECK(one->elements<Net>().size() == 3);
+        one->remove(bodies[3]);
+        CHECK(!one->contains(of_pairs));
+        one->remove(bodies[4]);
+        CHECK(!one->contains(owned));
+        CHECK(one->contains(of_nobody));
+        one->step(0.1 * second);
+    }
+    CHECK(loaded.hash() == world.hash());
 }

@@ -31,9 +31,9 @@ struct Notebook {
         typename S::Position place = S::template zero_vector<unit::Length>();
         std::vector<typename S::Scalar> many{1, 2, 3};
         std::vector<typename S::Velocity> fast;
-        std::array<int, 2> pair{4, 5};
+        std::array<int, 2> pair{4, -5};
         std::vector<bool> flags{true, false};
-        std::vector<std::vector<int>> nested{{1}, {}, {2, 3}};
+        std::vector<std::vector<int>> nested{{-2147483647 - 1}, {}, {2, 3}};
         static void fields(auto& self, auto&& field) {
             field("open", self.open);
             field("pages", self.pages);
@@ -128,8 +128,10 @@ TEST_CASE("A file whose fields are not acceptable is refused by name and place, 
     };
     refused("\"open\": true", "\"open\": 1", "states.Notebook.open is 1; expected true or false");
     refused("\"pages\": 3", "\"pages\": 300", "states.Notebook: Notebook: pages is 300; it is 0 to 100");
-    refused("\"pages\": 3", "\"pages\": -1",
-            "states.Notebook.pages is -1; expected a whole number from 0 to 2147483647");
+    refused("\"pages\": 3", "\"pages\": -1", "states.Notebook: Notebook: pages is -1; it is 0 to 100");
+    refused("\"pages\": 3", "\"pages\": -3000000000",
+            "states.Notebook.pages is -3000000000; expected a whole number from -2147483648 to 2147483647");
+    refused("\"serial\"", "\"serial\": -1, \"was\"", "states.Notebook.serial is -1; expected a whole number from 0 to");
     refused("\"number\": 0.1", "\"number\": \"x\"", "states.Notebook.number is \"x\"; expected a finite number");
     refused("\"pair\"", "\"pear\"", "states.Notebook: expected \"pair\", but there is none");
     refused("\"states\"", "\"stated\"", "expected \"states\", but there is none");

@@ -67,3 +67,35 @@ TEST_CASE("the stages of a step that couples are between the same effects", "[wo
     CHECK(world.read<Heat>(body).value() == 146);
     CHECK(world.read<Heat>(ground).value() == 0);
 }
+
+namespace {
+/// Says into how many parts a step is to be taken, whatever that is.
+struct Parts {
+    using role = roles::StepControl;
+    struct Kept {};
+    int number = 1;
+    int parts(const auto&, const Quantity<unit::Time>&, Kept&) const { return number; }
+};
+} // namespace
+
+TEST_CASE("a number of parts that is none, or parts too short to be steps, are refused before anything moves",
+          "[world][step]") {
+    World world{Space<float, 2>{}, SemiImplicitEuler{}, Gravity{}, Parts{}};
+    const auto body = world.add();
+    const auto before = world.hash();
+    for (const int wrong : {0, -2}) {
+        world.set(Parts{wrong});
+        CHECK_THROWS_WITH(world.step(0.1 * second), Catch::Contains("World::step") &&
+                                                        Catch::Contains("is " + std::to_string(wrong)) &&
+                                                        Catch::Contains("at least 1"));
+    }
+    world.set(Parts{4});
+    CHECK_THROWS_WITH(world.step(2e-31 * second), Catch::Contains("World::step") && Catch::Contains("at least"));
+    CHECK(!world.status().lost);
+    CHECK(world.hash() == before);
+    world.set(Parts{1});
+    world.step(2e-31 * second); // in one part it is none too short
+    world.set(Parts{4});
+    world.step(0.1 * second);
+    CHECK(world.velocity(body).value()[1] < 0);
+}

@@ -124,6 +124,9 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
                 "Ansatz: a policy that decides how a step is taken, with a wrong signature; it needs `struct Kept` and "
                 "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
             if constexpr (understood) parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
+            if (parts < 1)
+                refuse_value("World::step", "the number of parts that its StepControl says", parts, "it is at least 1");
+            if (parts > 1) tell<hook::CheckStep>(typename S::Time(h / Scalar(parts)), dt);
         }
         lost_ = true; // until it is taken
         const auto first = step_of(h);

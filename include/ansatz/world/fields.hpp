@@ -14,9 +14,9 @@
 ///     };
 ///
 /// A field is a number, a bool, a quantity, a vector quantity, or a std::vector or std::array of these; in the row of
-/// an ElementTable a `BodyId`, too. In a file it stands under its name, a quantity as a raw SI number. A state whose
-/// numbers have to fit together says so in `void check() const`, which throws std::invalid_argument, and is called when
-/// a file was read.
+/// an ElementTable a `BodyId`, too, which names nobody until it is given one. In a file it stands under its name, a
+/// quantity as a raw SI number. A state whose numbers have to fit together says so in `void check() const`, which
+/// throws std::invalid_argument, and is called when a file was read.
 ///
 /// A state without `fields` has functions of its own: `add_to(hash)`, and what world/save_elements.hpp reads.
 
@@ -55,12 +55,18 @@ inline constexpr bool is_quantity_of_one = !is_quantity_of_lanes<T> && requires(
     T::from_value(q.value());
 };
 
-/// Calls `f(id)` for each body that a field names.
+/// Whether a field names bodies.
+template <class T> inline constexpr bool names_bodies = std::same_as<T, BodyId>;
+template <class T>
+    requires is_list<T>
+inline constexpr bool names_bodies<T> = names_bodies<typename T::value_type>;
+
+/// Calls `f(id)` for each body that a field names; a BodyId that was not given one names nobody.
 template <class T, class F> void each_body_in(const T& x, F&& f) {
-    if constexpr (std::same_as<T, BodyId>) f(x.id);
-    else if constexpr (is_list<T>)
-        if constexpr (std::same_as<typename T::value_type, BodyId>)
-            for (const auto& one : x) f(one.id);
+    if constexpr (std::same_as<T, BodyId>) {
+        if (!(x == BodyId())) f(x.id);
+    } else if constexpr (names_bodies<T>)
+        for (const auto& one : x) each_body_in(one, f);
 }
 /// Adds a field to a hash.
 template <class T> void hash_field(StateHash& hash, const T& x) {
@@ -74,11 +80,6 @@ template <class T> void hash_field(StateHash& hash, const T& x) {
         for (const auto& one : x) hash_field(hash, static_cast<const typename T::value_type&>(one));
     } else hash.add_number(x);
 }
-/// Whether a field names bodies.
-template <class T> inline constexpr bool names_bodies = std::same_as<T, BodyId>;
-template <class T>
-    requires is_list<T>
-inline constexpr bool names_bodies<T> = std::same_as<typename T::value_type, BodyId>;
 /// Adds what something consists of.
 /// \tparam FollowsBodies whether it is told when a body is removed
 template <bool FollowsBodies, class T> void hash_fields(StateHash& hash, const T& state) {
@@ -122,8 +123,8 @@ template <class Files, class T> typename Files::Json field_to_file(const T& x) {
 /// \throws std::invalid_argument naming the place in the file
 template <class T> void field_from_file(T& x, const auto& file) {
     if constexpr (std::same_as<T, bool>) x = file.yes();
-    else if constexpr (std::same_as<T, BodyId>) x.id = std::uint32_t(file.whole(0xfffffffeu));
-    else if constexpr (std::is_integral_v<T>) x = T(file.whole(std::uint64_t(std::numeric_limits<T>::max())));
+    else if constexpr (std::same_as<T, BodyId>) x.id = std::uint32_t(file.whole(BodyId().id));
+    else if constexpr (std::is_integral_v<T>) x = file.template integer<T>();
     else if constexpr (is_quantity_of_lanes<T>) {
         auto value = x.value();
         file.size_is(std::size_t(value.size()), "numbers");

@@ -59,6 +59,18 @@ struct FileValue {
             refuse_here("a whole number from 0 to " + std::to_string(most));
         return json.get<std::uint64_t>();
     }
+    /// The same with a sign, where its type has one.
+    template <class T> T integer() const {
+        if constexpr (std::is_signed_v<T>)
+            if (json.is_number_integer() && !json.is_number_unsigned()) {
+                const auto value = json.get<std::int64_t>();
+                if (value < std::int64_t(std::numeric_limits<T>::min()))
+                    refuse_here("a whole number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+                                std::to_string(std::numeric_limits<T>::max()));
+                return T(value);
+            }
+        return T(whole(std::uint64_t(std::numeric_limits<T>::max())));
+    }
     bool yes() const {
         if (!json.is_boolean()) refuse_here("true or false");
         return json.get<bool>();

@@ -33,8 +33,8 @@ template <class P> void read_parameters(P& description, const FileValue& json) {
     P::parameters(description, [&](std::string_view what, auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
         const auto given = json.at(std::string(what).c_str());
-        if constexpr (std::is_integral_v<Value>)
-            value = Value(given.whole(std::uint64_t(std::numeric_limits<Value>::max())));
+        if constexpr (std::is_same_v<Value, bool>) value = given.yes();
+        else if constexpr (std::is_integral_v<Value>) value = given.template integer<Value>();
         else if constexpr (std::is_floating_point_v<Value>) value = given.template number<Value>();
         else {
             using Q = stripped<Value>;
