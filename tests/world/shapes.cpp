@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <sstream>
+#include <type_traits>
 
 using namespace ansatz;
 
@@ -55,6 +56,21 @@ struct Doubles {
         }
     };
 };
+//! [axial]
+/// An axial vector is three numbers in space and one in the plane: quantities of the library are values of a shape,
+/// too.
+struct AxialShape {
+    template <class S, class Unit>
+    using Value =
+        std::conditional_t<S::dimension == 2, typename S::template ScalarOf<Unit>, typename S::template VectorOf<Unit>>;
+    static constexpr std::size_t lanes(int dimension) { return dimension == 2 ? 1 : 3; }
+};
+struct Spin {
+    using Unit = unit::Frequency;
+    static constexpr AxialShape shape{};
+    static constexpr std::string_view name = "spin";
+};
+//! [axial]
 template <class Scalar, int Dimension> using Value = Symmetric<Scalar, Dimension, unit::Mass>;
 
 } // namespace
@@ -109,4 +125,41 @@ TEST_CASE("A value that is none is refused at each door, and nothing is changed"
         CHECK_THROWS_WITH(load(world, wrong), Catch::Contains("inertia") && Catch::Contains(said));
         CHECK(world.hash() == before);
     }
+}
+TEMPLATE_TEST_CASE("A quantity of other lanes than the space has is a value of a shape", "[shapes]", (Space<double, 3>),
+                   (Space<float, 2>)) {
+    using Scalar = typename TestType::Scalar;
+    World world{TestType{}, SemiImplicitEuler{}, Keep<Spin>{}};
+    const auto spin = [](double x) {
+        if constexpr (TestType::dimension == 2) return x / second;
+        else return radians_per_second(x, -x, 2 * x);
+    };
+    const auto body = world.add(with<Spin>(spin(0.1))); // of double, in a world of float, too
+    CHECK(world.template read<Spin>(body) == scalar_cast<Scalar>(spin(0.1)));
+    CHECK(world.template read<Spin>(world.add()) == scalar_cast<Scalar>(spin(0)));
+    CHECK(world.bytes_per_body == (2 * TestType::dimension + (TestType::dimension == 2 ? 1 : 3)) * sizeof(Scalar));
+    world.template write<Spin>(body, spin(5));
+    auto other = world;
+    other.template write<Spin>(body, spin(6));
+    CHECK(other.hash() != world.hash());
+    std::stringstream file;
+    save(world, file);
+    load(other, file);
+    CHECK(other.hash() == world.hash());
+    CHECK(other.template read<Spin>(body) == scalar_cast<Scalar>(spin(5)));
+    const auto before = world.hash();
+    CHECK_THROWS_WITH(world.template write<Spin>(body, spin(std::numeric_limits<double>::infinity())),
+                      Catch::Contains("World::write") && Catch::Contains("spin") && Catch::Contains("inf"));
+    CHECK(world.hash() == before);
+}
+TEST_CASE("A body is not finite if a number of a shape of its own is not", "[shapes]") {
+    World world{Space<double, 2>{}, SemiImplicitEuler{}, Doubles{}, Keep<Spin>{}};
+    Value<double, 2> m;
+    m.of[2] = std::numeric_limits<double>::max();
+    world.add(with<Spin>(1.0 / second));
+    const auto body = world.add(with<Inertia>(m));
+    CHECK(world.status().ok());
+    world.step(0.1 * second);
+    CHECK(world.status().not_finite == 1);
+    CHECK(world.status().first_not_finite == body);
 }

@@ -276,6 +276,9 @@ template <class D, class S> constexpr bool moves_by_its_columns() {
 /// the velocity changes the position by `v * dt`.
 ///
 /// \snippet tests/world/systems/orientation.cpp turning
+///
+/// The library has none of its own yet: translation is advanced by an integrator such as
+/// \ref ansatz::SemiImplicitEuler "SemiImplicitEuler", and these by the same lines.
 template <class D, class S>
 concept DegreeOfFreedomIn =
     PlaysRole<D, roles::DegreeOfFreedom> && detail::moves_by_its_columns<D, S>() && detail::PreparesIn<D, S>;

@@ -215,7 +215,7 @@ struct Motion {
     template <class C> static void on(hook::IsFinite, const WorldData<C>& data, std::uint32_t slot, bool& finite) {
         const auto body = data.load(slot);
         [&]<class... Column>(Columns<Column...>) {
-            ((finite = finite && is_finite(body.template get<Column>())), ...);
+            ((finite = finite && detail::has_finite_numbers<Column, typename C::S>(body.template get<Column>())), ...);
         }(typename WorldData<C>::AllColumns{});
     }
     template <class C> static void on(hook::HashCounts, const WorldData<C>& data, auto& hash) {

@@ -7,6 +7,7 @@
 #include <ansatz/world/check.hpp>
 #include <ansatz/world/column_range.hpp>
 #include <ansatz/world/properties.hpp>
+#include <ansatz/world/row.hpp>
 
 namespace ansatz {
 
@@ -65,13 +66,23 @@ typename S::template ScalarOf<Unit> finite_scalar([[maybe_unused]] std::string_v
 template <class S, class C, class Q>
 value_of<C, S> own_value([[maybe_unused]] std::string_view where, [[maybe_unused]] const Q& q) {
     using V = value_of<C, S>;
-    constexpr bool fits = std::constructible_from<V, const Q&>;
+    // Quantities of another scalar are brought to that of the world, as everywhere.
+    constexpr auto cast = [](const auto& given) {
+        if constexpr (has_own_lanes<C, S>) return given;
+        else return scalar_cast<typename S::Scalar>(given);
+    };
+    constexpr bool fits = [] {
+        if constexpr (has_own_lanes<C, S>) return std::constructible_from<V, const Q&>;
+        else if constexpr (requires(const stripped<Q>& given) { scalar_cast<typename S::Scalar>(given); })
+            return std::constructible_from<V, decltype(cast(std::declval<const stripped<Q>&>()))>;
+        else return false;
+    }();
     static_assert(fits, "Ansatz: a value of another type belongs into this column, whose shape is one of your own: the "
                         "Value<S, Unit> of its shape, or what that is made from");
     if constexpr (fits) {
-        const V value(q);
+        const V value(cast(q));
         typename S::Scalar raw[room_for<C, S>] = {};
-        value.to_lanes(raw);
+        store<C, S>(value, raw);
         for (std::size_t k = 0; k < lanes_of<C>(S::dimension); ++k)
             if (!is_finite(raw[k]))
                 refuse_value(where, joined({C::name, ", its number ", std::to_string(k)}), raw[k],

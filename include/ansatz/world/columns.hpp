@@ -22,9 +22,10 @@ namespace ansatz {
 ///
 /// \snippet tests/world/shapes.cpp shape
 ///
-/// Its `Value<S, Unit>` says how it lies in lanes, by `from_lanes(raw)` and `to_lanes(raw)`; default constructed it is
-/// what a body has for which none is given. It may refuse values from outside with `check() const`, which throws
-/// std::invalid_argument. In a hash and in a file it is its lanes.
+/// Its `Value<S, Unit>` says how it lies in lanes, by `from_lanes(raw)` and `to_lanes(raw)`, unless it is a quantity of
+/// as many numbers as it has lanes; default constructed it is what a body has for which none is given. It may refuse
+/// values from outside with `check() const`, which throws std::invalid_argument. In a hash and in a file it is its
+/// lanes.
 enum class Shape : unsigned char { scalar, vector };
 
 namespace detail {
@@ -213,6 +214,10 @@ template <class C> constexpr std::size_t lanes_of(int dimension) {
 }
 
 namespace detail {
+/// Whether the values of a column say themselves how they lie in lanes; those of another are quantities.
+template <class C, class S>
+inline constexpr bool has_own_lanes =
+    own_shape<C> && requires(const typename S::Scalar* raw) { value_of<C, S>::from_lanes(raw); };
 /// Room for one value of a column, as raw scalars.
 template <class C, class S>
 inline constexpr std::size_t room_for = lanes_of<C>(S::dimension) < 3 ? 3 : lanes_of<C>(S::dimension);

@@ -22,18 +22,31 @@ template <class C, class S> struct Cell {
 
 template <class C, class S, class Scalar> [[gnu::always_inline]] inline value_of<C, S> load(const Scalar* raw) {
     using V = value_of<C, S>;
-    if constexpr (own_shape<C>) return V::from_lanes(raw);
-    else if constexpr (C::shape == Shape::scalar) return V::from_value(raw[0]);
-    else if constexpr (S::dimension == 2) return V::from_value(typename V::value_type(raw[0], raw[1]));
+    if constexpr (has_own_lanes<C, S>) return V::from_lanes(raw);
+    else if constexpr (!requires { V::value_type::RowsAtCompileTime; }) return V::from_value(raw[0]);
+    else if constexpr (V::value_type::RowsAtCompileTime == 2)
+        return V::from_value(typename V::value_type(raw[0], raw[1]));
     else return V::from_value(typename V::value_type(raw[0], raw[1], raw[2]));
 }
 
 template <class C, class S, class Scalar>
 [[gnu::always_inline]] inline void store(const value_of<C, S>& q, Scalar* raw) {
-    if constexpr (own_shape<C>) q.to_lanes(raw);
-    else if constexpr (C::shape == Shape::scalar) raw[0] = q.value();
+    using V = value_of<C, S>;
+    if constexpr (has_own_lanes<C, S>) q.to_lanes(raw);
+    else if constexpr (!requires { V::value_type::RowsAtCompileTime; }) raw[0] = q.value();
     else
-        for (int i = 0; i < S::dimension; ++i) raw[i] = q.value()[i];
+        for (int i = 0; i < V::value_type::RowsAtCompileTime; ++i) raw[i] = q.value()[i];
+}
+
+/// Whether every number of a value is finite.
+template <class C, class S> bool has_finite_numbers(const value_of<C, S>& q) {
+    if constexpr (has_own_lanes<C, S>) {
+        typename S::Scalar raw[room_for<C, S>] = {};
+        q.to_lanes(raw);
+        bool finite = true;
+        for (std::size_t k = 0; k < lanes_of<C>(S::dimension); ++k) finite = finite && is_finite(raw[k]);
+        return finite;
+    } else return is_finite(q);
 }
 
 /// Position of column C's first lane among the lanes of a list.

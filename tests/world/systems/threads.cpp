@@ -16,7 +16,7 @@ using namespace ansatz;
 
 namespace {
 
-//! [threads]
+//! [pool of threads]
 struct Threads {
     using role = roles::Execution;
     int threads = 2;
@@ -29,7 +29,7 @@ struct Threads {
         for (auto& other : others) other.join();
     }
 };
-//! [threads]
+//! [pool of threads]
 
 /// Bodies here and there, each moving its own way, of different mass.
 template <class World_> void add_bodies(World_& world, int n) {

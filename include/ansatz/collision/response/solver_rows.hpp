@@ -37,8 +37,8 @@ namespace ansatz {
 /// What is asked of two bodies, or of a body and a point.
 template <class S> struct SolverRow {
     using Scalar = typename S::Scalar;
-    using Impulse = typename S::template ScalarOf<unit::Impulse>;
-    static constexpr std::uint32_t point = 0xffffffffu; ///< in the place of a second body: what nothing moves
+    using Impulse = typename S::template ScalarOf<unit::Impulse>; ///< N s
+    static constexpr std::uint32_t point = 0xffffffffu;           ///< in the place of a second body: what nothing moves
 
     std::uint32_t first;  ///< the slot of a body
     std::uint32_t second; ///< that of another, or `point`
@@ -55,7 +55,7 @@ template <class S> class SolverRows {
 public:
     using Scalar = typename S::Scalar;
     using Raw = Vector<Scalar, S::dimension>; ///< raw SI
-    using Body = SolverBody<S>;
+    using Body = SolverBody<S>;               ///< what is solved for
 
     /// Before those of a substep are given.
     void clear() { all_.clear(); }
