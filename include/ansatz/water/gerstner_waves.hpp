@@ -40,22 +40,22 @@ public:
     }
 
     /// Where the point is now that rests at x0, z0: m.
-    VectorQuantity<unit::Length> position(Length x0, Length z0, Time t) const {
+    VectorQuantity<unit::Length> position(Length x0, Length z0, const Time& t) const {
         const Point p = at(x0.value(), z0.value(), t.value());
         return metres(p.x, p.y, p.z);
     }
     /// Where the point rests that is at x, z now: (x0, z0), m.
-    VectorQuantity<unit::Length, 2> rest(Length x, Length z, Time t) const {
+    VectorQuantity<unit::Length, 2> rest(Length x, Length z, const Time& t) const {
         const auto found = solved(x.value(), z.value(), t.value());
         return metres(found[0], found[1]);
     }
     /// The height of the surface at x, z, m: to 1e-9 m for waves of metres up to a steepness of 0.9.
-    Length height(Length x, Length z, Time t) const {
+    Length height(Length x, Length z, const Time& t) const {
         const auto found = solved(x.value(), z.value(), t.value());
         return at(found[0], found[1], t.value()).y * metre;
     }
     /// The normal of the surface at x, z: upwards, of length 1. At a steepness of 1 a crest has none.
-    Vector<double, 3> normal(Length x, Length z, Time t) const {
+    Vector<double, 3> normal(Length x, Length z, const Time& t) const {
         const auto found = solved(x.value(), z.value(), t.value());
         const Point p = at(found[0], found[1], t.value());
         // dP/dz0 x dP/dx0, with dP/dx0 = (xx, yx, xz) and dP/dz0 = (xz, yz, zz).
@@ -63,7 +63,7 @@ public:
         return n / n.norm();
     }
     /// How fast the point of the surface moves that is at x, z: m/s.
-    VectorQuantity<unit::Velocity> velocity(Length x, Length z, Time t) const {
+    VectorQuantity<unit::Velocity> velocity(Length x, Length z, const Time& t) const {
         const auto found = solved(x.value(), z.value(), t.value());
         Vector<double, 3> v(0, 0, 0);
         for (const auto& w : waves_.terms()) {
@@ -110,10 +110,11 @@ private:
             double part = 1;
             Point next{};
             double nearer = off;
-            for (int half = 0; half < 50; ++half, part *= 0.5) {
+            for (int half = 0; half < 50; ++half) {
                 next = at(found[0] - part * step[0], found[1] - part * step[1], t);
                 nearer = std::hypot(next.x - x, next.z - z);
                 if (nearer < off) break;
+                part *= 0.5;
             }
             if (!(nearer < off)) break; // rounding
             found -= part * step;

@@ -98,14 +98,14 @@ public:
     std::size_t most() const { return most_; }         ///< how many there may be
 
     /// What they add to the surface, m.
-    Length height(Length x, Length z, Time t) const {
+    Length height(Length x, Length z, const Time& t) const {
         double y = 0;
         for (const Ring& ring : rings_) y += ring.at(x.value(), z.value(), t.value()).height;
         return y * metre;
     }
     /// The slopes that they add, along x and along z. The normal of a surface with slopes a and b is (-a, 1, -b),
     /// normalized.
-    Vector<double, 2> slope(Length x, Length z, Time t) const {
+    Vector<double, 2> slope(Length x, Length z, const Time& t) const {
         Vector<double, 2> sum(0, 0);
         for (const Ring& ring : rings_) {
             const auto here = ring.at(x.value(), z.value(), t.value());

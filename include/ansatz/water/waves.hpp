@@ -59,13 +59,13 @@ public:
     }
 
     /// The height of the surface, m.
-    Length height(Length x, Length z, Time t) const {
+    Length height(Length x, Length z, const Time& t) const {
         double y = 0;
         for (const Term& w : terms_) y += w.amplitude * std::cos(w.angle(x.value(), z.value(), t.value()));
         return y * metre;
     }
     /// Its normal: upwards, of length 1.
-    Vector<double, 3> normal(Length x, Length z, Time t) const {
+    Vector<double, 3> normal(Length x, Length z, const Time& t) const {
         double by_x = 0, by_z = 0;
         for (const Term& w : terms_) {
             const double slope = -w.amplitude * std::sin(w.angle(x.value(), z.value(), t.value()));
@@ -77,7 +77,7 @@ public:
     }
     /// How fast the water moves at a place, m/s: orbits, linear in the amplitude. Above y = 0 as at y = 0, where the
     /// linear theory ends; below the ground as on it.
-    VectorQuantity<unit::Velocity> velocity(Length x, Length y, Length z, Time t) const {
+    VectorQuantity<unit::Velocity> velocity(Length x, Length y, Length z, const Time& t) const {
         Vector<double, 3> v(0, 0, 0);
         const double at = std::max(std::min(y.value(), 0.0), -depth_);
         for (const Term& w : terms_) {
@@ -98,7 +98,7 @@ public:
     /// \throws std::invalid_argument for another number of heights
     template <class Scalar>
     void fill(std::span<Scalar> heights, std::size_t points_x, std::size_t points_z, Length x0, Length z0, Length dx,
-              Length dz, Time t) const {
+              Length dz, const Time& t) const {
         if (heights.size() != points_x * points_z)
             refuse_value("Waves::fill", "the number of heights", std::to_string(heights.size()),
                          "there is one for each of the " + std::to_string(points_x * points_z) + " points");
@@ -125,7 +125,8 @@ public:
     }
     /// The heights of a whole map, m.
     template <class Scalar = double>
-    HeightMap<Scalar> height_map(std::size_t points_x, std::size_t points_z, Length dx, Length dz, Time t) const {
+    HeightMap<Scalar> height_map(std::size_t points_x, std::size_t points_z, Length dx, Length dz,
+                                 const Time& t) const {
         std::vector<Scalar> heights(points_x * points_z);
         fill(std::span<Scalar>(heights), points_x, points_z, 0.0 * metre, 0.0 * metre, dx, dz, t);
         HeightMap<Scalar> map(points_x, points_z, dx, dz);
