@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// A joint outside the library, against the public frame only: a rod between two bodies, one row in the solver of the
-// contacts, so that rods and contacts hold each other in each substep.
+// What rods of a user's own do, of distance_joint.hpp.
 
-#include <ansatz/collision.hpp>
-#include <ansatz/world.hpp>
+#include "tests/world/systems/distance_joint.hpp"
+
 #include <ansatz/world/save.hpp>
 
 #include <catch2/catch.hpp>
@@ -12,50 +11,9 @@
 #include <sstream>
 #include <vector>
 
-using namespace ansatz;
+using namespace examples;
 
 namespace {
-
-//! [rod]
-struct Rod { // what world.add takes
-    using element = Rod;
-    Handle first, second;
-    Parameter<unit::Length> length = 1.0 * metre;
-};
-template <class S> struct RodRow { // what is kept of it
-    BodyId first, second;
-    typename S::Length length{};
-    typename SolverRow<S>::Impulse impulse{}; // of the last substep
-    static void fields(auto& self, auto&& field) {
-        field("first", self.first);
-        field("second", self.second);
-        field("length", self.length);
-        field("impulse", self.impulse);
-    }
-    static RodRow from(const auto& asked, const Rod& rod) {
-        return {asked.body(rod.first), asked.body(rod.second), S::convert("length", rod.length), {}};
-    }
-};
-struct Rods {
-    using role = roles::System;
-    using Element = Rod;
-    static constexpr std::string_view name = "Rods";
-    template <class S> using State = ElementTable<S, Rod, RodRow<S>>;
-    template <class S> struct Rows {
-        using reads = Columns<Position>;
-        explicit Rows(const Rods&) {}
-        void rows(auto& view, auto&& row) const {
-            view.state().for_each([&](std::uint32_t, auto& rod) {
-                const auto a = view.slot(rod.first), b = view.slot(rod.second);
-                const auto between = view.template get<Position>(a) - view.template get<Position>(b);
-                const auto apart = norm(between);
-                if (!(apart.value() > 0)) return;
-                row(SolverRow<S>{a, b, between.value() / apart.value(), apart - rod.length, &rod.impulse});
-            });
-        }
-    };
-};
-//! [rod]
 
 template <class Scalar, class... More> auto world_of(const More&... more) {
     return World{Space<Scalar, 3>{},           SemiImplicitEuler{}, Gravity{}, SortAndSweep{},
