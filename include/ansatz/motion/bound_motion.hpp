@@ -17,12 +17,12 @@ namespace ansatz {
 template <class C> struct BoundMotion {
     /// The space.
     using S = typename C::S;
-    detail::BoundIntegrator<typename C::Integrator, S> integrator; ///< the integrator
-    typename C::Laws laws;                                         ///< the forces
-    typename C::Degrees degrees;                                   ///< what is advanced beside translation
-    typename C::template Effects<Place::before_forces> before;     ///< the effects before the integrator
-    typename C::template Effects<Place::after_integration> after;  ///< those after it
-    typename C::template Effects<Place::end_of_step> end;          ///< those at the end of the step
+    [[no_unique_address]] detail::BoundIntegrator<typename C::Integrator, S> integrator; ///< the integrator
+    typename C::Laws laws;                                                               ///< the forces
+    [[no_unique_address]] typename C::Degrees degrees;            ///< what is advanced beside translation
+    typename C::template Effects<Place::before_forces> before;    ///< the effects before the integrator
+    typename C::template Effects<Place::after_integration> after; ///< those after it
+    typename C::template Effects<Place::end_of_step> end;         ///< those at the end of the step
 
     /// Binds a world's policies.
     template <class Policies> static BoundMotion from(const Policies& policies) {
