@@ -27,7 +27,7 @@ template <class Scalar> std::vector<Scalar> rugged(std::size_t count, unsigned s
 }
 } // namespace
 
-TEMPLATE_TEST_CASE("still water over a level bed keeps its bits for 1e5 steps (hard case W1)", "[water]", float,
+TEMPLATE_TEST_CASE("pipes: still water over a level bed keeps its bits for 1e5 steps (hard case W1)", "[water]", float,
                    double) {
     Surface<Pipes, TestType> water({.damping = 0.1 / second}, unequal(4, 3), 1.7 * metre);
     const auto before = water.state();
@@ -36,7 +36,8 @@ TEMPLATE_TEST_CASE("still water over a level bed keeps its bits for 1e5 steps (h
     CHECK(water.state() == before);
 }
 
-TEST_CASE("a lake at rest stays at rest, over a hump that is covered and one that emerges (hard case W2)", "[water]") {
+TEST_CASE("pipes: a lake at rest stays at rest, over a hump that is covered and one that emerges (hard case W2)",
+          "[water]") {
     const ColumnGrid grid(100, 1, 0.25 * metre, 1.0 * metre);
     for (const double level : {0.5, 0.1}) {
         const auto bed = hump(grid);
@@ -51,8 +52,8 @@ TEST_CASE("a lake at rest stays at rest, over a hump that is covered and one tha
     }
 }
 
-TEMPLATE_TEST_CASE("over any bed no height is negative and no water is lost (hard cases W3, W8)", "[water]", float,
-                   double) {
+TEMPLATE_TEST_CASE("pipes: over any bed no height is negative and no water is lost (hard cases W3, W8)", "[water]",
+                   float, double) {
     const double bound = std::is_same_v<TestType, float> ? 1e-5 : 1e-12;
     for (const unsigned seed : {1U, 2U, 3U}) {
         const auto grid = unequal(9, 7);

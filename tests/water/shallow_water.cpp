@@ -42,8 +42,8 @@ Surface<ShallowWater> broken_dam(std::size_t count, double low) {
 }
 } // namespace
 
-TEMPLATE_TEST_CASE("still water over a level bed keeps its bits for 1e5 steps (hard case W1)", "[water]", float,
-                   double) {
+TEMPLATE_TEST_CASE("shallow water: still water over a level bed keeps its bits for 1e5 steps (hard case W1)", "[water]",
+                   float, double) {
     Surface<ShallowWater, TestType> water({}, unequal(3, 3), 1.7 * metre);
     const auto before = water.state();
     const auto dt = water.longest_step();
@@ -51,7 +51,9 @@ TEMPLATE_TEST_CASE("still water over a level bed keeps its bits for 1e5 steps (h
     CHECK(water.state() == before);
 }
 
-TEST_CASE("a lake at rest stays at rest, over a hump that is covered and one that emerges (hard case W2)", "[water]") {
+TEST_CASE(
+    "shallow water: a lake at rest stays at rest, over a hump that is covered and one that emerges (hard case W2)",
+    "[water]") {
     const auto grid = channel(100, 25);
     std::vector<double> bed;
     for (std::size_t i = 0; i < 100; ++i) {
@@ -67,8 +69,8 @@ TEST_CASE("a lake at rest stays at rest, over a hump that is covered and one tha
     }
 }
 
-TEMPLATE_TEST_CASE("over any bed no height is negative and no water is lost (hard cases W3, W8)", "[water]", float,
-                   double) {
+TEMPLATE_TEST_CASE("shallow water: over any bed no height is negative and no water is lost (hard cases W3, W8)",
+                   "[water]", float, double) {
     const double bound = std::is_same_v<TestType, float> ? 1e-5 : 1e-12;
     for (const unsigned seed : {1U, 2U}) {
         const auto grid = unequal(6, 5);
