@@ -8,6 +8,7 @@
 #include <ansatz/collision/response/solver_rows.hpp>
 #include <ansatz/collision/roles.hpp>
 #include <ansatz/world/columns.hpp>
+#include <ansatz/world/space.hpp>
 #include <ansatz/world/types.hpp>
 
 #include <type_traits>
