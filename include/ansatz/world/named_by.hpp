@@ -9,6 +9,8 @@
 /// removal finds all anew. So n removals cost n steps and not n squared, a table from which no body is ever removed
 /// pays nothing, and neither copy nor file holds any of it.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

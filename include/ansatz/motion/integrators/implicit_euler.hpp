@@ -65,6 +65,13 @@ template <class LinearSolver> struct ImplicitEulerBy {
     /// Solves for all bodies at once, where forces couple them.
     template <class S> using Together = ImplicitSystem<S, LinearSolver>;
 
+    /// One body, without a world, with the parameters that are the default.
+    /// \return as that of In
+    static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
+        using Vec = typename std::remove_cvref_t<decltype(v)>::value_type;
+        return In<Space<typename Vec::Scalar, Vec::RowsAtCompileTime>>(ImplicitEulerBy{}).solve(x, v, laws, dt);
+    }
+
     /// Bound to a space.
     template <class S> struct In {
         double tolerance;    ///< what part of the equation may be left
