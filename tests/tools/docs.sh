@@ -84,8 +84,9 @@ finds momentum "1.4 Law of conservation of momentum"
 finds 1_2e7 "1.7 Drag"
 
 # ---------------------------------------------------------------- words are words
-# A link is for what is named, not for what only looks like it: a parameter x (a cell.x is a member), a sentence that begins with "Keep".
-for word in '[^.]<a [^>]*>[xyz]</a>[,;]' '>Keep</a> (the|it)' '>Zero</a> (by|if|for)' 'L\. <a [^>]*>Verlet</a>'; do
+# A link is for what is named, not for what only looks like it: a parameter x (a cell.x is a member, and so is what a
+# line declares: "Length x;"), a sentence that begins with "Keep".
+for word in '[^.]<a [^>]*>[xyz]</a>,' '[^.]<a class="(el|code hl_function)"[^>]*>[xyz]</a>;' '>Keep</a> (the|it)' '>Zero</a> (by|if|for)' 'L\. <a [^>]*>Verlet</a>'; do
     if grep -rlE --include='*.html' "$word" "$html"; then echo "has a link where there is only a word: $word"; exit 1; fi
 done
 if grep -rl --include='*.html' 'hard case [A-Z][0-9]' "$html"; then echo "speaks of hard cases by numbers that no reader knows"; exit 1; fi
