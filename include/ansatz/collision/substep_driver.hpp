@@ -71,10 +71,15 @@ private:
     struct Acceleration {
         const SubstepDriver* driver;
         typename S::Acceleration operator()(Slot slot, [[maybe_unused]] const typename Data::Body& row) const {
-            if constexpr (shares) return driver->known_acceleration(slot);
-            else return driver->acceleration(slot, row);
+            if constexpr (shares) return driver->expected(slot, driver->known_acceleration(slot));
+            else return driver->expected(slot, driver->acceleration(slot, row));
         }
     };
+    /// With what a solver of positions will do, too: what it did in the last part.
+    typename S::Acceleration expected(Slot slot, const typename S::Acceleration& a) const {
+        if constexpr (C::template stores<HeldAcceleration>) return a + data_.lanes.template get<HeldAcceleration>(slot);
+        else return a;
+    }
     static constexpr double leads = detail::velocity_leads<I>();
 
     /// When a part begins.
@@ -86,7 +91,7 @@ private:
         data_.collisions.expect(context_.dt());
         this->settle();
         data_.collisions.refresh(data_, policies_, [&](Slot slot) {
-            return this->acceleration(slot, data_.load(slot, context_.dt().previous));
+            return expected(slot, this->acceleration(slot, data_.load(slot, context_.dt().previous)));
         });
     }
     /// The contacts and their bodies, for all parts.

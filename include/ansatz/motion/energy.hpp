@@ -70,7 +70,7 @@ template <class World_> auto potential_energy(const World_& world) {
     };
     [&]<class... P>(Types<P...>) {
         (add_coupling.template operator()<P>(), ...);
-    }(typename World_::composition::couplings{});
+    }(typename World_::composition::all_couplings{});
     return sum;
 }
 

@@ -137,6 +137,20 @@ inline constexpr bool looks_at_own = requires { requires M::template looks_at_ow
 template <class P, class S> inline constexpr bool gives_rows = requires { typename P::template Rows<S>; };
 template <class M, class... P> inline constexpr bool says_solves = requires { requires M::template solves_rows<P...>; };
 template <class... P, class... M> constexpr bool solves_rows(Types<M...>) { return (says_solves<M, P...> || ...); }
+/// Whether a module holds what a force between bodies holds, by another way than a force.
+template <class M, class Q, class S>
+inline constexpr bool says_holds = requires { requires M::template holds_instead<Q, S>; };
+template <class Q, class S, class... M> constexpr bool held_instead(Types<M...>) {
+    return (says_holds<M, Q, S> || ...);
+}
+/// \tparam Modules those of a world
+template <class S, class Modules> struct ActsAsForce {
+    template <class P> static constexpr bool acts() {
+        if constexpr (IsCoupling<P>::value) return !held_instead<P, S>(Modules{});
+        return false;
+    }
+    template <class P> struct Is : std::bool_constant<acts<P>()> {};
+};
 /// An integrator that solves asks at states of its own; and what an effect before the forces changes, they must see.
 template <class I, class LawsT, class Before, class... P> constexpr LawsAsked how_asked() {
     constexpr auto any = []<class... M>(Types<M...>) {
@@ -159,7 +173,9 @@ public:
     using Integrator =
         typename detail::OrElse<detail::NoIntegrator, detail::filter<detail::IsIntegrator, P...>>::type; ///< the one
     using laws = detail::filter<detail::IsLaw, P...>;           ///< the forces that are laws of one body
-    using couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
+    using all_couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
+    /// Of those, the ones that act as forces: a solver of positions holds the others.
+    using couplings = detail::filter<detail::ActsAsForce<S_, detail::modules_of<P...>>::template Is, P...>;
     using resters = detail::filter<detail::IsRester, P...>;     ///< the policies that put bodies to rest
     /// The effects of a place, by their turns, so that the order of the list means nothing.
     /// Where contacts change velocities, Rest looks at the velocities behind them.
@@ -212,13 +228,16 @@ public:
     using scratch = union_of<std::conditional_t<velocity_read, detail::scratch_of<Integrator>,
                                                 difference_of<detail::scratch_of<Integrator>, Columns<Velocity>>>,
                              typename Degrees::template scratch<Integrator>>;
+    /// Needed by a policy that acts by other means in this world.
+    using idle = union_of<std::conditional_t<coupled, Columns<>, Columns<CoupledForce>>,
+                          std::conditional_t<detail::solves_rows<P...>(detail::modules_of<P...>{}), Columns<>,
+                                             Columns<HeldAcceleration>>>;
     /// Of the columns that are needed, those with lanes: scratch becomes columns only where stages are run over all
     /// bodies, one after the other.
     template <class Needed>
-    using stored_of = std::conditional_t<
-        coupled, union_of<writes_of<Integrator>, Needed, scratch>,
-        std::conditional_t<history, difference_of<union_of<writes_of<Integrator>, Needed>, Columns<Velocity>>,
-                           union_of<writes_of<Integrator>, Needed>>>;
+    using stored_of = difference_of<
+        union_of<writes_of<Integrator>, Needed, std::conditional_t<coupled, scratch, Columns<>>>,
+        std::conditional_t<!coupled && history, union_of<idle, Columns<Velocity>>, idle>>;
     /// Of those, the ones that are made anew in every step.
     using made_anew = union_of<detail::scratch_of<Integrator>, typename Degrees::template scratch<Integrator>,
                                Columns<CoupledForce>, std::conditional_t<history, Columns<Velocity>, Columns<>>>;

@@ -21,6 +21,7 @@
 /// bending.
 
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/springs/constraint.hpp>
 #include <ansatz/springs/network.hpp>
 
 #include <Eigen/Core>
@@ -123,6 +124,17 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
                 f(a, link.b == Network::no_body ? view.size() : std::size_t(view.slot_of_id(link.b)), link.stiffness,
                   damping_of(link));
             });
+        }
+
+        /// Every spring as what a solver of positions holds, first those between bodies, then those at points, each by
+        /// id (springs/constraint.hpp). Where a world has such a solver, springs are not forces.
+        /// \param f called with a SpringConstraint or an AnchoredSpringConstraint
+        void constraints(const auto& view, auto&& f) const {
+            for (const auto& l : view.state().pairs())
+                f(SpringConstraint<S, How>{{l.a, l.b}, l.rest_length, l.stiffness, damping_of(l)});
+            for (const auto& l : view.state().hung())
+                f(AnchoredSpringConstraint<S, How>{
+                    {l.a}, l.rest_length, l.stiffness, damping_of(l), l.anchor.value()});
         }
 
         /// \f$ \sum \tfrac12 k x^2 \f$; a slack rope holds nothing.

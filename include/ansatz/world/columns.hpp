@@ -73,6 +73,13 @@ struct CoupledForce {
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "coupled force";
 };
+/// What a solver of positions did to a body in the last part of a step, as an acceleration: a response that owns the
+/// parts expects it again in the next one. Exists only where both are.
+struct HeldAcceleration {
+    using Unit = unit::Acceleration;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "held acceleration";
+};
 /// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a part of a
 /// step where somebody beside the integrator asks for it.
 struct OwnAcceleration {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `ConstraintIn`: what a solver of positions must know of a constraint, and which policies have some.
+///
+/// A constraint is a number C that should be zero, kept by an energy \f$ \tfrac12 k C^2 \f$ and damped by a force \f$ c\,\dot C \f$.
+/// It is a type; a solver knows none of them by name. A policy gives its constraints one by one with the verb
+/// `constraints(view, f)` of its In<S>, which calls `f(constraint)` for each, always in the same order; Springs and
+/// Ropes do. In a world with a Solver such a policy acts by its constraints and not as a force; one without the verb
+/// (Attraction) stays a force in every world.
+///
+/// Write one as SpringConstraint is written (springs/constraint.hpp). Numbers are those of SI, since C may be a length,
+/// an angle or a volume: k is then in J, J or J/m^6 for each square of it.
+
+#include <ansatz/motion/concepts.hpp>
+#include <ansatz/world/view.hpp>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace ansatz {
+
+/// What a solver needs: which bodies, by their slots; the energy's stiffness, finite and not negative; the damping; and
+/// C with its gradient by each body's position.
+///
+/// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be.
+template <class K, class S>
+concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& x,
+                                std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& gradient) {
+    { k.slots } -> std::convertible_to<std::array<std::size_t, K::bodies>>;
+    { k.stiffness } -> std::convertible_to<typename S::Scalar>;
+    { k.damping } -> std::convertible_to<typename S::Scalar>;
+    { K::one_sided } -> std::convertible_to<bool>;
+    { k.linearise(x, gradient) } -> std::same_as<typename S::Scalar>;
+};
+
+/// The same, for solvers that descend: with the part of C's second derivative by one body that is never negative.
+template <class K, class S>
+concept CurvedConstraintIn =
+    ConstraintIn<K, S> &&
+    requires(const K& k, const std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& x) {
+        {
+            k.curvature(std::size_t(0), x, x)
+        } -> std::convertible_to<Eigen::Matrix<typename S::Scalar, S::dimension, S::dimension>>;
+    };
+
+namespace detail {
+struct TakesAny {
+    void operator()(const auto&) const {}
+};
+} // namespace detail
+
+/// A policy that gives constraints.
+template <class Q, class S>
+concept GivesConstraints = requires(const detail::Bound<Q, S>& q, const ObserverView<S, Q>& view) {
+    q.constraints(view, detail::TakesAny{});
+};
+
+} // namespace ansatz

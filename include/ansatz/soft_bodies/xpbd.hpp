@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `Xpbd`: constraints held on positions, one after the other, in substeps (notes 4).
+///
+/// Use it for cloth, ropes and bodies that are stiff and need not be exact: it never explodes, whatever the stiffness
+/// and the step, and costs the same in every step. Every spring of the world is a constraint then and no force; gravity
+/// and drag stay forces. Take substeps rather than iterations: at equal cost the error falls with their number, or its
+/// square. What it costs: a body is softer than its springs say unless \f$ h^2 k / m \f$ is small, and it loses energy
+/// that nobody damped. Where a spring is to be what Hooke says, take an explicit integrator in steps below
+/// `stable_step`, or ImplicitEuler.
+///
+/// Each constraint C with stiffness k and damping c is solved for what its multiplier \f$ \lambda \f$, a force times \f$ h^2 \f$,
+/// must be at the end of the substep, the others being as they are:
+///
+/// \f[ \Delta\lambda = -\frac{\lambda + K\,C + D\,\nabla C\cdot\Delta\mathbf x}{1 + (K + D)\sum_i w_i\,|\nabla_i C|^2},
+///     \qquad \Delta\mathbf x_i = w_i\,\nabla_i C\,\Delta\lambda, \qquad K = h^2 k, \quad D = h\,c \f]
+///
+/// That is Macklin's formula multiplied by K, so that a stiffness of zero is a mere damper and nothing is divided by it.
+/// Of one spring alone it is implicit Euler, exactly where the force is linear.
+///
+/// | symbol | meaning                                   | unit |
+/// |--------|-------------------------------------------|------|
+/// | h      | length of a substep                       | s    |
+/// | w      | 1/m of a body, 0 of who is not moved       | 1/kg |
+/// | Delta x | the way since the substep began, h v      | m    |
+///
+/// M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019.
+
+#include <ansatz/core/error.hpp>
+#include <ansatz/soft_bodies/constraint_system.hpp>
+#include <ansatz/soft_bodies/module.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace ansatz {
+
+/// Extended position based dynamics.
+struct Xpbd {
+    using role = roles::Solver;
+
+    /// Parts of a step; in each, the forces are asked, the bodies moved and the constraints held
+    int substeps = 10;
+    /// How often each constraint is looked at in a substep
+    int iterations = 1;
+
+    static constexpr std::string_view name = "Xpbd";
+    /// Names the parameters.
+    static void parameters(auto& self, auto&& visit) {
+        visit("substeps", self.substeps);
+        visit("iterations", self.iterations);
+    }
+    /// Refuses fewer than one of them.
+    void check() const {
+        if (substeps < 1) refuse_value(name, "substeps", substeps, "it is at least 1");
+        if (iterations < 1) refuse_value(name, "iterations", iterations, "it is at least 1");
+    }
+
+    /// Bound to a space.
+    template <class S> class In {
+        using Scalar = typename S::Scalar;
+
+    public:
+        /// What it keeps between steps: room for a multiplier of each constraint.
+        using Kept = std::vector<Scalar>;
+
+        /// Takes the parameters.
+        explicit In(const Xpbd& xpbd) : substeps_(xpbd.substeps), iterations_(xpbd.iterations) {}
+        /// Parts of a step.
+        int substeps() const { return substeps_; }
+
+        /// Holds all constraints behind one substep.
+        void solve(auto& system, Kept& multipliers) const {
+            multipliers.clear();
+            if (iterations_ == 1) {
+                system.each([&](const auto& constraint) { hold(system, constraint, Scalar(0)); });
+                return;
+            }
+            system.each([&](const auto& constraint) { multipliers.push_back(hold(system, constraint, Scalar(0))); });
+            for (int i = 1; i < iterations_; ++i) {
+                std::size_t next = 0;
+                system.each([&](const auto& constraint) {
+                    auto& multiplier = multipliers[next++];
+                    multiplier = hold(system, constraint, multiplier);
+                });
+            }
+        }
+
+    private:
+        /// One constraint.
+        /// \param multiplier lambda so far, N s^2
+        /// \return lambda now
+        template <class K> [[gnu::always_inline]] static Scalar hold(auto& system, const K& k, Scalar multiplier) {
+            static_assert(ConstraintIn<K, S>,
+                          "Ansatz: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, "
+                          "`damping`, `one_sided` and `Scalar linearise(x, gradient) const`, as SpringConstraint has");
+            using Vec = Vector<Scalar, S::dimension>;
+            std::array<Vec, K::bodies> x, gradient;
+            std::array<Scalar, K::bodies> weight;
+            for (std::size_t i = 0; i < K::bodies; ++i) {
+                x[i] = system.position(k.slots[i]);
+                weight[i] = system.weight(k.slots[i]);
+            }
+            const Scalar value = k.linearise(x, gradient), h = system.h();
+            Scalar compliance(0), way(0);
+            for (std::size_t i = 0; i < K::bodies; ++i) {
+                compliance += weight[i] * gradient[i].squaredNorm();
+                way += gradient[i].dot(system.velocity(k.slots[i]));
+            }
+            const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
+            Scalar next = multiplier - (multiplier + by_value * value + by_rate * (h * way)) /
+                                           (1 + (by_value + by_rate) * compliance);
+            if constexpr (K::one_sided)
+                if (!(value > Scalar(0)) && multiplier == Scalar(0)) return multiplier;
+            if constexpr (K::one_sided)
+                if (next > Scalar(0)) next = Scalar(0);
+            const Scalar change = next - multiplier;
+            if (!(compliance > Scalar(0))) return multiplier;
+            for (std::size_t i = 0; i < K::bodies; ++i)
+                if (weight[i] > Scalar(0)) system.move(k.slots[i], weight[i] * change * gradient[i]);
+            return next;
+        }
+
+        int substeps_, iterations_;
+    };
+};
+
+} // namespace ansatz
