@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 
 namespace ansatz {
@@ -68,6 +69,12 @@ public:
         }
     }
 
+    /// Calls `f(slot)` for every body by id, an order that sleeping and waking do not change.
+    template <class F> void each_by_id(F&& f) const {
+        const auto& bodies = step_.data.bodies;
+        for (std::uint32_t id = 0; id < bodies.ids(); ++id)
+            if (bodies.alive(id)) f(std::size_t(bodies.slot_of_id(id)));
+    }
     /// Calls `f(constraint)` for every constraint of the world, always in the same order.
     template <class F> [[gnu::always_inline]] void each(F&& f) const {
         [&]<class... Q>(Types<Q...>) {

@@ -19,17 +19,39 @@ namespace detail {
 
 template <class P> struct IsSolver : std::bool_constant<PlaysRole<P, roles::Solver>> {};
 
+template <class Q, class S> struct ConstraintTypesIn {
+    using type = Types<>;
+};
+template <class Q, class S>
+    requires requires { typename Bound<Q, S>::constraint_types; }
+struct ConstraintTypesIn<Q, S> {
+    using type = typename Bound<Q, S>::constraint_types;
+};
+template <class List, class S> struct ConstraintTypesOf;
+template <class... Q, class S> struct ConstraintTypesOf<Types<Q...>, S> {
+    static constexpr bool all_named = ((ConstraintTypesIn<Q, S>::type::size > 0) && ...);
+    template <class List> struct Each;
+    template <class... K> struct Each<Types<K...>> {
+        using type = distinct<K...>;
+    };
+    using type = typename Each<joined_types<typename ConstraintTypesIn<Q, S>::type...>>::type;
+};
+
 template <class... P> struct SoftBodiesFacts {
     using solver = typename FirstIn<filter<IsSolver, P...>>::type; ///< the one
     template <class Q> struct Holds : std::bool_constant<IsCoupling<Q>::value && GivesConstraints<Q, space_of<P...>>> {};
     using held = filter<Holds, P...>; ///< the policies whose constraints it holds
+    /// What they give.
+    using constraint_types = typename ConstraintTypesOf<held, space_of<P...>>::type;
 };
 
 template <class... P> struct SoftBodiesCounts {
     static constexpr int solvers = count_of_role<roles::Solver, P...>;
     static constexpr bool keeps_velocity = !MotionFacts<P...>::history;
     static constexpr bool something = SoftBodiesFacts<P...>::held::size > 0;
-    static constexpr bool ok = solvers <= 1 && keeps_velocity && something;
+    static constexpr bool named =
+        ConstraintTypesOf<typename SoftBodiesFacts<P...>::held, space_of<P...>>::all_named;
+    static constexpr bool ok = solvers <= 1 && keeps_velocity && something && named;
 };
 template <class... P> struct CheckSoftBodiesCounts {
     using Facts = SoftBodiesCounts<P...>;
@@ -41,6 +63,9 @@ template <class... P> struct CheckSoftBodiesCounts {
     static_assert(Facts::something || !Facts::keeps_velocity,
                   "Ansatz: World has a solver and nothing that it could hold; add Springs or Ropes, e.g. "
                   "World{SemiImplicitEuler{}, Springs{}, Xpbd{}}");
+    static_assert(Facts::named,
+                  "Ansatz: a policy that gives constraints and does not say of which types; its In<S> needs e.g. `using "
+                  "constraint_types = Types<MyConstraint<S>>;`");
 };
 
 /// Whether a response takes the step in parts: there is one driver of substeps in a world.
@@ -87,7 +112,8 @@ template <class P, class S> struct CheckSolver {
 /// What a world holds of its solver: room, no state.
 /// \tparam C the world's composition
 template <class C> struct SolverState {
-    detail::Cache<typename detail::Bound<typename C::solver, typename C::S>::Kept> solver; ///< kept between steps
+    using Kept = typename detail::Bound<typename C::solver, typename C::S>::template Kept<typename C::constraint_types>;
+    detail::Cache<Kept> solver; ///< kept between steps
 };
 
 namespace modules {

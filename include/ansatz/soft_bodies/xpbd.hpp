@@ -66,15 +66,13 @@ struct Xpbd {
 
     public:
         /// What it keeps between steps: room for a multiplier of each constraint.
-        using Kept = std::vector<Scalar>;
+        template <class> using Kept = std::vector<Scalar>;
 
         /// Takes the parameters.
-        explicit In(const Xpbd& xpbd) : substeps_(xpbd.substeps), iterations_(xpbd.iterations) {}
-        /// Parts of a step.
-        int substeps() const { return substeps_; }
+        explicit In(const Xpbd& xpbd) : iterations_(xpbd.iterations) {}
 
         /// Holds all constraints behind one substep.
-        void solve(auto& system, Kept& multipliers) const {
+        void solve(auto& system, std::vector<Scalar>& multipliers) const {
             multipliers.clear();
             if (iterations_ == 1) {
                 system.each([&](const auto& constraint) { hold(system, constraint, Scalar(0)); });
@@ -125,7 +123,7 @@ struct Xpbd {
             return next;
         }
 
-        int substeps_, iterations_;
+        int iterations_;
     };
 };
 

@@ -126,9 +126,11 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
             });
         }
 
+        /// What `constraints` gives.
+        using constraint_types = Types<SpringConstraint<S, How>, AnchoredSpringConstraint<S, How>>;
         /// Every spring as what a solver of positions holds, first those between bodies, then those at points, each by
         /// id (springs/constraint.hpp). Where a world has such a solver, springs are not forces.
-        /// \param f called with a SpringConstraint or an AnchoredSpringConstraint
+        /// \param f called with one of `constraint_types`
         void constraints(const auto& view, auto&& f) const {
             for (const auto& l : view.state().pairs())
                 f(SpringConstraint<S, How>{{l.a, l.b}, l.rest_length, l.stiffness, damping_of(l)});

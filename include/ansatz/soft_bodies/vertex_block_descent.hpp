@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `VertexBlockDescent`: implicit Euler, one body after the other (notes 4).
+///
+/// The positions at the end of a substep make the energy \f$ G(\mathbf x) = \sum_i \frac{m_i}{2 h^2} |\mathbf x_i - \mathbf y_i|^2 +
+/// \sum_c \tfrac12 k_c C_c(\mathbf x)^2 + \text{damping} \f$ least, where y is where forces and velocity alone would take a body.
+/// Each body in turn takes one step of Newton's method in its own place, the others standing still; what is left to do
+/// after all iterations is left. Never explodes, and needs no multipliers; iterated to the end it is ImplicitEuler,
+/// which loses as much energy. Use it for bodies with many constraints each, and where a fixed price matters more than
+/// stiffness: it is at its worst on long chains of stiff springs, along which every iteration carries news by one body.
+/// For those take Xpbd with many substeps.
+///
+/// Curvature that is negative (a spring that is pushed together is unstable across its axis) is left out of the
+/// matrices, so that each of them can be solved and each step goes down. Bodies are taken by their slots.
+///
+/// A. H. Chen, Z. Liu, Y. Yang, C. Yuksel, Vertex Block Descent, SIGGRAPH 2024.
+
+#include <ansatz/core/error.hpp>
+#include <ansatz/soft_bodies/constraint_system.hpp>
+#include <ansatz/soft_bodies/module.hpp>
+
+#include <Eigen/Cholesky>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace ansatz {
+
+/// One body after the other.
+struct VertexBlockDescent {
+    using role = roles::Solver;
+
+    /// Parts of a step; in each, the forces are asked, the bodies moved and the constraints held
+    int substeps = 1;
+    /// How often each body is moved in a substep
+    int iterations = 20;
+
+    static constexpr std::string_view name = "VertexBlockDescent";
+    /// Names the parameters.
+    static void parameters(auto& self, auto&& visit) {
+        visit("substeps", self.substeps);
+        visit("iterations", self.iterations);
+    }
+    /// Refuses fewer than one of them.
+    void check() const {
+        if (substeps < 1) refuse_value(name, "substeps", substeps, "it is at least 1");
+        if (iterations < 1) refuse_value(name, "iterations", iterations, "it is at least 1");
+    }
+
+    /// Bound to a space.
+    template <class S> class In {
+        using Scalar = typename S::Scalar;
+        using Vec = Vector<Scalar, S::dimension>;
+        using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>;
+
+        /// All constraints of a type, and which of them hold the body of a slot: those that `numbers` has from
+        /// `first[slot]` up to `first[slot + 1]`, with the place that the body has in each.
+        template <class K> struct Of {
+            struct Entry {
+                std::uint32_t number, place;
+            };
+            std::vector<K> all;
+            std::vector<std::uint32_t> first;
+            std::vector<Entry> entries;
+        };
+        template <class List> struct Stars;
+        template <class... K> struct Stars<Types<K...>> {
+            static_assert((CurvedConstraintIn<K, S> && ...),
+                          "Ansatz: a constraint that VertexBlockDescent cannot use; it needs, beside what Xpbd asks for, "
+                          "`Matrix curvature(std::size_t body, x, gradient) const`, as SpringConstraint has");
+            std::tuple<Of<K>...> of;
+            std::vector<Vec> moved;           // m, by slot: what this substep's iterations have done
+            std::vector<std::uint32_t> order; // slots of the bodies that are moved, by their ids
+        };
+
+    public:
+        /// What it keeps between steps: room for the constraints of each body.
+        template <class List> using Kept = Stars<List>;
+
+        /// Takes the parameters.
+        explicit In(const VertexBlockDescent& descent) : iterations_(descent.iterations) {}
+
+        /// Lessens the energy behind one substep.
+        void solve(auto& system, auto& kept) const {
+            gather(system, kept);
+            kept.moved.assign(system.awake(), Vec::Zero());
+            for (int i = 0; i < iterations_; ++i)
+                for (const auto slot : kept.order) descend(system, kept, slot);
+        }
+
+    private:
+        /// Who is held by what; in room that it has, once warm.
+        static void gather(auto& system, auto& kept) {
+            kept.order.clear();
+            system.each_by_id([&](std::size_t slot) {
+                if (system.weight(slot) > Scalar(0)) kept.order.push_back(std::uint32_t(slot));
+            });
+            each_type(kept, [&](auto& of) { of.all.clear(); });
+            system.each([&]<class K>(const K& constraint) { std::get<Of<K>>(kept.of).all.push_back(constraint); });
+            each_type(kept, [&](auto& of) { index(of, system.awake()); });
+        }
+        template <class K> static void index(Of<K>& of, std::size_t awake) {
+            of.first.assign(awake + 1, 0);
+            const auto each = [&](const auto& f) {
+                for (std::size_t n = 0; n < of.all.size(); ++n)
+                    for (std::size_t i = 0; i < K::bodies; ++i)
+                        if (of.all[n].slots[i] < awake) f(of.all[n].slots[i], n, i);
+            };
+            each([&](std::size_t slot, std::size_t, std::size_t) { ++of.first[slot + 1]; });
+            for (std::size_t slot = 0; slot < awake; ++slot) of.first[slot + 1] += of.first[slot];
+            of.entries.resize(of.first[awake]);
+            each([&](std::size_t slot, std::size_t number, std::size_t place) {
+                of.entries[of.first[slot]++] = {std::uint32_t(number), std::uint32_t(place)};
+            });
+            for (std::size_t slot = awake; slot > 0; --slot) of.first[slot] = of.first[slot - 1];
+            of.first[0] = 0;
+        }
+        /// A step of Newton's method for one body, the energy taken times h^2.
+        static void descend(auto& system, auto& kept, std::size_t slot) {
+            const Scalar mass = 1 / system.weight(slot), h = system.h();
+            Vec slope = mass * kept.moved[slot];
+            Matrix curved = mass * Matrix::Identity();
+            each_type(kept, [&]<class K>(const Of<K>& of) {
+                for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n)
+                    add(system, of.all[of.entries[n].number], of.entries[n].place, h, slope, curved);
+            });
+            const Vec by = curved.llt().solve(-slope);
+            if (!(by.squaredNorm() < std::numeric_limits<Scalar>::infinity())) return;
+            kept.moved[slot] += by;
+            system.move(slot, by);
+        }
+        template <class K>
+        [[gnu::always_inline]] static void add(const auto& system, const K& k, std::size_t place, Scalar h, Vec& slope,
+                                               Matrix& curved) {
+            std::array<Vec, K::bodies> x, gradient;
+            for (std::size_t i = 0; i < K::bodies; ++i) x[i] = system.position(k.slots[i]);
+            const Scalar value = k.linearise(x, gradient);
+            Scalar way(0);
+            for (std::size_t i = 0; i < K::bodies; ++i) way += h * gradient[i].dot(system.velocity(k.slots[i]));
+            const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
+            const Scalar pull = by_value * value + by_rate * way;
+            if (K::one_sided && (!(value > Scalar(0)) || !(pull > Scalar(0)))) return;
+            slope += pull * gradient[place];
+            curved += (by_value + by_rate) * gradient[place] * gradient[place].transpose();
+            if (value > Scalar(0)) curved += by_value * value * k.curvature(place, x, gradient);
+        }
+        template <class Kept_, class F> static void each_type(Kept_& kept, F&& f) {
+            std::apply([&](auto&... of) { (f(of), ...); }, kept.of);
+        }
+
+        int iterations_;
+    };
+};
+
+} // namespace ansatz

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSL-1.0
+// A warm step of a solver allocates nothing; a copy takes what it needs in its first step.
+
+#include "tests/soft_bodies/support.hpp"
+
+#include <ansatz/soft_bodies/vertex_block_descent.hpp>
+
+#include "tests/operator_new.hpp"
+
+using namespace soft_bodies_tests;
+
+namespace {
+std::size_t allocations = 0;
+bool count(std::size_t) noexcept {
+    ++allocations;
+    return true;
+}
+template <class F> std::size_t during(F&& f) {
+    allocations = 0;
+    ansatz::test::before_allocation = count;
+    f();
+    ansatz::test::before_allocation = nullptr;
+    return allocations;
+}
+template <class Solver> std::size_t in_warm_steps(const Solver& solver) {
+    auto world = world_of<double>(solver);
+    const auto sheet = lay_sheet(world, 6, 1, 0, 0.1, 300, 0.1);
+    world.add(Spring{sheet[0], metres(0, 1, 0), 100.0 * newton_per_metre});
+    world.step(frame);
+    auto copy = world;
+    copy.step(frame);
+    return during([&] {
+        for (int i = 0; i < 50; ++i) {
+            world.step(frame);
+            copy.step(frame);
+        }
+    });
+}
+} // namespace
+
+TEST_CASE("A warm step of a solver allocates nothing", "[soft_bodies]") {
+    REQUIRE(during([] { std::vector<int>(3).at(0) = 1; }) > 0); // the count counts
+    CHECK(in_warm_steps(Xpbd{4, 1}) == 0);
+    CHECK(in_warm_steps(Xpbd{2, 3}) == 0);
+    CHECK(in_warm_steps(VertexBlockDescent{2, 3}) == 0);
+}
