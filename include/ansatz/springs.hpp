@@ -6,6 +6,7 @@
 /// ImplicitEuler needs where springs couple bodies.
 
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
+#include <ansatz/springs/constraint.hpp>
 #include <ansatz/springs/hooke.hpp>
 #include <ansatz/springs/network.hpp>
 #include <ansatz/springs/spring.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A warm step of a solver allocates nothing; a copy takes what it needs in its first step.
 
-#include "tests/soft_bodies/support.hpp"
+#include "tests/soft_bodies/solvers.hpp"
 
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 

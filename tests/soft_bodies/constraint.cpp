@@ -2,9 +2,14 @@
 // Constraints: their gradients against differences, and one of a user's own in every solver.
 
 #include "tests/soft_bodies/patches.hpp"
-#include "tests/soft_bodies/support.hpp"
+#include "tests/soft_bodies/solvers.hpp"
 
+#include <ansatz/soft_bodies/constraint.hpp>
+#include <ansatz/soft_bodies/constraint_system.hpp>
+#include <ansatz/soft_bodies/module.hpp>
+#include <ansatz/soft_bodies/roles.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
+#include <ansatz/springs/constraint.hpp>
 
 #include <Eigen/Geometry>
 

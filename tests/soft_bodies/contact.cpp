@@ -2,7 +2,7 @@
 // What a solver of positions makes of contacts that a response answers on velocities: they agree on what velocity
 // comes out.
 
-#include "tests/soft_bodies/support.hpp"
+#include "tests/soft_bodies/solvers.hpp"
 
 #include <ansatz/collision.hpp>
 
@@ -13,8 +13,8 @@ using namespace soft_bodies_tests;
 namespace {
 
 template <class Scalar, class... Response> auto ground(const Response&... response) {
-    World world{Space<Scalar, 3>{}, SemiImplicitEuler{}, Gravity{},       Springs<>{},
-                Xpbd{10, 1},        SortAndSweep{},      Narrowphase<Sphere, Plane>{}, response...};
+    World world{Space<Scalar, 3>{}, SemiImplicitEuler{},          Gravity{},  Springs<>{}, Xpbd{10, 1},
+                SortAndSweep{},     Narrowphase<Sphere, Plane>{}, response...};
     world.add(Plane::ground(), fixed, restitution(0));
     return world;
 }
@@ -76,10 +76,11 @@ TEMPLATE_TEST_CASE("A particle that hits the ground leaves with e times its spee
 TEST_CASE("Cloth falls over a ball and comes to rest on it", "[soft_bodies]") {
     // 240 steps a second: in a step nobody falls as far as he is thick (who does wants Swept).
     const double stiffness = GENERATE(500., 5000.);
-    World world{SemiImplicitEuler{}, Gravity{},        Springs<>{},         Xpbd{}, Drag{0.5 / second},
-                SortAndSweep{},      Narrowphase<Sphere>{}, SoftSubsteps<Friction>{}};
+    World world{SemiImplicitEuler{}, Gravity{},      Springs<>{},           Xpbd{},
+                Drag{0.5 / second},  SortAndSweep{}, Narrowphase<Sphere>{}, SoftSubsteps<Friction>{}};
     const auto ball = world.add(Sphere{0.5 * metre}, position(metres(0.5, 0, 0.5)), fixed, friction(0.8));
-    const auto sheet = lay_sheet(world, 15, 1, 0.6, 0.005, stiffness, 0.02, Sphere{0.02 * metre}, restitution(0), friction(0.8));
+    const auto sheet =
+        lay_sheet(world, 15, 1, 0.6, 0.005, stiffness, 0.02, Sphere{0.02 * metre}, restitution(0), friction(0.8));
     double deepest = 0;
     for (int i = 0; i < 2400; ++i) {
         world.step(1.0 / 240 * second);

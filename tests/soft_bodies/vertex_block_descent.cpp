@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // VertexBlockDescent: at the end of its iterations it is implicit Euler, and before it it is on the way there.
 
-#include "tests/soft_bodies/support.hpp"
+#include "tests/soft_bodies/solvers.hpp"
 
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
@@ -117,5 +117,6 @@ TEST_CASE("What it keeps is no state: copied, saved and loaded worlds go on alik
     }
     CHECK(copy.hash() == world.hash());
     CHECK(loaded.hash() == world.hash());
-    CHECK_THROWS_WITH(world.set(VertexBlockDescent{1, 0}), Catch::Contains("iterations") && Catch::Contains("at least 1"));
+    CHECK_THROWS_WITH(world.set(VertexBlockDescent{1, 0}),
+                      Catch::Contains("iterations") && Catch::Contains("at least 1"));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Xpbd: what one spring does, what a chain does beside the formula of the paper, what it keeps, and what it is not.
 
-#include "tests/soft_bodies/support.hpp"
+#include "tests/soft_bodies/solvers.hpp"
 
 #include <ansatz/world/save.hpp>
 
@@ -13,7 +13,8 @@ using namespace soft_bodies_tests;
 
 namespace {
 
-/// The formula as Macklin gives it, for a hanging chain in one dimension: compliance, and velocities read off positions.
+/// The formula as Macklin gives it, for a hanging chain in one dimension: compliance, and velocities read off
+/// positions.
 struct Paper {
     std::vector<double> x, v, rest;
     double k, c, m, g;
@@ -30,8 +31,8 @@ struct Paper {
                 for (std::size_t i = 0; i < rest.size(); ++i) {
                     const double w = 1 / m, wa = i == 0 ? 0 : w, value = x[i] - x[i + 1] - rest[i];
                     const double way = (x[i] - before[i]) - (x[i + 1] - before[i + 1]);
-                    const double change = (-value - compliance * lambda[i] - gamma * way) /
-                                          ((1 + gamma) * (wa + w) + compliance);
+                    const double change =
+                        (-value - compliance * lambda[i] - gamma * way) / ((1 + gamma) * (wa + w) + compliance);
                     lambda[i] += change;
                     x[i] += wa * change;
                     x[i + 1] -= w * change;
@@ -140,8 +141,9 @@ TEST_CASE("A sheet far from the origin falls in float, and is not strained", "[s
     CHECK(high == low);
     double strain = 0;
     for (std::size_t i = 0; i + 33 < sheet.size(); ++i)
-        strain = std::max(strain, std::abs(double(norm(world.position(sheet[i + 33]) - world.position(sheet[i])).value()) /
-                                               0.125 - 1));
+        strain = std::max(
+            strain,
+            std::abs(double(norm(world.position(sheet[i + 33]) - world.position(sheet[i])).value()) / 0.125 - 1));
     CHECK(strain <= 1e-6);
 }
 

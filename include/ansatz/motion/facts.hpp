@@ -172,11 +172,11 @@ private:
 public:
     using Integrator =
         typename detail::OrElse<detail::NoIntegrator, detail::filter<detail::IsIntegrator, P...>>::type; ///< the one
-    using laws = detail::filter<detail::IsLaw, P...>;           ///< the forces that are laws of one body
+    using laws = detail::filter<detail::IsLaw, P...>;               ///< the forces that are laws of one body
     using all_couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
     /// Of those, the ones that act as forces: a solver of positions holds the others.
     using couplings = detail::filter<detail::ActsAsForce<S_, detail::modules_of<P...>>::template Is, P...>;
-    using resters = detail::filter<detail::IsRester, P...>;     ///< the policies that put bodies to rest
+    using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     /// The effects of a place, by their turns, so that the order of the list means nothing.
     /// Where contacts change velocities, Rest looks at the velocities behind them.
     template <Place At>
@@ -235,9 +235,9 @@ public:
     /// Of the columns that are needed, those with lanes: scratch becomes columns only where stages are run over all
     /// bodies, one after the other.
     template <class Needed>
-    using stored_of = difference_of<
-        union_of<writes_of<Integrator>, Needed, std::conditional_t<coupled, scratch, Columns<>>>,
-        std::conditional_t<!coupled && history, union_of<idle, Columns<Velocity>>, idle>>;
+    using stored_of =
+        difference_of<union_of<writes_of<Integrator>, Needed, std::conditional_t<coupled, scratch, Columns<>>>,
+                      std::conditional_t<!coupled && history, union_of<idle, Columns<Velocity>>, idle>>;
     /// Of those, the ones that are made anew in every step.
     using made_anew = union_of<detail::scratch_of<Integrator>, typename Degrees::template scratch<Integrator>,
                                Columns<CoupledForce>, std::conditional_t<history, Columns<Velocity>, Columns<>>>;

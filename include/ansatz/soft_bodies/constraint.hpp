@@ -56,8 +56,7 @@ struct TakesAny {
 
 /// A policy that gives constraints.
 template <class Q, class S>
-concept GivesConstraints = requires(const detail::Bound<Q, S>& q, const ObserverView<S, Q>& view) {
-    q.constraints(view, detail::TakesAny{});
-};
+concept GivesConstraints =
+    requires(const detail::Bound<Q, S>& q, const ObserverView<S, Q>& view) { q.constraints(view, detail::TakesAny{}); };
 
 } // namespace ansatz

@@ -16,8 +16,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <vector>
 
 namespace ansatz {
+
+/// One body: what a solver touches lies together, in three dimensions and double in one line of the cache.
+template <class S> struct HeldBody {
+    Vector<typename S::Scalar, S::dimension> x; ///< m
+    Vector<typename S::Scalar, S::dimension> v; ///< m/s
+    typename S::Scalar weight;                  ///< 1/m, 1/kg; zero of who is not moved
+};
 
 /// \tparam StepT the step
 template <class StepT> class ConstraintSystem {
@@ -27,46 +35,39 @@ public:
     using Scalar = typename S::Scalar;
     using Vec = Vector<Scalar, S::dimension>; ///< m, m/s, or a direction
 
+    using Body = HeldBody<S>; ///< what it moves
+
     /// Behind the integrator.
-    explicit ConstraintSystem(StepT& step)
+    /// \param bodies room for them, by slot
+    ConstraintSystem(StepT& step, std::vector<Body>& bodies)
         : step_(step),
+          bodies_(bodies),
           awake_(step.data.bodies.end(Motion::awake)),
           h_(step.context.dt().value()),
-          inverse_mass_(step.data.lanes.template lane<InverseMass>()) {
-        for (int k = 0; k < S::dimension; ++k) {
-            x_[std::size_t(k)] = step.data.lanes.template lane<Position>(k);
-            v_[std::size_t(k)] = step.data.lanes.template lane<Velocity>(k);
-        }
+          rate_(1 / h_) {
         arrange_all(typename C::held{});
     }
 
-    /// Calls `solve(system)`, and remembers what it did to velocities for whoever expects it again.
+    /// Calls `solve(system)` for the bodies as they stand, and moves them.
     template <class F> void hold(F&& solve) {
-        if constexpr (C::template stores<HeldAcceleration>) {
-            each_held([&](std::size_t slot, const Vec&) { return Vec(-velocity(slot)); });
-            solve(*this);
-            each_held([&](std::size_t slot, const Vec& before) { return Vec((velocity(slot) + before) / h_); });
-        } else solve(*this);
+        load();
+        solve(*this);
+        store();
     }
     /// Of this part of the step, s.
     Scalar h() const { return h_; }
     /// Bodies that may be moved stand in the slots below.
     std::size_t awake() const { return awake_; }
     /// 1/m, 1/kg; zero for who is not moved: fixed bodies, platforms, and those that rest.
-    [[gnu::always_inline]] Scalar weight(std::size_t slot) const {
-        return slot < awake_ ? inverse_mass_[slot] : Scalar(0);
-    }
+    [[gnu::always_inline]] Scalar weight(std::size_t slot) const { return bodies_[slot].weight; }
     /// m
-    [[gnu::always_inline]] Vec position(std::size_t slot) const { return get(x_, slot); }
+    [[gnu::always_inline]] const Vec& position(std::size_t slot) const { return bodies_[slot].x; }
     /// m/s
-    [[gnu::always_inline]] Vec velocity(std::size_t slot) const { return get(v_, slot); }
+    [[gnu::always_inline]] const Vec& velocity(std::size_t slot) const { return bodies_[slot].v; }
     /// Moves a body, and its velocity with it.
     [[gnu::always_inline]] void move(std::size_t slot, const Vec& by) {
-        const Scalar rate = 1 / h_;
-        for (int k = 0; k < S::dimension; ++k) {
-            x_[std::size_t(k)][slot] += by[k];
-            v_[std::size_t(k)][slot] += by[k] * rate;
-        }
+        bodies_[slot].x += by;
+        bodies_[slot].v += by * rate_;
     }
 
     /// Calls `f(slot)` for every body by id, an order that sleeping and waking do not change.
@@ -83,17 +84,24 @@ public:
     }
 
 private:
-    template <class F> void each_held(F&& f) {
-        for (std::size_t slot = 0; slot < awake_; ++slot)
-            step_.data.lanes.template set<HeldAcceleration>(
-                slot, S::Acceleration::from_value(
-                          f(slot, step_.data.lanes.template get<HeldAcceleration>(slot).value())));
+    [[gnu::flatten]] void load() {
+        const auto& lanes = step_.data.lanes;
+        bodies_.resize(step_.data.bodies.size());
+        for (std::size_t slot = 0; slot < bodies_.size(); ++slot)
+            bodies_[slot] = {lanes.template get<Position>(slot).value(), lanes.template get<Velocity>(slot).value(),
+                             slot < awake_ ? lanes.template get<InverseMass>(slot).value() : Scalar(0)};
     }
-    using Lanes_ = std::array<Scalar*, std::size_t(S::dimension)>;
-    [[gnu::always_inline]] static Vec get(const Lanes_& lanes, std::size_t slot) {
-        Vec all;
-        for (int k = 0; k < S::dimension; ++k) all[k] = lanes[std::size_t(k)][slot];
-        return all;
+    /// Whoever expects again what was done to velocities finds it in a column.
+    [[gnu::flatten]] void store() {
+        auto& lanes = step_.data.lanes;
+        for (std::size_t slot = 0; slot < awake_; ++slot) {
+            if constexpr (C::template stores<HeldAcceleration>)
+                lanes.template set<HeldAcceleration>(
+                    slot,
+                    S::Acceleration::from_value((bodies_[slot].v - lanes.template get<Velocity>(slot).value()) / h_));
+            lanes.template set<Position>(slot, S::Position::from_value(bodies_[slot].x));
+            lanes.template set<Velocity>(slot, S::Velocity::from_value(bodies_[slot].v));
+        }
     }
     template <class... Q> void arrange_all(Types<Q...>) { (arrange<Q>(), ...); }
     template <class Q> void arrange() {
@@ -103,11 +111,9 @@ private:
     }
 
     StepT& step_;
+    std::vector<Body>& bodies_;
     std::size_t awake_;
-    Scalar h_;
-    const Scalar* inverse_mass_;
-    Lanes_ x_{}, v_{};
+    Scalar h_, rate_; // s, 1/s
 };
-template <class StepT> ConstraintSystem(StepT&) -> ConstraintSystem<StepT>; ///< of a step
 
 } // namespace ansatz

@@ -12,6 +12,7 @@
 
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace ansatz {
 
@@ -39,7 +40,8 @@ template <class... Q, class S> struct ConstraintTypesOf<Types<Q...>, S> {
 
 template <class... P> struct SoftBodiesFacts {
     using solver = typename FirstIn<filter<IsSolver, P...>>::type; ///< the one
-    template <class Q> struct Holds : std::bool_constant<IsCoupling<Q>::value && GivesConstraints<Q, space_of<P...>>> {};
+    template <class Q>
+    struct Holds : std::bool_constant<IsCoupling<Q>::value && GivesConstraints<Q, space_of<P...>>> {};
     using held = filter<Holds, P...>; ///< the policies whose constraints it holds
     /// What they give.
     using constraint_types = typename ConstraintTypesOf<held, space_of<P...>>::type;
@@ -49,23 +51,24 @@ template <class... P> struct SoftBodiesCounts {
     static constexpr int solvers = count_of_role<roles::Solver, P...>;
     static constexpr bool keeps_velocity = !MotionFacts<P...>::history;
     static constexpr bool something = SoftBodiesFacts<P...>::held::size > 0;
-    static constexpr bool named =
-        ConstraintTypesOf<typename SoftBodiesFacts<P...>::held, space_of<P...>>::all_named;
+    static constexpr bool named = ConstraintTypesOf<typename SoftBodiesFacts<P...>::held, space_of<P...>>::all_named;
     static constexpr bool ok = solvers <= 1 && keeps_velocity && something && named;
 };
 template <class... P> struct CheckSoftBodiesCounts {
     using Facts = SoftBodiesCounts<P...>;
     static_assert(Facts::solvers <= 1, "Ansatz: World has more than one solver; keep one, e.g. Xpbd{}");
-    static_assert(Facts::keeps_velocity,
-                  "Ansatz: a solver corrects velocities with positions, and this integrator keeps a history of positions "
-                  "instead of a velocity; take SemiImplicitEuler or VelocityVerlet, e.g. World{SemiImplicitEuler{}, "
-                  "Springs{}, Xpbd{}}");
+    static_assert(
+        Facts::keeps_velocity,
+        "Ansatz: a solver corrects velocities with positions, and this integrator keeps a history of positions "
+        "instead of a velocity; take SemiImplicitEuler or VelocityVerlet, e.g. World{SemiImplicitEuler{}, "
+        "Springs{}, Xpbd{}}");
     static_assert(Facts::something || !Facts::keeps_velocity,
                   "Ansatz: World has a solver and nothing that it could hold; add Springs or Ropes, e.g. "
                   "World{SemiImplicitEuler{}, Springs{}, Xpbd{}}");
-    static_assert(Facts::named,
-                  "Ansatz: a policy that gives constraints and does not say of which types; its In<S> needs e.g. `using "
-                  "constraint_types = Types<MyConstraint<S>>;`");
+    static_assert(
+        Facts::named,
+        "Ansatz: a policy that gives constraints and does not say of which types; its In<S> needs e.g. `using "
+        "constraint_types = Types<MyConstraint<S>>;`");
 };
 
 /// Whether a response takes the step in parts: there is one driver of substeps in a world.
@@ -91,9 +94,10 @@ struct HoldConstraints {
     static constexpr std::string_view name = "constraints";
     template <class StepT> static void run(StepT& step) {
         using P = typename StepT::Composition_::solver;
-        ConstraintSystem<StepT> system(step);
+        auto& kept = step.data.solver.value;
+        ConstraintSystem<StepT> system(step, kept.bodies);
         const Bound<P, typename StepT::S> solver(std::get<P>(step.policies));
-        system.hold([&](auto& one) { solver.solve(one, step.data.solver.value); });
+        system.hold([&](auto& one) { solver.solve(one, kept.own); });
     }
 };
 
@@ -112,8 +116,13 @@ template <class P, class S> struct CheckSolver {
 /// What a world holds of its solver: room, no state.
 /// \tparam C the world's composition
 template <class C> struct SolverState {
-    using Kept = typename detail::Bound<typename C::solver, typename C::S>::template Kept<typename C::constraint_types>;
-    detail::Cache<Kept> solver; ///< kept between steps
+    /// Kept between steps.
+    struct Kept {
+        std::vector<HeldBody<typename C::S>> bodies; ///< by slot
+        typename detail::Bound<typename C::solver, typename C::S>::template Kept<typename C::constraint_types>
+            own; ///< the solver's
+    };
+    detail::Cache<Kept> solver; ///< the room
 };
 
 namespace modules {

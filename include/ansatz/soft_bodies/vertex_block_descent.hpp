@@ -72,9 +72,10 @@ struct VertexBlockDescent {
         };
         template <class List> struct Stars;
         template <class... K> struct Stars<Types<K...>> {
-            static_assert((CurvedConstraintIn<K, S> && ...),
-                          "Ansatz: a constraint that VertexBlockDescent cannot use; it needs, beside what Xpbd asks for, "
-                          "`Matrix curvature(std::size_t body, x, gradient) const`, as SpringConstraint has");
+            static_assert(
+                (CurvedConstraintIn<K, S> && ...),
+                "Ansatz: a constraint that VertexBlockDescent cannot use; it needs, beside what Xpbd asks for, "
+                "`Matrix curvature(std::size_t body, x, gradient) const`, as SpringConstraint has");
             std::tuple<Of<K>...> of;
             std::vector<Vec> moved;           // m, by slot: what this substep's iterations have done
             std::vector<std::uint32_t> order; // slots of the bodies that are moved, by their ids

@@ -17,8 +17,8 @@
 /// \f[ \Delta\lambda = -\frac{\lambda + K\,C + D\,\nabla C\cdot\Delta\mathbf x}{1 + (K + D)\sum_i w_i\,|\nabla_i C|^2},
 ///     \qquad \Delta\mathbf x_i = w_i\,\nabla_i C\,\Delta\lambda, \qquad K = h^2 k, \quad D = h\,c \f]
 ///
-/// That is Macklin's formula multiplied by K, so that a stiffness of zero is a mere damper and nothing is divided by it.
-/// Of one spring alone it is implicit Euler, exactly where the force is linear.
+/// That is Macklin's formula multiplied by K, so that a stiffness of zero is a mere damper and nothing is divided by
+/// it. Of one spring alone it is implicit Euler, exactly where the force is linear.
 ///
 /// | symbol | meaning                                   | unit |
 /// |--------|-------------------------------------------|------|
@@ -26,7 +26,8 @@
 /// | w      | 1/m of a body, 0 of who is not moved       | 1/kg |
 /// | Delta x | the way since the substep began, h v      | m    |
 ///
-/// M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019.
+/// M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA
+/// 2019.
 
 #include <ansatz/core/error.hpp>
 #include <ansatz/soft_bodies/constraint_system.hpp>
@@ -89,6 +90,9 @@ struct Xpbd {
         }
 
     private:
+        /// Whether a constraint says that its gradients have the length 1: they are not waited for then.
+        template <class K> static constexpr bool unit_gradients = requires { requires K::unit_gradients; };
+
         /// One constraint.
         /// \param multiplier lambda so far, N s^2
         /// \return lambda now
@@ -106,20 +110,17 @@ struct Xpbd {
             const Scalar value = k.linearise(x, gradient), h = system.h();
             Scalar compliance(0), way(0);
             for (std::size_t i = 0; i < K::bodies; ++i) {
-                compliance += weight[i] * gradient[i].squaredNorm();
+                if constexpr (unit_gradients<K>) compliance += weight[i];
+                else compliance += weight[i] * gradient[i].squaredNorm();
                 way += gradient[i].dot(system.velocity(k.slots[i]));
             }
             const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
             Scalar next = multiplier - (multiplier + by_value * value + by_rate * (h * way)) /
                                            (1 + (by_value + by_rate) * compliance);
             if constexpr (K::one_sided)
-                if (!(value > Scalar(0)) && multiplier == Scalar(0)) return multiplier;
-            if constexpr (K::one_sided)
-                if (next > Scalar(0)) next = Scalar(0);
+                if (next > Scalar(0) || (multiplier == Scalar(0) && !(value > Scalar(0)))) next = Scalar(0);
             const Scalar change = next - multiplier;
-            if (!(compliance > Scalar(0))) return multiplier;
-            for (std::size_t i = 0; i < K::bodies; ++i)
-                if (weight[i] > Scalar(0)) system.move(k.slots[i], weight[i] * change * gradient[i]);
+            for (std::size_t i = 0; i < K::bodies; ++i) system.move(k.slots[i], weight[i] * change * gradient[i]);
             return next;
         }
 

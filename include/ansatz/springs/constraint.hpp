@@ -20,17 +20,28 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace ansatz {
 
 namespace detail {
+/// The same for ends so near or so far apart that the square of their distance is none.
+template <class S>
+[[gnu::cold, gnu::noinline]] typename S::Scalar axis_by_scaling(Vector<typename S::Scalar, S::dimension> to,
+                                                                Vector<typename S::Scalar, S::dimension>& axis) {
+    if (!unit_vector(to, axis)) axis.setZero();
+    return robust_norm(S::Position::from_value(to)).value();
+}
 /// The unit vector from one end to the other and their distance; zero for ends in one place, which have no axis.
 template <class S>
 [[gnu::always_inline]] inline typename S::Scalar axis_of(const Vector<typename S::Scalar, S::dimension>& to,
                                                          Vector<typename S::Scalar, S::dimension>& axis) {
-    const auto length = robust_norm(S::Position::from_value(to)).value();
-    if (!(length > typename S::Scalar(0)) || !unit_vector(to, axis)) axis.setZero();
+    using std::sqrt;
+    const typename S::Scalar squared = dot_of(to, to);
+    if (!squares_well(squared)) return axis_by_scaling<S>(to, axis);
+    const typename S::Scalar length = sqrt(squared);
+    axis = to * (1 / length);
     return length;
 }
 } // namespace detail
@@ -39,9 +50,10 @@ template <class S>
 /// \tparam How a rope only pulls
 template <class S, springs::Acts How> struct SpringConstraint {
     using Scalar = typename S::Scalar;
-    using Vec = Vector<Scalar, S::dimension>;                     ///< m, or a direction
+    using Vec = Vector<Scalar, S::dimension>;                         ///< m, or a direction
     using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< of one body
     static constexpr std::size_t bodies = 2;                          ///< that it holds
+    static constexpr bool unit_gradients = true;                      ///< by each body, or zero without an axis
     static constexpr bool one_sided = How == springs::Acts::pulling;  ///< whether it may be shorter than it should be
 
     std::array<std::size_t, 2> slots; ///< of its ends
@@ -67,9 +79,10 @@ template <class S, springs::Acts How> struct SpringConstraint {
 /// A spring between a body and a point that nothing moves, in numbers of SI.
 template <class S, springs::Acts How> struct AnchoredSpringConstraint {
     using Scalar = typename S::Scalar;
-    using Vec = Vector<Scalar, S::dimension>;                     ///< m, or a direction
+    using Vec = Vector<Scalar, S::dimension>;                         ///< m, or a direction
     using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< of one body
     static constexpr std::size_t bodies = 1;                          ///< that it holds
+    static constexpr bool unit_gradients = true;                      ///< by each body, or zero without an axis
     static constexpr bool one_sided = How == springs::Acts::pulling;  ///< whether it may be shorter than it should be
 
     std::array<std::size_t, 1> slots; ///< of the body

@@ -135,8 +135,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
             for (const auto& l : view.state().pairs())
                 f(SpringConstraint<S, How>{{l.a, l.b}, l.rest_length, l.stiffness, damping_of(l)});
             for (const auto& l : view.state().hung())
-                f(AnchoredSpringConstraint<S, How>{
-                    {l.a}, l.rest_length, l.stiffness, damping_of(l), l.anchor.value()});
+                f(AnchoredSpringConstraint<S, How>{{l.a}, l.rest_length, l.stiffness, damping_of(l), l.anchor.value()});
         }
 
         /// \f$ \sum \tfrac12 k x^2 \f$; a slack rope holds nothing.

@@ -44,7 +44,8 @@ std::vector<Handle> lay_sheet(World_& world, int n, double side, double height, 
     const double apart = side / (n - 1);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
-            all.push_back(world.add(position(metres(apart * i, height, apart * j)), mass(each * kilogram), property...));
+            all.push_back(
+                world.add(position(metres(apart * i, height, apart * j)), mass(each * kilogram), property...));
     const auto join = [&](int a, int b) {
         world.add(Spring{all[std::size_t(a)], all[std::size_t(b)], stiffness * newton_per_metre,
                          damping * newton_second_per_metre});
