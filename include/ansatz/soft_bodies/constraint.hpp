@@ -28,6 +28,8 @@ namespace ansatz {
 /// C with its gradient by each body's position.
 ///
 /// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be.
+///
+/// `SpringConstraint` and `AnchoredSpringConstraint` are what `Springs` and `Ropes` give (notes 4).
 template <class K, class S>
 concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& x,
                                 std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& gradient) {
@@ -39,6 +41,8 @@ concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::
 };
 
 /// The same, for solvers that descend: with the part of C's second derivative by one body that is never negative.
+///
+/// `SpringConstraint` and `AnchoredSpringConstraint` are two, and `VertexBlockDescent` asks for it (notes 4).
 template <class K, class S>
 concept CurvedConstraintIn =
     ConstraintIn<K, S> &&
@@ -55,6 +59,8 @@ struct TakesAny {
 } // namespace detail
 
 /// A policy that gives constraints.
+///
+/// `Springs` and `Ropes` do, and `Xpbd` holds them (notes 4).
 template <class Q, class S>
 concept GivesConstraints =
     requires(const detail::Bound<Q, S>& q, const ObserverView<S, Q>& view) { q.constraints(view, detail::TakesAny{}); };
