@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `add_cloth`: a sheet of bodies and springs, from a grid or from any mesh of triangles (notes 4).
+///
+/// Use it for flags, curtains, sails, skin. In the world there are bodies and springs afterwards, and nothing else:
+/// they are advanced, saved and removed like all others, by any integrator. Not for what is filled (soft_ball.hpp,
+/// soft_box.hpp) and not for sheets that must not stretch: springs do.
+///
+/// | springs    | of a grid                                          | of another mesh        |
+/// |------------|----------------------------------------------------|------------------------|
+/// | structural | along its lines                                    | along each edge        |
+/// | shear      | both diagonals of each cell                        | none: see bend         |
+/// | bend       | along its lines, from a vertex to the next but one | across each inner edge |
+///
+/// Across an inner edge, between the two opposite vertices, a spring holds against shear and against folding alike, so
+/// that a mesh gets one there, with the sum of both constants. A kind without stiffness and damping is not built.
+///
+/// Pins are fixed bodies. Dragged vertices are `moving` ones, which go where `set_velocity` and `set_position` send
+/// them. A spring has its rest length from the places in which the bodies were put, in the scalar of the world: as
+/// built no spring has any tension, to the last bit.
+///
+/// X. Provot, Deformation Constraints in a Mass-Spring Model to Describe Rigid Cloth Behaviour (1995), for the three
+/// kinds.
+
+#include <ansatz/soft_bodies/plan.hpp>
+#include <ansatz/soft_bodies/triangle_mesh.hpp>
+
+namespace ansatz {
+
+/// A sheet, as it is given to `add_cloth`.
+struct Cloth {
+    TriangleMesh mesh;                                                          ///< its vertices and triangles, at rest
+    Parameter<unit::AreaDensity> mass_per_area = 0.0 * kilogram / square_metre; ///< kg/m^2, finite, greater than zero
+    SpringConstants structural = {};                                            ///< along it
+    SpringConstants shear = {};                                                 ///< across its cells
+    SpringConstants bend = {};                                                  ///< against folding
+    std::vector<std::uint32_t> pins = {};                                       ///< vertices that become fixed bodies
+    std::vector<std::uint32_t> dragged = {};       ///< vertices that become `moving` bodies
+    VectorParameter<unit::Velocity> velocity = {}; ///< m/s, of those that are not held
+    Lumping lumping = Lumping::by_area;            ///< how the mass is shared out
+};
+
+/// The parts of a sheet in its world.
+struct ClothParts {
+    std::vector<Handle> bodies;           ///< by vertex
+    std::vector<SpringHandle> structural; ///< of a grid those along its first side, row by row, then along its second;
+                                          ///< of another mesh by `edges()`
+    std::vector<SpringHandle> shear;      ///< of a grid, cell by cell, the two from vertex (0, 0) and (1, 0) of each
+    std::vector<SpringHandle> bend;       ///< of a grid as structural; of another mesh by `inner_edges()`
+};
+
+namespace detail {
+
+/// The springs of a grid along its lines, from each vertex to the one `step` further.
+inline void link_lines(SoftPlan& plan, const TriangleMesh::GridShape& grid, std::uint32_t step,
+                       const SpringConstants& constants) {
+    for (std::uint32_t j = 0; j < grid.rows; ++j)
+        for (std::uint32_t i = 0; i + step < grid.columns; ++i)
+            plan.link(i + grid.columns * j, i + step + grid.columns * j, constants);
+    for (std::uint32_t j = 0; j + step < grid.rows; ++j)
+        for (std::uint32_t i = 0; i < grid.columns; ++i)
+            plan.link(i + grid.columns * j, i + grid.columns * (j + step), constants);
+}
+/// Both diagonals of its cells.
+inline void link_diagonals(SoftPlan& plan, const TriangleMesh::GridShape& grid, const SpringConstants& constants) {
+    for (std::uint32_t j = 0; j + 1 < grid.rows; ++j)
+        for (std::uint32_t i = 0; i + 1 < grid.columns; ++i) {
+            const auto at = i + grid.columns * j;
+            plan.link(at, at + grid.columns + 1, constants);
+            plan.link(at + 1, at + grid.columns, constants);
+        }
+}
+/// Of any mesh: along its edges.
+inline void link_edges(SoftPlan& plan, const TriangleMesh& mesh, const SpringConstants& constants) {
+    for (const auto& [a, b] : mesh.edges()) plan.link(a, b, constants);
+}
+/// Of any mesh: between the vertices opposite to its inner edges.
+inline void link_across(SoftPlan& plan, const TriangleMesh& mesh, const SpringConstants& constants) {
+    for (const auto& edge : mesh.inner_edges()) plan.link(edge.opposite[0], edge.opposite[1], constants);
+}
+
+/// The springs of one kind, taken off the front of all.
+template <class Handle_> std::vector<Handle_> take_front(std::span<const Handle_>& all, std::size_t count) {
+    const auto some = all.first(std::min(count, all.size()));
+    all = all.subspan(some.size());
+    return {some.begin(), some.end()};
+}
+
+/// The bodies of a surface: where they are, and how heavy.
+inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantity<unit::AreaDensity>& mass_per_area,
+                         Lumping lumping) {
+    require_positive(plan.where, "mass per area", mass_per_area);
+    const auto shares = mesh.vertex_areas();
+    const auto equal = mesh.area() / double(shares.size());
+    plan.bodies.reserve(shares.size());
+    for (std::size_t v = 0; v < shares.size(); ++v)
+        plan.bodies.push_back(
+            {.place = mesh.vertices()[v], .mass = mass_per_area * (lumping == Lumping::equal ? equal : shares[v])});
+}
+
+} // namespace detail
+
+/// Adds a sheet: a body for each vertex, then the springs, kind by kind.
+/// \param world with Springs among its policies
+/// \param cloth what is built; in a world of two dimensions every z is 0
+/// \param each  what each body is given beside its place, its velocity and its mass: a shape and its properties in a
+///              world of collisions, e.g. `Sphere{0.02 * metre}`
+/// \return the handles of all parts
+/// \throws std::invalid_argument with name, index, value and unit; the world is then as it was
+template <class... P, class... Property>
+ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... each) {
+    SoftPlan plan{.where = "add_cloth", .velocity = cloth.velocity, .bodies = {}, .links = {}};
+    plan.check("structural", cloth.structural);
+    plan.check("shear", cloth.shear);
+    plan.check("bend", cloth.bend);
+    detail::add_vertices(plan, cloth.mesh, cloth.mass_per_area, cloth.lumping);
+    plan.hold("pins", cloth.pins, Motion::fixed);
+    plan.hold("dragged", cloth.dragged, Motion::moving);
+    std::size_t structural = 0, shear = 0;
+    if (const auto grid = cloth.mesh.grid_shape()) {
+        detail::link_lines(plan, *grid, 1, cloth.structural);
+        structural = plan.links.size();
+        detail::link_diagonals(plan, *grid, cloth.shear);
+        shear = plan.links.size() - structural;
+        detail::link_lines(plan, *grid, 2, cloth.bend);
+    } else {
+        detail::link_edges(plan, cloth.mesh, cloth.structural);
+        structural = plan.links.size();
+        detail::link_across(plan, cloth.mesh,
+                            {cloth.shear.stiffness + cloth.bend.stiffness, cloth.shear.damping + cloth.bend.damping});
+    }
+    plan.template check<Spring>(world);
+    ClothParts parts;
+    std::vector<SpringHandle> springs;
+    plan.template build<Spring>(world, parts.bodies, springs, each...);
+    std::span<const SpringHandle> all = springs;
+    parts.structural = detail::take_front(all, structural);
+    parts.shear = detail::take_front(all, shear);
+    parts.bend = detail::take_front(all, all.size());
+    return parts;
+}
+
+} // namespace ansatz
