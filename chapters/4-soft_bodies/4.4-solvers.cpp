@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// 4.5 Solvers: what is too stiff for forces is held by positions, and what that costs
+// 4.4 Solvers: what is too stiff for forces is held by positions, and what that costs
 
 // The notes warn that a soft body whose damping is badly tuned explodes. The deeper reason is the step: springs that
 // are stiff enough to look like cloth want steps that nobody pays for. A solver does not ask what a spring pulls with
@@ -89,7 +89,7 @@ int main() {
     claim("block descent is Hooke's law after many iterations", std::abs(after_many - 1) < 1e-3);
     claim("and not after few", std::abs(after_few - 1) > 0.01);
 
-    workbook::Plot plot("4.5", "Where 32 looks at each spring of a stiff chain go");
+    workbook::Plot plot("4.4", "Where 32 looks at each spring of a stiff chain go");
     plot.x("substeps a frame").y("stretched too far, beside Hooke's law").log_x().log_y();
     plot.line("20 links of 100000 N/m", parts, excess).write();
     return claim.result();
