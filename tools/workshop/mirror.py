@@ -37,7 +37,7 @@ INCLUDE = re.compile(r"^ *# *include *<(ansatz/[^>]+)>", re.MULTILINE)
 OUTSIDE = re.compile(r"^ *// not in the umbrella: *[^ \n]", re.MULTILINE)
 # The folders of the library from the bottom up; those of one row may not know each other unless they stand in order.
 LAYERS = {folder: layer for layer, folder in enumerate(
-    ("core", "units", "world", "motion", "springs", "collision"))}
+    ("core", "units", "world", "motion", "springs", "collision", "soft_bodies"))}
 OF_A_MODULE = re.compile(r"\b(collisions?|contacts?|sensors?|springs?|ropes?|verlet|penalty)\b", re.IGNORECASE)
 NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|#include[^\n]*', re.DOTALL)
 SOURCE = re.compile(r".*(\.(cpp|hpp|h|cmake|sh|py|js)|CMakeLists\.txt)")

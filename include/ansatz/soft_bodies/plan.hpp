@@ -46,7 +46,8 @@ struct SoftPlan {
     };
     /// One spring: at rest as its ends lie.
     struct Link {
-        std::uint32_t a, b;        ///< its ends, by their numbers among the bodies
+        std::uint32_t a;           ///< one end, by its number among the bodies
+        std::uint32_t b;           ///< the other
         SpringConstants constants; ///< N/m and N s/m
     };
 
