@@ -29,7 +29,7 @@ namespace ansatz {
 ///
 /// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be.
 ///
-/// `SpringConstraint` and `AnchoredSpringConstraint` are what `Springs` and `Ropes` give (notes 4).
+/// SpringConstraint and AnchoredSpringConstraint are what `Springs` and `Ropes` give (notes 4).
 template <class K, class S>
 concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& x,
                                 std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& gradient) {
@@ -42,7 +42,7 @@ concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::
 
 /// The same, for solvers that descend: with the part of C's second derivative by one body that is never negative.
 ///
-/// `SpringConstraint` and `AnchoredSpringConstraint` are two, and `VertexBlockDescent` asks for it (notes 4).
+/// SpringConstraint and AnchoredSpringConstraint are two, and `VertexBlockDescent` asks for it (notes 4).
 template <class K, class S>
 concept CurvedConstraintIn =
     ConstraintIn<K, S> &&
