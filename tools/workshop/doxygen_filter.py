@@ -60,7 +60,7 @@ FUNCTIONS = {
 }
 
 # Headers of concepts: Doxygen finds no name from within a concept, so it is led to each.
-OF_CONCEPTS = ("concepts", "broadphase", "inside", "shapes")
+OF_CONCEPTS = ("concepts", "broadphase", "constraint", "inside", "shapes")
 
 FUNCTION = re.compile(r"(?:^|[ &])(?P<name>[a-z_]+|operator(?:==|\+\+|\*))\([^;]*\{")
 MAY_BE_A_FUNCTION = re.compile(

@@ -6,7 +6,7 @@
 ///
 /// A constraint is a number C that should be zero, kept by an energy \f$ \tfrac12 k C^2 \f$ and damped by a force \f$ c\,\dot C \f$.
 /// It is a type; a solver knows none of them by name. A policy gives its constraints one by one with the verb
-/// `constraints(view, f)` of its In<S>, which calls `f(constraint)` for each, always in the same order; Springs and
+/// `constraints(view, f)` of its `In<S>`, which calls `f(constraint)` for each, always in the same order; Springs and
 /// Ropes do. In a world with a Solver such a policy acts by its constraints and not as a force; one without the verb
 /// (Attraction) stays a force in every world.
 ///
@@ -29,7 +29,7 @@ namespace ansatz {
 ///
 /// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be.
 ///
-/// SpringConstraint and AnchoredSpringConstraint are what `Springs` and `Ropes` give (notes 4).
+/// `SpringConstraint` and `AnchoredSpringConstraint` are what `Springs` and `Ropes` give (notes 4).
 template <class K, class S>
 concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& x,
                                 std::array<Vector<typename S::Scalar, S::dimension>, K::bodies>& gradient) {
@@ -42,7 +42,7 @@ concept ConstraintIn = requires(const K& k, const std::array<Vector<typename S::
 
 /// The same, for solvers that descend: with the part of C's second derivative by one body that is never negative.
 ///
-/// SpringConstraint and AnchoredSpringConstraint are two, and `VertexBlockDescent` asks for it (notes 4).
+/// `SpringConstraint` and `AnchoredSpringConstraint` are two, and `VertexBlockDescent` asks for it (notes 4).
 template <class K, class S>
 concept CurvedConstraintIn =
     ConstraintIn<K, S> &&

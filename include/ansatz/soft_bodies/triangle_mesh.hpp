@@ -72,9 +72,9 @@ public:
     static TriangleMesh grid(std::size_t columns, std::size_t rows, const Point& along, const Point& across,
                              const Point& origin = Point::from_value({0, 0, 0})) {
         for (const auto& [name, n] : {std::pair{"columns", columns}, std::pair{"rows", rows}})
-            if (n < 2 || n > most_)
+            if (n < 2 || n > most)
                 refuse_value("TriangleMesh::grid", name, std::to_string(n), "a grid has at least 2, and 2^31 at most");
-        if (columns > most_ / rows)
+        if (columns > most / rows)
             refuse_value("TriangleMesh::grid", "columns times rows",
                          detail::joined({std::to_string(columns), " x ", std::to_string(rows)}),
                          "a mesh has at most 2^31 vertices");
@@ -171,7 +171,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_ = std::size_t(1) << 31;
+    static constexpr std::size_t most = std::size_t(1) << 31;
 
     static std::string named(const char* what, Index i) { return detail::joined({what, " ", std::to_string(i)}); }
     static std::string text(const Triangle& t) {
@@ -188,7 +188,7 @@ private:
     }
 
     void check_vertices() const {
-        if (vertices_.size() > most_)
+        if (vertices_.size() > most)
             refuse_mesh("the number of vertices", std::to_string(vertices_.size()), "2^31 at most");
         for (Index v = 0; v < vertices_.size(); ++v) require_finite("TriangleMesh", named("vertex", v), vertices_[v]);
     }
@@ -227,7 +227,7 @@ private:
     };
     void find_edges() {
         if (triangles_.empty()) refuse_mesh("the number of triangles", "0", "a mesh has at least one");
-        if (triangles_.size() > most_)
+        if (triangles_.size() > most)
             refuse_mesh("the number of triangles", std::to_string(triangles_.size()), "2^31 at most");
         refuse_twice();
         std::vector<Side> sides;
