@@ -143,6 +143,21 @@ TEST_CASE("pins are fixed bodies, dragged vertices moving ones, and the others h
     CHECK(world.status().ok());
 }
 
+TEST_CASE("vertices in one place: two triangles that lie on each other are a sheet that moves and stays whole (K10)",
+          "[soft_bodies]") {
+    Plain world = empty();
+    Cloth book = woven(2, 2);
+    book.mesh = {{metres(0, 0, 0), metres(0, 1, 0), metres(1, 0.5, 0), metres(1, 0.5, 0)}, {{0, 1, 2}, {1, 0, 3}}};
+    const ClothParts parts = add_cloth(world, book);
+    REQUIRE(parts.bend.size() == 1);
+    CHECK(world.get(parts.bend[0]).rest_length->value() == 0);
+    CHECK(largest_tension(world) == 0);
+    world.set_velocity(parts.bodies[2], metres_per_second(0, 0, 0.5));
+    run(world, 1000, 0.01);
+    CHECK(world.status().ok());
+    CHECK(norm(world.position(parts.bodies[2])).value() < 10);
+}
+
 TEST_CASE("two sheets in one world, one of which goes, its springs with it", "[soft_bodies]") {
     Plain world = empty();
     const ClothParts one = add_cloth(world, woven(3, 4)), other = add_cloth(world, woven(4, 3));

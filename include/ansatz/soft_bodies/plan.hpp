@@ -120,7 +120,7 @@ struct SoftPlan {
     }
 
     /// Adds the bodies, then the springs. Behind `check` only a lack of memory, or a property that is not acceptable,
-    /// can stop it, and both do so before anything is added.
+    /// can stop it, and both do so before anything is added; what the copy of a datum of yours throws may come later.
     /// \tparam Element Spring or Rope
     /// \param added what is told of each: the handles, in order
     /// \param each  what each body is given beside its place, its velocity and its mass, e.g. `Sphere{...}`
