@@ -11,6 +11,7 @@
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/dimacs.hpp>
 #include <ansatz/paths/formation.hpp>
+#include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/grid/cell.hpp>
@@ -26,6 +27,7 @@
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>
 #include <ansatz/paths/own_loop.hpp>
+#include <ansatz/paths/property_maps.hpp>
 #include <ansatz/paths/reopening.hpp>
 #include <ansatz/paths/roles.hpp>
 #include <ansatz/paths/route.hpp>

@@ -18,6 +18,7 @@
 /// | Cost       | `CostIn<Number>`                           | the graph's `default_cost`, else its weights' type  |
 /// | Reopening  | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                         |
 /// | Successors | `EveryEdge`, on grids `JumpPoints`         | `EveryEdge`                                         |
+/// | Goals      | `OneGoal`, `AnyGoal`, `GoalWhere{...}`     | `OneGoal`                                           |
 /// | Engine     | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                           |
 /// | Weights    | `WeightsOf{map}`, `UnitWeights`            | the graph's own, else 1 for every edge              |
 /// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
@@ -27,6 +28,7 @@
 /// from the next `begin` or `find` on. A copy of a search is a search of its own.
 
 #include <ansatz/core/error.hpp>
+#include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics/zero.hpp>
@@ -87,6 +89,8 @@ template <class Graph, class... Policies> struct CheckedPolicies {
     static_assert(count_of<roles::Weights, Policies...> <= 1,
                   "Ansatz paths: AStar has two maps of weights; leave one out");
     static_assert(count_of<roles::Index, Policies...> <= 1, "Ansatz paths: AStar has two index maps; leave one out");
+    static_assert(count_of<roles::Goals, Policies...> <= 1,
+                  "Ansatz paths: AStar is told twice what its goal is; leave AnyGoal or GoalWhere out");
     static_assert((brings_weights<Graph, Policies> && ...),
                   "Ansatz paths: WeightsOf takes a property map of the graph's edges: WeightsOf{get(&Road::length, "
                   "graph)}, or of a function WeightsOf{boost::make_function_property_map<Edge>(function)}");
@@ -101,7 +105,10 @@ template <class Graph, class... Policies> class AStar {
     using Index = detail::pick<roles::Index, detail::NotGiven, Policies...>;
     static_assert(detail::AsksForWeights<Graph, Given>::ok);
     using Natural = CostIn<typename detail::NaturalCost<Graph, Given>::type>;
-    using Heuristic = detail::pick<roles::Heuristic, typename detail::DefaultHeuristic<Graph>::type, Policies...>;
+    using Goals = detail::pick<roles::Goals, OneGoal, Policies...>;
+    using DefaultEstimate = typename std::conditional_t<Goals::has_places, detail::DefaultHeuristic<Graph>,
+                                                        std::type_identity<ZeroHeuristic>>::type;
+    using Heuristic = detail::pick<roles::Heuristic, DefaultEstimate, Policies...>;
     using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
     using Reopens = detail::pick<roles::Reopening, Reopening, Policies...>;
     using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
@@ -132,19 +139,22 @@ template <class Graph, class... Policies> class AStar {
 
 public:
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
-    using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition
+    /// Where it may end: a vertex, several, or a condition.
+    using Goal = typename Goals::template In<Graph>;
+    /// What `find` is given: a vertex, or with `AnyGoal` an array of them.
+    using Wanted = typename Goals::template Wanted<Graph>;
     /// The number it counts in.
     using Cost = typename detail::pick<roles::Cost, Natural, Policies...>::type;
     /// The heuristic, bound to a goal.
-    using Estimate = decltype(std::declval<const Heuristic&>().template bind<Cost>(std::declval<const Graph&>(),
-                                                                                   std::declval<const Goal&>()));
+    using Estimate = decltype(Goals::template bind<Cost>(std::declval<const Heuristic&>(), std::declval<const Graph&>(),
+                                                         std::declval<const Goal&>(), std::declval<const int*>()));
     /// The number of h and f: that of the costs, or a wider one where estimates may be more than any cost (`Weighted`).
     using Guess = detail::Guess<Cost, std::decay_t<std::invoke_result_t<const Estimate&, const Vertex&>>>;
     /// The open list.
     using Queue = typename QueuePolicy::template In<Guess, Vertex>;
     using NodeOf = Node<Vertex, Cost, Guess>; ///< f, g, h and parent of a vertex
     /// What it keeps while it runs.
-    using Work = Search<Graph, Cost, Queue, Reopens, Successors, Given, Index, Estimate>;
+    using Work = Search<Graph, Cost, Queue, Reopens, Successors, Given, Index, Estimate, Goal>;
     static_assert(
         Queue::exact || Reopens::reopens,
         "Ansatz paths: Buckets are in order only to a bucket's width, and need Reopening; with NoReopening or "
@@ -158,53 +168,66 @@ public:
 
     /// \param graph looked at, never copied: it must live as long as this
     explicit AStar(const Graph& graph, Policies... policies)
-        : heuristic_(detail::take<roles::Heuristic, typename detail::DefaultHeuristic<Graph>::type>(policies...)),
+        : heuristic_(detail::take<roles::Heuristic, DefaultEstimate>(policies...)),
+          goals_(detail::take<roles::Goals, OneGoal>(policies...)),
           search_(graph, Queue(detail::take<roles::Queue, Heap>(policies...)),
                   detail::take<roles::Weights, detail::NotGiven>(policies...),
                   detail::take<roles::Index, detail::NotGiven>(policies...)) {}
     explicit AStar(const Graph&&, Policies...) = delete; // a graph that is gone after this line
 
     /// Finds the path in one go.
+    /// \param goal    a vertex; with `AnyGoal` an array or vector of them
     /// \param most    how many nodes may be expanded before it gives up
     /// \param visitor watches (visitor.hpp)
-    /// \throws std::invalid_argument for a start or goal that the graph does not have, and for a graph on which the
-    /// policy
-    ///         of successors would be wrong; never later
-    template <class Watcher> Outcome find(const Vertex& start, const Goal& goal, std::size_t most, Watcher& visitor) {
+    /// \throws std::invalid_argument for a start or goal that the graph does not have, for none of them, and for a
+    ///         graph on which the policy of successors would be wrong; never later
+    template <class Watcher> Outcome find(const Vertex& start, const Wanted& goal, std::size_t most, Watcher& visitor) {
         begin(start, goal, visitor);
-        advance(most, visitor);
-        if (outcome_ == Outcome::running) give_up();
-        return outcome_;
+        return run(most, visitor);
     }
     /// The same with nobody watching.
-    Outcome find(const Vertex& start, const Goal& goal, std::size_t most = without_end) {
+    Outcome find(const Vertex& start, const Wanted& goal, std::size_t most = without_end) {
         Visitor nobody;
         return find(start, goal, most, nobody);
+    }
+    /// The cheapest path from any of several starts: an array or vector of vertices. `path().front()` is the one that
+    /// it begins at; those that are blocked are passed over.
+    template <class Watcher>
+    Outcome find(std::span<const Vertex> starts, const Wanted& goal, std::size_t most, Watcher& visitor) {
+        begin(starts, goal, visitor);
+        return run(most, visitor);
+    }
+    /// The same with nobody watching.
+    Outcome find(std::span<const Vertex> starts, const Wanted& goal, std::size_t most = without_end) {
+        Visitor nobody;
+        return find(starts, goal, most, nobody);
+    }
+    /// To where the condition of `GoalWhere` holds.
+    Outcome find(const Vertex& start)
+        requires(!Goals::has_places)
+    {
+        return find(start, Wanted{});
     }
 
     /// \name A search in slices: so many expansions a frame
     /// @{
-    template <class Watcher> void begin(const Vertex& start, const Goal& goal, Watcher& visitor) {
-        const Graph& g = search_.graph();
-        require(g, "start", start);
-        if constexpr (std::is_same_v<Goal, Vertex>) require(g, "goal", goal);
-        if constexpr (leaps) Successors::require(g);
-        path_.clear();
-        search_.begin(start, goal);
-        bool goal_blocked = false;
-        if constexpr (std::is_same_v<Goal, Vertex>) goal_blocked = detail::blocked(goal, g);
-        if (goal_blocked || detail::blocked(start, g)) {
-            outcome_ = Outcome::blocked;
-            return;
-        }
-        search_.bind(heuristic_.template bind<Cost>(g, goal));
-        search_.open_start();
-        visitor.opened(start, search_.nodes[search_.slot(start)]);
-        outcome_ = Outcome::running;
+    template <class Watcher> void begin(const Vertex& start, const Wanted& goal, Watcher& visitor) {
+        begin_from(std::span<const Vertex>(&start, 1), goal, visitor);
     }
-    void begin(const Vertex& start, const Goal& goal) {
+    void begin(const Vertex& start, const Wanted& goal) {
         Visitor nobody;
         begin(start, goal, nobody);
+    }
+    template <class Watcher> void begin(std::span<const Vertex> starts, const Wanted& goal, Watcher& visitor) {
+        static_assert(
+            requires { requires Engine::several_starts; },
+            "Ansatz paths: this engine searches from one start; for several take OwnLoop, the default, or search "
+            "backwards with AnyGoal");
+        begin_from(starts, goal, visitor);
+    }
+    void begin(std::span<const Vertex> starts, const Wanted& goal) {
+        Visitor nobody;
+        begin(starts, goal, nobody);
     }
     /// Expands up to so many nodes and says how the search stands then. Does nothing when it is not running.
     template <class Watcher> Outcome advance(std::size_t expansions, Watcher& visitor) {
@@ -262,9 +285,28 @@ public:
     auto& internals() { return search_; } ///< for tests and engines
 
 private:
-    static void require(const Graph& g, const char* what, const Vertex& v) {
-        if (!detail::contains(v, g))
-            refuse_value("AStar", what, detail::name_of_vertex(v, g), detail::size_of_graph(g));
+    template <class Watcher> Outcome run(std::size_t most, Watcher& visitor) {
+        advance(most, visitor);
+        if (outcome_ == Outcome::running) give_up();
+        return outcome_;
+    }
+    template <class Watcher> void begin_from(std::span<const Vertex> starts, const Wanted& goal, Watcher& visitor) {
+        const Graph& g = search_.graph();
+        detail::require_vertices("AStar", "start", "the number of starts", g, starts);
+        goals_.require(g, goal);
+        if constexpr (leaps) Successors::require(g);
+        goals_.set(search_.goal, goal);
+        search_.begin(starts);
+        path_.clear(); // not sooner: starts and goal may be of it
+        if (starts.size() > 1 || detail::blocked(search_.start, g))
+            std::erase_if(search_.starts, [&](const Vertex& v) { return detail::blocked(v, g); });
+        if (search_.starts.empty() || goals_.blocked(g, search_.goal)) {
+            outcome_ = Outcome::blocked;
+            return;
+        }
+        search_.bind(goals_.template bind<Cost>(heuristic_, g, search_.goal, search_.earlier()));
+        search_.open_starts([&](const Vertex& v, const NodeOf& node) { visitor.opened(v, node); });
+        outcome_ = Outcome::running;
     }
     bool has_stamp(const Vertex& v, std::uint32_t stamp) const {
         const auto* n = node(v);
@@ -275,8 +317,8 @@ private:
         path_.clear();
         for (;;) {
             path_.push_back(v);
-            if (v == search_.start) break;
             const Vertex parent = search_.nodes[search_.slot(v)].parent;
+            if (v == parent) break; // a start
             if constexpr (leaps)
                 Successors::between(parent, v, [&](const Vertex& on_the_way) { path_.push_back(on_the_way); });
             v = parent;
@@ -284,6 +326,7 @@ private:
         std::reverse(path_.begin(), path_.end());
     }
     Heuristic heuristic_;
+    [[no_unique_address]] Goals goals_;
     Work search_;
     std::vector<Vertex> path_;
     Outcome outcome_ = Outcome::not_begun;
@@ -294,12 +337,16 @@ template <class Graph, class... Policies> AStar(const Graph&, Policies...) -> AS
 template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph, Policies...>::why() const {
     const Graph& g = search_.graph();
     auto name = [&](const Vertex& v) { return detail::name_of_vertex(v, g); };
-    std::string way = "from " + name(search_.start);
-    if constexpr (std::is_same_v<Goal, Vertex>) way += " to " + name(search_.goal);
+    const std::size_t starts = search_.starts.size();
+    std::string way = starts > 1 ? "from any of " + std::to_string(starts) + " starts" : "from " + name(search_.start);
+    way += goals_.in_words(g, search_.goal);
     switch (outcome_) {
     case Outcome::not_begun: return "no search was begun";
     case Outcome::running: return "the search " + way + " goes on after " + std::to_string(expanded()) + " expansions";
-    case Outcome::found: return "the path " + way + " costs " + detail::name_of_cost(cost(), g);
+    case Outcome::found:
+        if constexpr (!std::is_same_v<Goals, OneGoal>)
+            way = "from " + name(path_.front()) + " to " + name(path_.back());
+        return "the path " + way + " costs " + detail::name_of_cost(cost(), g);
     case Outcome::no_path:
         return "there is no path " + way + ": all " + std::to_string(expanded()) +
                " nodes that can be reached were looked at";
@@ -307,7 +354,7 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
         return "the search " + way + " gave up after " + std::to_string(expanded()) + " expansions; nearest came " +
                name(search_.nearest);
     case Outcome::blocked:
-        if (detail::blocked(search_.start, g)) return "there is no path " + way + ": the start is blocked";
+        if (starts == 0) return "there is no path " + way + ": the start is blocked";
         return "there is no path " + way + ": the goal is blocked";
     case Outcome::too_far:
         return "no path " + way +

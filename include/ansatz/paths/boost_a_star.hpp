@@ -90,7 +90,8 @@ template <class Work, class Distances> struct BoostVisitor : boost::default_asta
 /// Boost.Graph's own A*.
 struct BoostAStar {
     using role = roles::Engine;
-    static constexpr bool resumable = false;
+    static constexpr bool resumable = false;      ///< goes on to its end
+    static constexpr bool several_starts = false; ///< knows one
 
     /// Searches to the end, or as far as so many expansions lead.
     template <class Work, class Watcher> static Outcome run(Work& work, std::size_t most, Watcher& watcher) {

@@ -25,7 +25,8 @@ namespace ansatz::paths {
 /// The library's own loop.
 struct OwnLoop {
     using role = roles::Engine;
-    static constexpr bool resumable = true; ///< can be left and taken up again
+    static constexpr bool resumable = true;      ///< can be left and taken up again
+    static constexpr bool several_starts = true; ///< takes all that are on the open list
 
     /// Expands up to `most` nodes.
     /// \param work what the search knows: graph, weights, nodes, queue, estimate, counters

@@ -19,6 +19,7 @@ struct Queue {};      ///< the open list: hands out the least f
 struct Cost {};       ///< the number that g, h and f are
 struct Reopening {};  ///< what happens when a node of the closed list is reached on a cheaper way
 struct Successors {}; ///< which nodes are looked at from a node: every edge's, or fewer
+struct Goals {};      ///< what is to be reached: a vertex, any of several, or a condition
 struct Engine {};     ///< who runs the loop: ours, or Boost.Graph's
 struct Weights {};    ///< a property map of the edges' weights, where the graph has none of its own
 struct Index {};      ///< a property map that numbers the vertices, where the graph has none of its own
@@ -34,7 +35,7 @@ template <class Policy>
 inline constexpr bool has_known_role =
     HasRole<Policy, roles::Heuristic> || HasRole<Policy, roles::Queue> || HasRole<Policy, roles::Cost> ||
     HasRole<Policy, roles::Reopening> || HasRole<Policy, roles::Engine> || HasRole<Policy, roles::Weights> ||
-    HasRole<Policy, roles::Index> || HasRole<Policy, roles::Successors>;
+    HasRole<Policy, roles::Index> || HasRole<Policy, roles::Successors> || HasRole<Policy, roles::Goals>;
 
 template <class Role, class... Policies> inline constexpr int count_of = (0 + ... + int(HasRole<Policies, Role>));
 

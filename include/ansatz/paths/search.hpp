@@ -15,17 +15,20 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace ansatz::paths {
 
 /// What a search knows.
 /// \tparam Graph_    the graph, which is looked at and never copied
 /// \tparam Estimate  what the heuristic became when it was bound to a goal: estimate(v) is h
+/// \tparam Goal_     what is to be reached: a vertex, or what is_reached(v, goal) is asked of
 template <class Graph_, class Cost_, class Queue_, class Reopens_, class Successors_, class Given, class Index,
-          class Estimate_>
+          class Estimate_, class Goal_ = GoalOf<Graph_>>
 struct Search {
     using Graph = Graph_;           ///< what is searched
     using Cost = Cost_;             ///< the number it counts in
@@ -34,7 +37,7 @@ struct Search {
     using Successors = Successors_; ///< which nodes are looked at from a node: EveryEdge or another
     using Estimate = Estimate_;     ///< the heuristic, bound to a goal
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
-    using Goal = GoalOf<Graph>;     ///< where it may end: a vertex or a condition
+    using Goal = Goal_;             ///< where it may end: a vertex, a set or a condition
     /// The number of its estimates, and of f: that of the costs, or a wider one (`Weighted`).
     using Guess = detail::Guess<Cost, std::decay_t<std::invoke_result_t<const Estimate&, const Vertex&>>>;
     /// The property map of the weights.
@@ -151,6 +154,8 @@ struct Search {
     }
     /// h of a vertex.
     [[gnu::always_inline]] Guess estimate(const Vertex& v) const { return Guess((*estimate_)(v)); }
+    /// That of the query before, or null: the next may use its memory again.
+    const Estimate* earlier() const { return estimate_ ? &*estimate_ : nullptr; }
     /// Takes the heuristic for the goal of this query.
     void bind(Estimate e) { estimate_.emplace(std::move(e)); }
     /// Whether a vertex is the goal that is wanted, or meets it.
@@ -165,23 +170,34 @@ struct Search {
         return detail::cost_of<Cost>(weight);
     }
 
-    /// Forgets the last query and sets out for another.
-    void begin(const Vertex& from, const Goal& to) {
+    /// Forgets the last query and sets out for another, to the goal as it is now.
+    /// \param from one start at least
+    void begin(std::span<const Vertex> from) {
         weights_.emplace(fresh_weights()); // not assigned: a map that holds a lambda cannot be
         nodes.begin(count());
         queue.begin(*graph_);
-        start = from, goal = to;
+        starts.assign(from.begin(), from.end());
+        start = starts.front();
         goal_known = too_far = false;
         goal_cost = detail::infinite<Cost>, nearest_h = detail::infinite<Guess>;
-        nearest = goal_vertex = from;
-        expanded = reopened = 0, generated = 1;
+        nearest = goal_vertex = start;
+        expanded = reopened = generated = 0;
     }
-    /// 1: the start node on the open list.
-    void open_start() {
-        const auto at = slot(start);
-        auto& node = nodes[at];
-        node.g = Cost(0), node.h = estimate(start), node.parent = start, node.stamp = nodes.stamps().open();
-        queue.start(node.h, node.h, start);
+    /// 1: the start nodes on the open list: opened(vertex, node) for each.
+    template <class Opened> void open_starts(Opened&& opened) {
+        std::size_t least = 0; // the queue begins with the least f
+        for (std::size_t i = 1; i < starts.size(); ++i)
+            if (estimate(starts[i]) < estimate(starts[least])) least = i;
+        std::swap(starts[0], starts[least]);
+        start = nearest = goal_vertex = starts[0];
+        for (const Vertex& v : starts) {
+            auto& node = nodes[slot(v)];
+            if (node.stamp == nodes.stamps().open()) continue; // it was given twice
+            node.g = Cost(0), node.h = estimate(v), node.parent = v, node.stamp = nodes.stamps().open();
+            if (generated++ == 0) queue.start(node.h, node.h, v);
+            else queue.push(node.h, node.h, v);
+            opened(v, node);
+        }
     }
     /// The goal can be had at this cost; kept if it is the first such, or cheaper.
     void reach(const Vertex& v, Cost g) {
@@ -194,14 +210,15 @@ struct Search {
         trouble = Outcome::bad_weight, bad_from = p, bad_to = q, bad_value = double(weight);
     }
 
-    Nodes nodes;       ///< of this query, and of earlier ones with their old stamps
-    Queue queue;       ///< the open list
-    Vertex start{},    ///< where the query began
-        goal_vertex{}, ///< where it reached the goal
-        nearest{},     ///< closed, with the least h
-        bad_from{},    ///< where the edge of the refused weight begins
-        bad_to{};      ///< where it ends
-    Goal goal{};       ///< of this query
+    Nodes nodes;                ///< of this query, and of earlier ones with their old stamps
+    Queue queue;                ///< the open list
+    std::vector<Vertex> starts; ///< where the query begins, blocked ones left out
+    Vertex start{},             ///< the first of them
+        goal_vertex{},          ///< where it reached the goal
+        nearest{},              ///< closed, with the least h
+        bad_from{},             ///< where the edge of the refused weight begins
+        bad_to{};               ///< where it ends
+    Goal goal{};                ///< of this query
     /// The goal's g so far.
     Cost goal_cost{};
     Guess nearest_h{};    ///< h of `nearest`

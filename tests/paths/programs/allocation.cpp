@@ -7,6 +7,8 @@
 #include "tests/operator_new.hpp"
 #include <cstdio>
 #include <cstdlib>
+#include <span>
+#include <vector>
 
 /// While this holds, an allocation ends the program.
 static bool forbidden = false;
@@ -48,6 +50,13 @@ int main() {
     twice("Heap", cross(heap));
     twice("Buckets", cross(buckets));
     twice("CostIn<double>, Maximum", cross(doubles));
+
+    AStar nearest{map, AnyGoal{}};
+    const std::vector<Cell> starts{{2, 2}, {2, 50}}, goals{{58, 2}, {58, 30}, {50, 58}};
+    twice("AnyGoal, several starts", [&] {
+        if (nearest.find(starts, goals) != Outcome::found) std::exit(2);
+        if (nearest.find(starts[0], std::span(goals).first(2)) != Outcome::found) std::exit(2);
+    });
 
     using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
                                         boost::property<boost::edge_weight_t, int>>;
