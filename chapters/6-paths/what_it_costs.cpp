@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, jump points, and what a
-// planner estimates with
+// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, jump points, a field for
+// many, and what a planner estimates with
 
 // Read the rows like this. In "heuristic" an error of zero is the best path, and the rows that have it differ only in
 // what they look at; Weighted gives a little of the path's length away for most of the work, up to a weight of 1.5 or
@@ -16,10 +16,12 @@
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
+#include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/true_costs.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -189,6 +191,71 @@ void add_successors(Costs& costs, const std::shared_ptr<const Scene>& scene) {
     add_row(costs, axis, scene, "JumpPoints, Buckets", {}, longer, Octile{}, JumpPoints{}, Buckets{});
 }
 
+/// So many walkers from anywhere to the goal of the scene's first query: a search for each, and one field for all.
+void add_crowds(Costs& costs, const std::shared_ptr<const Scene>& scene) {
+    const Axis axis{.name = "crowd",
+                    .error_norm = "mean of path / best path - 1",
+                    .work_unit = "nodes expanded, by all together",
+                    .time_unit = "ns for all together",
+                    .has_order = false};
+    using Search = AStar<Grid<>, Octile, Buckets>;
+    using Field = FlowField<Grid<>, Buckets>;
+    const Cell goal = scene->queries.front().goal;
+    const auto costs_to = true_costs<std::uint32_t>(scene->map, goal);
+    for (const int walkers : {1, 3, 10, 30, 100, 1000}) {
+        auto from = std::make_shared<std::vector<Cell>>();
+        std::mt19937 random(5);
+        while (int(from->size()) < walkers) {
+            const Cell c{std::uint16_t(random() % scene->map.width()), std::uint16_t(random() % scene->map.height())};
+            if (costs_to[scene->map.index(c)] < paths::detail::infinite<std::uint32_t>) from->push_back(c);
+        }
+        const auto search = std::make_shared<Search>(scene->map, Octile{}, Buckets{});
+        const auto field = std::make_shared<Field>(scene->map, Buckets{});
+        const auto off = [=](Cell c, std::uint32_t cost) {
+            const auto best = costs_to[scene->map.index(c)];
+            return best == 0 ? 0.0 : std::abs(double(cost) / best - 1);
+        };
+        costs.add(axis, {.choice = "a search each",
+                         .problem = scene->name,
+                         .parameter = {"walkers", double(walkers)},
+                         .n = walkers,
+                         .error_run =
+                             [=] {
+                                 double error = 0, work = 0;
+                                 for (const Cell c : *from) {
+                                     search->find(c, goal);
+                                     error += off(c, search->cost()) / walkers;
+                                     work += double(search->expanded());
+                                 }
+                                 return workbook::Outcome{.error = error, .work = work};
+                             },
+                         .timed_run =
+                             [=] {
+                                 std::size_t steps = 0;
+                                 for (const Cell c : *from) search->find(c, goal), steps += search->path().size();
+                                 return steps;
+                             }});
+        costs.add(axis, {.choice = "FlowField",
+                         .problem = scene->name,
+                         .parameter = {"walkers", double(walkers)},
+                         .n = walkers,
+                         .error_run =
+                             [=] {
+                                 field->aim(goal);
+                                 double error = 0;
+                                 for (const Cell c : *from) error += off(c, field->cost(c)) / walkers;
+                                 return workbook::Outcome{.error = error, .work = double(field->expanded())};
+                             },
+                         .timed_run =
+                             [=] {
+                                 field->aim(goal);
+                                 std::size_t steps = 0;
+                                 for (const Cell c : *from) steps += field->next(c).x;
+                                 return steps;
+                             }});
+    }
+}
+
 /// A workshop of several chairs: most actions settle one fact, one settles three at once.
 struct Workshop {
     goap::Domain<> domain;
@@ -246,6 +313,7 @@ int main(int argc, char** argv) {
     for (const auto& scene : {stones(), rooms()}) add_heuristics(costs, scene);
     for (const auto& scene : {stones(), rooms()}) add_numbers(costs, scene);
     for (const auto& scene : {stones(), rooms(), blocks()}) add_successors(costs, scene);
+    for (const auto& scene : {stones(), rooms()}) add_crowds(costs, scene);
     const Axis planner{.name = "planner",
                        .error_norm = "plan / cheapest plan - 1",
                        .work_unit = "states expanded",

@@ -10,6 +10,7 @@
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/dimacs.hpp>
+#include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/formation.hpp>
 #include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/goap.hpp>

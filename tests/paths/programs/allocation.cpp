@@ -57,6 +57,12 @@ int main() {
         if (nearest.find(starts, goals) != Outcome::found) std::exit(2);
         if (nearest.find(starts[0], std::span(goals).first(2)) != Outcome::found) std::exit(2);
     });
+    FlowField field{map, Buckets{}};
+    std::vector<Cell> way;
+    twice("FlowField", [&] {
+        if (field.aim(goals) != Outcome::found || field.aim(starts) != Outcome::found) std::exit(2);
+        field.path(Cell{58, 2}, way);
+    });
 
     using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
                                         boost::property<boost::edge_weight_t, int>>;
