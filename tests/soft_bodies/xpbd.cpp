@@ -3,6 +3,7 @@
 
 #include "tests/soft_bodies/solvers.hpp"
 
+#include <ansatz/motion/attraction.hpp>
 #include <ansatz/world/save.hpp>
 
 #include <algorithm>
@@ -241,4 +242,18 @@ TEST_CASE("Springs that are held are no forces: no column of sums, and no bound 
     STATIC_REQUIRE(!Held::composition::coupled);
     STATIC_REQUIRE(!Held::composition::stores<CoupledForce>);
     STATIC_REQUIRE(Pulled::composition::stores<CoupledForce>);
+}
+
+TEST_CASE("Substeps of a solver are steps for the forces between bodies", "[soft_bodies]") {
+    const Attraction strong{.constant = 1.0 * (cubic_metre / (kilogram * second * second)), .softening = 0.1 * metre};
+    World whole{SemiImplicitEuler{}, strong, Springs<>{}, Xpbd{4, 1}};
+    World parts{SemiImplicitEuler{}, strong, Springs<>{}};
+    const auto fill = [](auto& world) {
+        world.add(position(metres(-1, 0, 0)), velocity(metres_per_second(0, -0.3, 0)), mass(1.0 * kilogram));
+        return world.add(position(metres(1, 0, 0)), velocity(metres_per_second(0, 0.6, 0)), mass(2.0 * kilogram));
+    };
+    const auto a = fill(whole), b = fill(parts);
+    for (int i = 0; i < 40; ++i) whole.step(0.1 * second);
+    for (int i = 0; i < 160; ++i) parts.step(0.025 * second);
+    CHECK(norm(whole.position(a) - parts.position(b)).value() < 1e-12);
 }
