@@ -58,6 +58,8 @@ public:
         else if constexpr (C::coupled) stage_by_stage();
         else body_by_body();
         advance_platforms();
+        // The sums are those of the places before: where a driver takes the step in parts, the next part asks anew.
+        if constexpr (C::coupled) data_.coupled.current = false;
         if constexpr (C::history) data_.last_part = context_.dt();
         if constexpr (C::asked == LawsAsked::beforehand) data_.own.value.known = false;
     }

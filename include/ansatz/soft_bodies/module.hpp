@@ -98,8 +98,6 @@ struct HoldConstraints {
         ConstraintSystem<StepT> system(step, kept.bodies);
         const Bound<P, typename StepT::S> solver(std::get<P>(step.policies));
         system.hold([&](auto& one) { solver.solve(one, kept.own); });
-        // Who was moved is pulled from elsewhere by what stays a force; the next substep asks it anew.
-        if constexpr (StepT::Composition_::coupled) step.data.coupled.current = false;
     }
 };
 
