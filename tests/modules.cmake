@@ -44,6 +44,10 @@ else()
     set(quick OFF)
 endif()
 
+# With sanitizers it is the other way round for a test that runs long and says so: where all others are compiled without the
+# optimiser, which takes a third of the time, these are compiled with this.
+set(ANSATZ_TESTS_THAT_RUN_LONG "" CACHE STRING "What tests that run long are compiled with, e.g. -O1; nothing, if there is nothing")
+
 # One precompiled header for all of them; named by its place in the project, for the same header in every checkout.
 add_library(test_precompiled OBJECT precompiled.cpp)
 target_link_libraries(test_precompiled PRIVATE test_quick)
@@ -87,6 +91,36 @@ endfunction()
 # of catch.hpp.
 set(skipped "test cases: 1 \\| 1 skipped|test skipped: .*All tests passed")
 
+# A race is run for its time on an idle machine, by name, and for its instructions everywhere else, by valgrind, which does
+# not know AVX-512: so it is compiled for the step before that.
+add_custom_target(races)
+option(ANSATZ_TIMED_TESTS "Tests that measure time, for an idle machine" OFF)
+find_program(ANSATZ_VALGRIND valgrind)
+find_path(ANSATZ_VALGRIND_HEADERS valgrind/callgrind.h)
+mark_as_advanced(ANSATZ_VALGRIND ANSATZ_VALGRIND_HEADERS)
+add_library(ansatz_raced INTERFACE)
+set(wide)
+if(ANSATZ_NATIVE AND EXISTS /proc/cpuinfo)
+    file(STRINGS /proc/cpuinfo wide REGEX "^flags.* avx512" LIMIT_COUNT 1)
+endif()
+if(wide)
+    string(REPLACE "-march=native" "-march=x86-64-v3 -mtune=native" raced "${flags}")
+    target_link_libraries(ansatz_raced INTERFACE ansatz_development)
+    target_compile_options(ansatz_raced INTERFACE -march=x86-64-v3 -mtune=native)
+    target_compile_definitions(ansatz_raced INTERFACE ANSATZ_FLAGS="${raced}")
+else()
+    target_link_libraries(ansatz_raced INTERFACE ansatz_measured)
+endif()
+set(counting OFF)
+if(NOT ANSATZ_VALGRIND OR NOT ANSATZ_VALGRIND_HEADERS)
+    ansatz_left_out("counting the instructions of races" valgrind valgrind)
+elseif(CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(counting ON)
+endif()
+if(NOT ANSATZ_TIMED_TESTS)
+    ansatz_note("tests that measure time: switched off (.ci/run times), their instructions are counted")
+endif()
+
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *)
 list(REMOVE_ITEM folders static archetypes must_not_compile package peers)
 set(ANSATZ_TEST_MODULES "" CACHE STRING "The modules whose tests are built, e.g. world;collision; all of them, if there is nothing")
@@ -106,6 +140,9 @@ foreach(module IN LISTS folders)
     sort_out(sources libraries ${module})
     set(measuring ${sources})
     list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")
+    if(NOT counting AND NOT ANSATZ_TIMED_TESTS)
+        set(measuring)
+    endif()
     list(FILTER sources EXCLUDE REGEX "\\.perf\\.cpp$")
 
     # A test may say so in a line of its own: then it is long to optimise and nothing in it is measured, or it runs long,
@@ -116,6 +153,11 @@ foreach(module IN LISTS folders)
             set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
         elseif(quick AND (said OR module IN_LIST optimised_modules))
             set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O3 SKIP_PRECOMPILE_HEADERS ON)
+        endif()
+        file(STRINGS ${source} long REGEX "^// Runs long with the sanitizers" LIMIT_COUNT 1)
+        if(long AND ANSATZ_TESTS_THAT_RUN_LONG)
+            set_source_files_properties(${source} PROPERTIES
+                COMPILE_OPTIONS ${ANSATZ_TESTS_THAT_RUN_LONG} SKIP_PRECOMPILE_HEADERS ON)
         endif()
     endforeach()
     if(sources)
@@ -128,9 +170,19 @@ foreach(module IN LISTS folders)
     endif()
     if(measuring)
         add_executable(test_${module}_perf ${measuring})
-        target_link_libraries(test_${module}_perf PRIVATE test_main test_options ansatz_measured ${libraries})
-        catch_discover_tests(test_${module}_perf TEST_PREFIX "${module}.perf."
-            PROPERTIES LABELS perf RUN_SERIAL TRUE TIMEOUT 300 SKIP_REGULAR_EXPRESSION "${skipped}")
+        target_link_libraries(test_${module}_perf PRIVATE test_main test_options ansatz_raced ${libraries})
+        add_dependencies(races test_${module}_perf)
+        if(ANSATZ_TIMED_TESTS)
+            catch_discover_tests(test_${module}_perf TEST_PREFIX "${module}.perf."
+                PROPERTIES LABELS perf RUN_SERIAL TRUE TIMEOUT 300 SKIP_REGULAR_EXPRESSION "${skipped}")
+        endif()
+        if(counting)
+            set(counts ${PROJECT_BINARY_DIR}/scratch/${module}.counts)
+            add_test(NAME ${module}.counted COMMAND ${ANSATZ_VALGRIND} --quiet --tool=callgrind --instr-atstart=no
+                --callgrind-out-file=${counts} $<TARGET_FILE:test_${module}_perf>)
+            set_tests_properties(${module}.counted PROPERTIES LABELS "${module};counted" TIMEOUT 600
+                ENVIRONMENT "ANSATZ_COUNTS=${counts}" FAIL_REGULAR_EXPRESSION "test cases: [0-9]+ .*skipped")
+        endif()
     endif()
 
     file(GLOB scripts CONFIGURE_DEPENDS ${module}/*.sh)

@@ -5,6 +5,7 @@
 //
 // operator new of this executable counts, and fails at the n-th call where a test asks for it; n goes from the first on
 // until the call goes through. With the address sanitizer, what is torn is found, too.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

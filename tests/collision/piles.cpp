@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Stacks and piles: hard cases R1, R3, R4, R6, R14 to R16, C21, C25 to C27, and what a pile is to the last bit.
 // Compiled with optimisation: it lasts, and what a pile is to the last bit must not depend on the optimiser.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

@@ -8,6 +8,7 @@
 // slop).
 //
 // Loops that everybody writes (V6): who removes bodies while he walks over contacts, events or handles skips nobody.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Grids: rules, flags, ground, in-place changes, heuristics, MovingAI's files (notes 6.1, 6.3).
+// Runs long with the sanitizers.
 
 #include "tests/paths/support.hpp"
 

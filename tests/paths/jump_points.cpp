@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Jump points: the costs of EveryEdge, on every map and by every corner rule, and fewer nodes.
+// Runs long with the sanitizers.
 
 #include "tests/paths/support.hpp"
 

@@ -7,14 +7,22 @@
 /// machine can only make a repeat slower, and some repeats are always undisturbed when there are enough of them: so
 /// while a bound does not hold, more are taken, up to `most_rounds`, before the test fails. What the table says is then
 /// still the smallest of all, of both sides of a ratio.
+///
+/// Time needs an idle machine, so the timed race is a stage by name (`.ci/run times`). Every change runs the same race
+/// under callgrind, where a repeat is one step and its instructions are counted: the same number each time.
 
 #include "tests/catch.hpp"
 
 #include <time.h>
+#if __has_include(<valgrind/callgrind.h>)
+#include <valgrind/callgrind.h>
+#endif
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <deque>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
@@ -32,13 +40,35 @@ inline double thread_seconds() {
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
+/// What callgrind is to write its counts into, and does when a program asks it to; nothing where time is measured.
+inline const char* counts_file() { return std::getenv("ANSATZ_COUNTS"); }
+
+/// The instructions of one call. Callgrind runs with `--instr-atstart=no --callgrind-out-file=$ANSATZ_COUNTS`, and adds
+/// the number of the dump to the file's name.
+template <class F> double instructions([[maybe_unused]] F&& call) {
+#ifdef CALLGRIND_DUMP_STATS
+    static int dumps = 0;
+    CALLGRIND_ZERO_STATS;
+    CALLGRIND_START_INSTRUMENTATION;
+    call();
+    CALLGRIND_STOP_INSTRUMENTATION;
+    CALLGRIND_DUMP_STATS;
+    std::ifstream dump(std::string(counts_file()) + "." + std::to_string(++dumps));
+    for (std::string word; dump >> word;)
+        if (double counted = 0; (word == "totals:" || word == "summary:") && dump >> counted && counted > 0)
+            return counted;
+#endif
+    FAIL("callgrind counted nothing: is ANSATZ_COUNTS its --callgrind-out-file?");
+    return 0;
+}
+
 /// Something that advances `bodies` bodies by some steps.
 struct Subject {
     std::string name;
     std::size_t bodies;
     std::function<void(int steps)> run;
     int steps = 1;                 // of one repeat
-    std::vector<double> repeats{}; // ns a body and step
+    std::vector<double> repeats{}; // ns a body and step, or instructions
 
     double best() const { return *std::min_element(repeats.begin(), repeats.end()); }
     double spread() const {
@@ -59,13 +89,22 @@ public:
     /// `ours` takes at most `limit` times what the fastest of `others` takes.
     /// \param known_miss where the limit cannot be met: the table says MISSED, and what was measured must not become
     /// worse
+    /// \param counted the limit of instructions, where it is another one than that of time
     void bound(std::string what, Competitor ours, std::vector<const Subject*> others, double limit,
-               double known_miss = 0) {
-        bounds_.push_back({std::move(what), &ours, std::move(others), limit, known_miss});
+               double known_miss = 0, double counted = 0) {
+        const bool other = counts_file() && counted > 0;
+        bounds_.push_back({std::move(what), &ours, std::move(others), other ? counted : limit, other ? 0 : known_miss});
     }
 
     void run() {
         int rounds = 0;
+        if (counts_file()) {
+            for (Subject& s : subjects_) {
+                s.run(1); // what is allocated once
+                s.repeats.push_back(instructions([&] { s.run(1); }) / double(s.bodies));
+            }
+            return tell("instructions of one step, counted by callgrind", "instructions");
+        }
         for (Subject& s : subjects_) warm_up(s);
         do {
             for (int repeat = 0; repeat < repeats_a_round; ++repeat)
@@ -73,9 +112,16 @@ public:
             ++rounds;
         } while (rounds < fewest_rounds || (rounds < most_rounds && !all_hold()));
 
-        std::printf("\n%s\nsmallest of %d repeats, taken in turn; spread: how far their median lies above it\n\n",
-                    ANSATZ_FLAGS, rounds * repeats_a_round);
-        std::printf("%-46s %8s %14s %8s\n", "", "bodies", "ns a body", "spread");
+        tell("smallest of " + std::to_string(rounds * repeats_a_round) +
+                 " repeats, taken in turn; spread: how far their median lies above it",
+             "ns");
+    }
+
+private:
+    /// The table, and what does not hold.
+    void tell(const std::string& how, const std::string& unit) const {
+        std::printf("\n%s\n%s\n\n", ANSATZ_FLAGS, how.c_str());
+        std::printf("%-46s %8s %14s %8s\n", "", "bodies", (unit + " a body").c_str(), "spread");
         for (const Subject& s : subjects_)
             std::printf("%-46s %8zu %14.3f %6.0f %%\n", s.name.c_str(), s.bodies, s.best(), 100 * s.spread());
         std::printf("\n%-70s %8s %8s\n", "", "ratio", "at most");
@@ -86,13 +132,11 @@ public:
                                              : "FAIL");
         std::fflush(stdout);
         for (const Bound& b : bounds_) {
-            INFO(b.what << ": " << b.ratio() << " times, at most " << b.limit << ", after " << rounds * repeats_a_round
-                        << " repeats");
+            INFO(b.what << ": " << b.ratio() << " times, at most " << b.limit << "; " << how);
             CHECK(b.holds());
         }
     }
 
-private:
     struct Bound {
         std::string what;
         const Subject* ours;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The hard cases of springs, S1 to S10, each by its name.
+// Runs long with the sanitizers.
 
 #include "tests/springs/support.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The largest stable step: closed forms, both sides of it by running, and the bound against eigenvalues.
+// Runs long with the sanitizers.
 
 #include <ansatz/springs/stable_step.hpp>
 

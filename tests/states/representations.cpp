@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The same events lead to the same trace: the interpreter against an oracle that knows nothing of how it works.
+// Runs long with the sanitizers.
 
 #include <ansatz/states/chart.hpp>
 #include <ansatz/states/interpreted.hpp>

@@ -2,6 +2,7 @@
 // Every number counts (hard case V5): whichever number of a saved world is changed, loading refuses it, or the world
 // that was loaded has another hash; the numbers of policies, which are no part of a hash, are those that the loaded
 // world writes.
+// Runs long with the sanitizers.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/collision/hash_collisions.hpp>

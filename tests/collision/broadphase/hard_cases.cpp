@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // HARD_CASES.md, rows G, by name. (G1 is in same_pairs.cpp, G9 in hostile.cpp.)
 // Compiled with optimisation: it measures a time.
+// Runs long with the sanitizers.
 
 #include "tests/collision/broadphase/scenes.hpp"
 

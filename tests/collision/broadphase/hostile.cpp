@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // G9: boxes that are not finite, or inside out, are refused before anything is sorted by them; and bytes of any kind.
+// Runs long with the sanitizers.
 
 #include "tests/collision/broadphase/fuzz.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Every broadphase tells the pairs that two loops find (HARD_CASES G1), whatever it was asked before.
+// Runs long with the sanitizers.
 
 #include "tests/collision/broadphase/scenes.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // When two moving shapes first touch: the closed forms against bisection on thousands of seeded cases, and their
 // limits.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

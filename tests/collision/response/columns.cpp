@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Impulse and projection where many touch: columns (V8), energy from nothing (V3), rows of balls, and the order of
 // insertion (R14).
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

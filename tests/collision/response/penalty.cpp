@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Penalty: hard cases C22 and C23, R8, the third law, energy from nothing (V3), and the step that it allows.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

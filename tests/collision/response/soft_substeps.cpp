@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // SoftSubsteps: energy comes from nowhere (hard case V3), a load that goes leaves the others where they are (V4, R7),
 // and what bodies do that meet at one moment.
+// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 #include <ansatz/collision/response/soft_impacts.hpp>
