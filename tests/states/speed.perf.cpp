@@ -147,8 +147,9 @@ template <bool Acts> void measure(const char* what) {
     const auto& by_classes = subject("hand virtual", classes, of[1], raw);
     const auto& patterned = subject("StatePattern", c, of[4], events);
     const auto& interpreted = subject("Interpreted", d, of[5], events);
-    // Where there are actions, a machine refuses to be called from within one: nine instructions for each event, which the
-    // switch by hand does not have. They took 1.1 times its time on one processor (Zen 3) and 1.6 on another (Zen 4).
+    // Where there are actions, a machine refuses to be called from within one: nine instructions for each event, which
+    // the switch by hand does not have. They took 1.1 times its time on one processor (Zen 3) and 1.6 on another (Zen
+    // 4).
     race.bound("Switch, of the switch by hand", switched, {&by_switch}, 1.3, Acts ? 1.7 : 0, Acts ? 1.75 : 1.3);
     if (Acts) race.bound("Table, of virtual functions by hand", tabled, {&by_classes}, 1.3); // see below
     else race.bound("Table, of the switch by hand", tabled, {&by_switch}, 1.3, 0, 1.35);
