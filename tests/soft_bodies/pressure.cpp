@@ -211,6 +211,23 @@ TEST_CASE("Every solver comes to the balance of skin and filling", "[soft_bodies
     CHECK(sixteen < eight / 3); // 3.2 where the two pressures nearly cancel, 3.9 for the gas
 }
 
+TEST_CASE("One substep of Xpbd with a filling alone is the paper's formula", "[soft_bodies][pressure]") {
+    auto world = solved<double>(Xpbd{1, 1});
+    const auto which = add_balloon(world, firm, 0, 0);
+    auto larger = world.get(which);
+    larger.volume = 0.3 * cubic_metre;
+    world.set(which, larger);
+    for (const auto& body : world.handles())
+        world.set_velocity(body, Space<>::Velocity::from_value(2 * world.position(body).value() / 0.5));
+    const double h = 1.0 / 60, w = 1 / 0.2, r = 0.5 + h * 2, g = 4 * r * r / 6, k = 2000 / 0.3, c = 3 / 0.3;
+    const double value = 4.0 / 3 * r * r * r - 0.3;
+    const double change = -(h * h * k * value + h * c * h * 6 * g * 2) / (1 + (h * h * k + h * c) * 6 * w * g * g);
+    world.step(h * second);
+    CHECK(std::abs(w * g * change) > 1e-3);
+    CHECK(radius_of(world) == Approx(r + w * g * change).epsilon(1e-12));
+    CHECK(double(norm(world.velocity(world.handles()[3])).value()) == Approx(2 + w * g * change / h).epsilon(1e-12));
+}
+
 TEST_CASE("Iterated to the end, descent is implicit Euler for a filling that is a stiffness",
           "[soft_bodies][pressure]") {
     auto descent = solved<double>(VertexBlockDescent{1, 800});

@@ -24,7 +24,7 @@
 /// An enclosure is gone with any of its bodies, since its surface is open then.
 
 #include <ansatz/motion/concepts.hpp>
-#include <ansatz/soft_bodies/constraint.hpp>
+#include <ansatz/soft_bodies/constraint_force.hpp>
 #include <ansatz/soft_bodies/enclosure.hpp>
 #include <ansatz/world/world.hpp>
 
@@ -33,55 +33,29 @@
 namespace ansatz {
 
 /// The enclosures of a world; behind `arrange` also the slots of their bodies.
-template <class S> class EnclosureTable : public ElementTable<S, Enclosure, EnclosureRow<S>> {
-    using Base = ElementTable<S, Enclosure, EnclosureRow<S>>;
-
+template <class S> class EnclosureTable : public ArrangedTable<S, Enclosure, EnclosureRow<S>> {
 public:
     /// Finds the slots anew, if enclosures or slots changed since.
     /// \param layout changes whenever bodies change their slots
     void arrange(const Bodies& bodies, std::uint64_t layout) {
-        if (arranged_ && layout == layout_) return;
+        if (!this->take_stale(layout)) return;
         slots_.clear();
         first_.clear();
-        Base::for_each([&](std::uint32_t, const EnclosureRow<S>& row) {
+        this->for_each([&](std::uint32_t, const EnclosureRow<S>& row) {
             first_.push_back(slots_.size());
             for (const BodyId& body : row.bodies) slots_.push_back(bodies.slot_of_id(body.id));
         });
-        arranged_ = true;
-        layout_ = layout;
     }
     /// Calls `f(row, slots)` for each, by id. Behind `arrange`.
     template <class F> void for_each_arranged(F&& f) const {
         std::size_t next = 0;
-        Base::for_each([&](std::uint32_t, const EnclosureRow<S>& row) {
+        this->for_each([&](std::uint32_t, const EnclosureRow<S>& row) {
             f(row, std::span<const std::size_t>(slots_).subspan(first_[next++], row.bodies.size()));
         });
     }
 
-    /// \name As ElementTable has them
-    /// @{
-    typename Base::Handle_ insert(EnclosureRow<S> row) {
-        arranged_ = false;
-        return Base::insert(std::move(row));
-    }
-    void replace(std::uint32_t id, EnclosureRow<S> row) {
-        arranged_ = false;
-        Base::replace(id, std::move(row));
-    }
-    void erase(std::uint32_t id) {
-        arranged_ = false;
-        Base::erase(id);
-    }
-    void body_removed(std::uint32_t body) {
-        arranged_ = false;
-        Base::body_removed(body);
-    }
-    /// @}
-
 private:
     std::vector<std::size_t> slots_, first_;
-    bool arranged_ = false;
-    std::uint64_t layout_ = 0;
 };
 
 /// The volume of an enclosure as a constraint, in numbers of SI: \f$ C = V - V_p \f$, where V_p is the volume at which the
