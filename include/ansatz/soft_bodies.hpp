@@ -2,15 +2,19 @@
 #pragma once
 
 /// \file
-/// Chapter 4, soft bodies: meshes of triangles; cloth, ropes, balls and boxes that are built of bodies and springs; and
-/// solvers that hold their springs on positions.
+/// Chapter 4, soft bodies: meshes of triangles; cloth, ropes, balls and boxes that are built of bodies and springs;
+/// what acts on surfaces beside springs; and solvers that hold all of it on positions.
 
+#include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
 #include <ansatz/soft_bodies/constraint.hpp>
+#include <ansatz/soft_bodies/constraint_force.hpp>
 #include <ansatz/soft_bodies/constraint_system.hpp>
+#include <ansatz/soft_bodies/enclosure.hpp>
 #include <ansatz/soft_bodies/module.hpp>
 #include <ansatz/soft_bodies/plan.hpp>
+#include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/soft_bodies/roles.hpp>
 #include <ansatz/soft_bodies/soft_ball.hpp>
 #include <ansatz/soft_bodies/soft_box.hpp>

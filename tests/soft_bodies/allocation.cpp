@@ -3,6 +3,9 @@
 
 #include "tests/soft_bodies/solvers.hpp"
 
+#include <ansatz/motion/integrators/conjugate_gradient.hpp>
+#include <ansatz/soft_bodies/closed_meshes.hpp>
+#include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 
 #include "tests/operator_new.hpp"
@@ -36,7 +39,25 @@ template <class Solver> std::size_t in_warm_steps(const Solver& solver) {
         }
     });
 }
+template <class World_> std::size_t with_a_filling(World_ world) {
+    const auto mesh = ball_mesh(0.5 * metre, 1);
+    std::vector<Handle> all;
+    for (const auto& x : mesh.vertices()) all.push_back(world.add(position(x), mass(0.2 * kilogram)));
+    for (const auto& [a, b] : mesh.edges()) world.add(Spring{all[a], all[b], 100.0 * newton_per_metre});
+    world.add(Enclosure::of(all, mesh, {.inside = 300.0 * pascal, .damping = 2.0 * pascal_second}));
+    for (int i = 0; i < 3; ++i) world.step(frame);
+    return during([&] {
+        for (int i = 0; i < 20; ++i) world.step(frame);
+    });
+}
 } // namespace
+
+TEST_CASE("A warm step with a filling allocates nothing", "[soft_bodies][pressure]") {
+    CHECK(with_a_filling(World{SemiImplicitEuler{}, Springs<>{}, Pressure{}}) == 0);
+    CHECK(with_a_filling(World{SemiImplicitEuler{}, Springs<>{}, Pressure{}, Xpbd{2, 3}}) == 0);
+    CHECK(with_a_filling(World{SemiImplicitEuler{}, Springs<>{}, Pressure{}, VertexBlockDescent{2, 3}}) == 0);
+    CHECK(with_a_filling(World{ImplicitEuler{}, Springs<>{}, Pressure{}}) == 0);
+}
 
 TEST_CASE("A warm step of a solver allocates nothing", "[soft_bodies]") {
     REQUIRE(during([] { std::vector<int>(3).at(0) = 1; }) > 0); // the count counts

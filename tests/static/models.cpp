@@ -27,6 +27,8 @@
 #include <ansatz/motion/quadratic_drag.hpp>
 #include <ansatz/motion/rest.hpp>
 #include <ansatz/motion/stop_below.hpp>
+#include <ansatz/soft_bodies/bending.hpp>
+#include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/springs/springs.hpp>
 
 namespace ansatz {
@@ -48,6 +50,11 @@ static_assert(ResponseIn<Projection, Space<>> && ResponseIn<Projection, Space<fl
 static_assert(ResponseIn<SoftSubsteps<>, Space<>> && ResponseIn<SoftSubsteps<Friction>, Space<float, 2>>);
 static_assert(LawIn<AppliedForces, Space<>>);
 static_assert(CouplingIn<Attraction, Space<>>);
+static_assert(DifferentiableCouplingIn<Bending, Space<>> && GatheredCouplingIn<Bending, Space<>> &&
+              CurvedConstraintIn<HingeConstraint<Space<>>, Space<>>);
+static_assert(DifferentiableCouplingIn<Pressure, Space<>> && GivesConstraints<Pressure, Space<float, 3>>);
+static_assert(WideConstraintIn<PressureConstraint<Space<>>, Space<>> &&
+              !ConstraintIn<PressureConstraint<Space<>>, Space<>>);
 static_assert(EffectIn<Drag, Space<>>);
 static_assert(EffectIn<FrameDrag, Space<>>);
 static_assert(LawIn<Gravity, Space<>>);

@@ -17,6 +17,12 @@
 /// Across an inner edge, between the two opposite vertices, a spring holds against shear and against folding alike, so
 /// that a mesh gets one there, with the sum of both constants. A kind without stiffness and damping is not built.
 ///
+/// In a world with `Bending` a sheet may have a `rigidity` D, too: a hinge on each inner edge, between triangles of
+/// areas
+/// A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
+/// the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each area; across those diagonals a
+/// mesh of triangles is stiffer than that.
+///
 /// Pins are fixed bodies. Dragged vertices are `moving` ones, which go where `set_velocity` and `set_position` send
 /// them. A spring has its rest length from the places in which the bodies were put, in the scalar of the world: as
 /// built no spring has any tension, to the last bit.
@@ -24,6 +30,7 @@
 /// X. Provot, Deformation Constraints in a Mass-Spring Model to Describe Rigid Cloth Behaviour (1995), for the three
 /// kinds.
 
+#include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/plan.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
 
@@ -37,9 +44,11 @@ struct Cloth {
     SpringConstants shear = {};                                                 ///< across its cells
     SpringConstants bend = {};                                                  ///< against folding
     std::vector<std::uint32_t> pins = {};                                       ///< vertices that become fixed bodies
-    std::vector<std::uint32_t> dragged = {};       ///< vertices that become `moving` bodies
-    VectorParameter<unit::Velocity> velocity = {}; ///< m/s, of those that are not held
-    Lumping lumping = Lumping::by_area;            ///< how the mass is shared out
+    std::vector<std::uint32_t> dragged = {};               ///< vertices that become `moving` bodies
+    VectorParameter<unit::Velocity> velocity = {};         ///< m/s, of those that are not held
+    Lumping lumping = Lumping::by_area;                    ///< how the mass is shared out
+    Parameter<unit::Energy> rigidity = 0.0 * joule;        ///< D, N m, of a plate: hinges, in a world with Bending
+    Parameter<unit::Time> rigidity_damping = 0.0 * second; ///< damping of each hinge by its stiffness, s
 };
 
 /// The parts of a sheet in its world.
@@ -49,6 +58,7 @@ struct ClothParts {
                                           ///< of another mesh by `edges()`
     std::vector<SpringHandle> shear;      ///< of a grid, cell by cell, the two from vertex (0, 0) and (1, 0) of each
     std::vector<SpringHandle> bend;       ///< of a grid as structural; of another mesh by `inner_edges()`
+    std::vector<ElementHandle<Hinge>> hinges; ///< of any mesh by `inner_edges()`
 };
 
 namespace detail {
@@ -88,6 +98,40 @@ template <class Handle_> std::vector<Handle_> take_front(std::span<const Handle_
     return {some.begin(), some.end()};
 }
 
+/// Whether a world keeps hinges.
+template <class... P> inline constexpr bool keeps_hinges = !std::is_void_v<typename KeeperOf<Hinge, P...>::type>;
+/// The hinges of a sheet, without their bodies; none without a rigidity.
+template <class S, bool Kept> std::vector<Hinge> hinges_of(std::string_view where, const Cloth& cloth) {
+    std::vector<Hinge> hinges;
+    require_not_negative(where, "rigidity", cloth.rigidity);
+    require_not_negative(where, "rigidity damping", cloth.rigidity_damping);
+    if (cloth.rigidity.value() == 0) return hinges;
+    if (!Kept)
+        refuse_value(where, "rigidity", cloth.rigidity, "this world keeps no hinges: add Bending{} to its policies");
+    if (!cloth.mesh.is_oriented())
+        refuse_value(where, "rigidity", cloth.rigidity,
+                     "the mesh is not oriented, and an angle needs a side: all triangles look to the same one");
+    for (const auto& edge : cloth.mesh.inner_edges()) {
+        const auto along = cloth.mesh.vertices()[edge.ends[1]] - cloth.mesh.vertices()[edge.ends[0]];
+        const Quantity<unit::Energy> k =
+            cloth.rigidity *
+            (dot(along, along) / (cloth.mesh.area(edge.triangles[0]) + cloth.mesh.area(edge.triangles[1])));
+        S::convert("rigidity", k);
+        S::convert("rigidity damping", Quantity<unit::AngularMomentum>(cloth.rigidity_damping * k));
+        hinges.push_back({.stiffness = k, .damping = cloth.rigidity_damping * k, .rest = {}});
+    }
+    return hinges;
+}
+/// Puts the bodies of an edge to its hinge; the first wing is of the triangle in which the edge runs as it is named.
+inline void join_hinge(Hinge& hinge, const TriangleMesh& mesh, const TriangleMesh::InnerEdge& edge,
+                       std::span<const Handle> bodies) {
+    const auto& t = mesh.triangles()[edge.triangles[0]];
+    bool runs = false;
+    for (std::size_t k = 0; k < 3; ++k) runs = runs || (t[k] == edge.ends[0] && t[(k + 1) % 3] == edge.ends[1]);
+    hinge.edge = {bodies[edge.ends[0]], bodies[edge.ends[1]]};
+    hinge.wings = {bodies[edge.opposite[runs ? 0 : 1]], bodies[edge.opposite[runs ? 1 : 0]]};
+}
+
 /// The bodies of a surface: where they are, and how heavy.
 inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantity<unit::AreaDensity>& mass_per_area,
                          Lumping lumping) {
@@ -103,7 +147,7 @@ inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantit
 } // namespace detail
 
 /// Adds a sheet: a body for each vertex, then the springs, kind by kind.
-/// \param world with Springs among its policies
+/// \param world with Springs among its policies, and Bending for a sheet with a rigidity
 /// \param cloth what is built; in a world of two dimensions every z is 0
 /// \param each  what each body is given beside its place, its velocity and its mass: a shape and its properties in a
 ///              world of collisions, e.g. `Sphere{0.02 * metre}`
@@ -131,6 +175,8 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
         detail::link_across(plan, cloth.mesh,
                             {cloth.shear.stiffness + cloth.bend.stiffness, cloth.shear.damping + cloth.bend.damping});
     }
+    constexpr bool kept = detail::keeps_hinges<P...>;
+    auto hinges = detail::hinges_of<typename World<P...>::S, kept>(plan.where, cloth);
     plan.template check<Spring>(world);
     ClothParts parts;
     std::vector<SpringHandle> springs;
@@ -139,6 +185,11 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
     parts.structural = detail::take_front(all, structural);
     parts.shear = detail::take_front(all, shear);
     parts.bend = detail::take_front(all, all.size());
+    if constexpr (kept)
+        for (std::size_t i = 0; i < hinges.size(); ++i) {
+            detail::join_hinge(hinges[i], cloth.mesh, cloth.mesh.inner_edges()[i], parts.bodies);
+            parts.hinges.push_back(world.add(hinges[i]));
+        }
     return parts;
 }
 

@@ -11,7 +11,8 @@
 /// (Attraction) stays a force in every world.
 ///
 /// Write one as SpringConstraint is written (springs/constraint.hpp). Numbers are those of SI, since C may be a length,
-/// an angle or a volume: k is then in J, J or J/m^6 for each square of it.
+/// an angle or a volume: k is then in N/m, J or J/m^6. One that holds as many bodies as its surface has (the volume of
+/// a ball) is a `WideConstraintIn`.
 
 #include <ansatz/motion/concepts.hpp>
 #include <ansatz/world/view.hpp>
@@ -21,6 +22,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <span>
 
 namespace ansatz {
 
@@ -53,6 +55,37 @@ concept CurvedConstraintIn =
     };
 
 namespace detail {
+/// Where the body of a slot is, as a solver tells it.
+template <class S> struct PlacesProbe {
+    const Vector<typename S::Scalar, S::dimension>& operator()(std::size_t slot) const;
+};
+} // namespace detail
+
+/// A constraint of a number of bodies that is known only at run time, such as the volume of a closed surface:
+/// `count()` of them, `slot(i)`, and `linearise(at, gradient)`, which is told where the body of a slot is and fills a
+/// gradient for each body. It is not one-sided, and of its curvature only \f$ k\,\nabla C\,\nabla C^T \f$ is used.
+///
+/// `PressureConstraint` is what `Pressure` gives; `Xpbd` and `VertexBlockDescent` hold it (notes 4).
+template <class K, class S>
+concept WideConstraintIn = requires(const K& k, const detail::PlacesProbe<S>& at,
+                                    std::span<Vector<typename S::Scalar, S::dimension>> gradient) {
+    { k.count() } -> std::convertible_to<std::size_t>;
+    { k.slot(std::size_t(0)) } -> std::convertible_to<std::size_t>;
+    { k.stiffness } -> std::convertible_to<typename S::Scalar>;
+    { k.damping } -> std::convertible_to<typename S::Scalar>;
+    { k.linearise(at, gradient) } -> std::same_as<typename S::Scalar>;
+};
+
+namespace detail {
+/// How many bodies a constraint of either kind holds, and in which slots they are.
+template <class K> [[gnu::always_inline]] inline std::size_t bodies_of(const K& k) {
+    if constexpr (requires { k.count(); }) return k.count();
+    else return K::bodies;
+}
+template <class K> [[gnu::always_inline]] inline std::size_t slot_of(const K& k, std::size_t i) {
+    if constexpr (requires { k.count(); }) return k.slot(i);
+    else return k.slots[i];
+}
 struct TakesAny {
     void operator()(const auto&) const {}
 };

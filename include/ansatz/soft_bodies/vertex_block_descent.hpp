@@ -13,7 +13,8 @@
 /// For those take Xpbd with many substeps.
 ///
 /// Curvature that is negative (a spring that is pushed together is unstable across its axis) is left out of the
-/// matrices, so that each of them can be solved and each step goes down. Bodies are taken by their slots.
+/// matrices, so that each of them can be solved and each step goes down. A wide constraint, such as the volume of a
+/// ball, is linearised once an iteration. Bodies are taken by their slots.
 ///
 /// A. H. Chen, Z. Liu, Y. Yang, C. Yuksel, Vertex Block Descent, SIGGRAPH 2024.
 
@@ -27,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -60,6 +62,11 @@ struct VertexBlockDescent {
         using Vec = Vector<Scalar, S::dimension>;
         using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>;
 
+        /// A wide constraint, linearised once an iteration: each body that moves takes its value along.
+        struct Wide {
+            std::size_t first; // of its gradients
+            Scalar value, way; // C, and h times its rate
+        };
         /// All constraints of a type, and which of them hold the body of a slot: those that `numbers` has from
         /// `first[slot]` up to `first[slot + 1]`, with the place that the body has in each.
         template <class K> struct Of {
@@ -69,11 +76,13 @@ struct VertexBlockDescent {
             std::vector<K> all;
             std::vector<std::uint32_t> first;
             std::vector<Entry> entries;
+            std::vector<Wide> wide;     // of each, if it is a wide one
+            std::vector<Vec> gradients; // of all wide ones, body by body
         };
         template <class List> struct Stars;
         template <class... K> struct Stars<Types<K...>> {
             static_assert(
-                (CurvedConstraintIn<K, S> && ...),
+                ((CurvedConstraintIn<K, S> || WideConstraintIn<K, S>)&&...),
                 "Ansatz: a constraint that VertexBlockDescent cannot use; it needs, beside what Xpbd asks for, "
                 "`Matrix curvature(std::size_t body, x, gradient) const`, as SpringConstraint has");
             std::tuple<Of<K>...> of;
@@ -92,8 +101,10 @@ struct VertexBlockDescent {
         void solve(auto& system, auto& kept) const {
             gather(system, kept);
             kept.moved.assign(system.awake(), Vec::Zero());
-            for (int i = 0; i < iterations_; ++i)
+            for (int i = 0; i < iterations_; ++i) {
+                each_type(kept, [&](auto& of) { linearise_wide(system, of); });
                 for (const auto slot : kept.order) descend(system, kept, slot);
+            }
         }
 
     private:
@@ -111,8 +122,8 @@ struct VertexBlockDescent {
             of.first.assign(awake + 1, 0);
             const auto each = [&](const auto& f) {
                 for (std::size_t n = 0; n < of.all.size(); ++n)
-                    for (std::size_t i = 0; i < K::bodies; ++i)
-                        if (of.all[n].slots[i] < awake) f(of.all[n].slots[i], n, i);
+                    for (std::size_t i = 0; i < detail::bodies_of(of.all[n]); ++i)
+                        if (const auto slot = detail::slot_of(of.all[n], i); slot < awake) f(slot, n, i);
             };
             each([&](std::size_t slot, std::size_t, std::size_t) { ++of.first[slot + 1]; });
             for (std::size_t slot = 0; slot < awake; ++slot) of.first[slot + 1] += of.first[slot];
@@ -123,19 +134,58 @@ struct VertexBlockDescent {
             for (std::size_t slot = awake; slot > 0; --slot) of.first[slot] = of.first[slot - 1];
             of.first[0] = 0;
         }
+        template <class K> static void linearise_wide(const auto& system, Of<K>& of) {
+            if constexpr (WideConstraintIn<K, S>) {
+                of.wide.clear();
+                std::size_t all = 0;
+                for (const K& k : of.all) {
+                    of.wide.push_back({all, Scalar(0), Scalar(0)});
+                    all += k.count();
+                }
+                of.gradients.resize(all);
+                const auto at = [&](std::size_t slot) -> const Vec& { return system.position(slot); };
+                for (std::size_t n = 0; n < of.all.size(); ++n) {
+                    const K& k = of.all[n];
+                    const auto gradient = std::span<Vec>(of.gradients).subspan(of.wide[n].first, k.count());
+                    of.wide[n].value = k.linearise(at, gradient);
+                    for (std::size_t i = 0; i < gradient.size(); ++i)
+                        of.wide[n].way += system.h() * gradient[i].dot(system.velocity(k.slot(i)));
+                }
+            }
+        }
         /// A step of Newton's method for one body, the energy taken times h^2.
         static void descend(auto& system, auto& kept, std::size_t slot) {
             const Scalar mass = 1 / system.weight(slot), h = system.h();
             Vec slope = mass * kept.moved[slot];
             Matrix curved = mass * Matrix::Identity();
             each_type(kept, [&]<class K>(const Of<K>& of) {
-                for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n)
-                    add(system, of.all[of.entries[n].number], of.entries[n].place, h, slope, curved);
+                for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n) {
+                    const auto [number, place] = of.entries[n];
+                    if constexpr (WideConstraintIn<K, S>)
+                        add_wide(of.all[number], of.wide[number], of.gradients[of.wide[number].first + place], h, slope,
+                                 curved);
+                    else add(system, of.all[number], place, h, slope, curved);
+                }
             });
             const Vec by = curved.llt().solve(-slope);
             if (!(by.squaredNorm() < std::numeric_limits<Scalar>::infinity())) return;
             kept.moved[slot] += by;
             system.move(slot, by);
+            each_type(kept, [&]<class K>(Of<K>& of) {
+                if constexpr (WideConstraintIn<K, S>)
+                    for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n) {
+                        Wide& wide = of.wide[of.entries[n].number];
+                        const Scalar change = of.gradients[wide.first + of.entries[n].place].dot(by);
+                        wide.value += change;
+                        wide.way += change;
+                    }
+            });
+        }
+        template <class K>
+        static void add_wide(const K& k, const Wide& wide, const Vec& gradient, Scalar h, Vec& slope, Matrix& curved) {
+            const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
+            slope += (by_value * wide.value + by_rate * wide.way) * gradient;
+            curved += (by_value + by_rate) * gradient * gradient.transpose();
         }
         template <class K>
         [[gnu::always_inline]] static void add(const auto& system, const K& k, std::size_t place, Scalar h, Vec& slope,

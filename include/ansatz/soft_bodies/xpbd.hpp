@@ -35,6 +35,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -64,27 +65,34 @@ struct Xpbd {
     /// Bound to a space.
     template <class S> class In {
         using Scalar = typename S::Scalar;
+        using Vec = Vector<Scalar, S::dimension>;
+        struct Room {
+            std::vector<Scalar> multipliers; // of each constraint
+            std::vector<Vec> gradients;      // of a wide one, by each of its bodies
+        };
 
     public:
-        /// What it keeps between steps: room for a multiplier of each constraint.
-        template <class> using Kept = std::vector<Scalar>;
+        /// What it keeps between steps: room.
+        template <class> using Kept = Room;
 
         /// Takes the parameters.
         explicit In(const Xpbd& xpbd) : iterations_(xpbd.iterations) {}
 
         /// Holds all constraints behind one substep.
-        void solve(auto& system, std::vector<Scalar>& multipliers) const {
+        void solve(auto& system, Room& room) const {
+            auto& multipliers = room.multipliers;
             multipliers.clear();
             if (iterations_ == 1) {
-                system.each([&](const auto& constraint) { hold(system, constraint, Scalar(0)); });
+                system.each([&](const auto& constraint) { hold_one(system, room, constraint, Scalar(0)); });
                 return;
             }
-            system.each([&](const auto& constraint) { multipliers.push_back(hold(system, constraint, Scalar(0))); });
+            system.each(
+                [&](const auto& constraint) { multipliers.push_back(hold_one(system, room, constraint, Scalar(0))); });
             for (int i = 1; i < iterations_; ++i) {
                 std::size_t next = 0;
                 system.each([&](const auto& constraint) {
                     auto& multiplier = multipliers[next++];
-                    multiplier = hold(system, constraint, multiplier);
+                    multiplier = hold_one(system, room, constraint, multiplier);
                 });
             }
         }
@@ -93,6 +101,11 @@ struct Xpbd {
         /// Whether a constraint says that its gradients have the length 1: they are not waited for then.
         template <class K> static constexpr bool unit_gradients = requires { requires K::unit_gradients; };
 
+        template <class K>
+        [[gnu::always_inline]] static Scalar hold_one(auto& system, Room& room, const K& k, Scalar multiplier) {
+            if constexpr (WideConstraintIn<K, S>) return hold_wide(system, room.gradients, k, multiplier);
+            else return hold(system, k, multiplier);
+        }
         /// One constraint.
         /// \param multiplier lambda so far, N s^2
         /// \return lambda now
@@ -100,7 +113,6 @@ struct Xpbd {
             static_assert(ConstraintIn<K, S>,
                           "Ansatz: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, "
                           "`damping`, `one_sided` and `Scalar linearise(x, gradient) const`, as SpringConstraint has");
-            using Vec = Vector<Scalar, S::dimension>;
             std::array<Vec, K::bodies> x, gradient;
             std::array<Scalar, K::bodies> weight;
             for (std::size_t i = 0; i < K::bodies; ++i) {
@@ -122,6 +134,24 @@ struct Xpbd {
             const Scalar change = next - multiplier;
             for (std::size_t i = 0; i < K::bodies; ++i) system.move(k.slots[i], weight[i] * change * gradient[i]);
             return next;
+        }
+        /// The same for one of many bodies, all of which move by the gradients of where they were.
+        template <class K>
+        static Scalar hold_wide(auto& system, std::vector<Vec>& gradient, const K& k, Scalar multiplier) {
+            const std::size_t n = k.count();
+            if (gradient.size() < n) gradient.resize(n);
+            const auto at = [&](std::size_t slot) -> const Vec& { return system.position(slot); };
+            const Scalar value = k.linearise(at, std::span<Vec>(gradient).first(n)), h = system.h();
+            Scalar compliance(0), way(0);
+            for (std::size_t i = 0; i < n; ++i) {
+                compliance += system.weight(k.slot(i)) * gradient[i].squaredNorm();
+                way += gradient[i].dot(system.velocity(k.slot(i)));
+            }
+            const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
+            const Scalar change =
+                -(multiplier + by_value * value + by_rate * (h * way)) / (1 + (by_value + by_rate) * compliance);
+            for (std::size_t i = 0; i < n; ++i) system.move(k.slot(i), system.weight(k.slot(i)) * change * gradient[i]);
+            return multiplier + change;
         }
 
         int iterations_;

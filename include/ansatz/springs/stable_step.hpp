@@ -218,12 +218,16 @@ Quantity<unit::FrequencySquared> measured_stiffness(const World<P...>& world, in
                 detail::Bound<Q, S>(world.template get<Q>())
                     .jacobian(world.template view<Q>(), world.context().template restricted<detail::reads_clock<Q>>(),
                               [&](std::size_t a, std::size_t b, const auto& by_x, const auto&) {
-                                  Eigen::Matrix<double, n, 1> apart = x.segment<n>(Eigen::Index(a) * n);
-                                  if (b < world.size()) apart -= x.segment<n>(Eigen::Index(b) * n);
-                                  const Eigen::Matrix<double, n, 1> f = -by_x.template cast<double>() * apart;
-                                  y.segment<n>(Eigen::Index(a) * n) += static_cast<double>(weight[a]) * f;
-                                  if (b < world.size())
-                                      y.segment<n>(Eigen::Index(b) * n) -= static_cast<double>(weight[b]) * f;
+                                  using Vec = Eigen::Matrix<double, n, 1>;
+                                  const Eigen::Matrix<double, n, n> block = -by_x.template cast<double>();
+                                  const Vec xa = x.segment<n>(Eigen::Index(a) * n);
+                                  const Vec xb =
+                                      b < world.size() ? Vec(x.segment<n>(Eigen::Index(b) * n)) : Vec(Vec::Zero());
+                                  y.segment<n>(Eigen::Index(a) * n) +=
+                                      static_cast<double>(weight[a]) * (block * (xa - xb));
+                                  if (b < world.size()) // the transpose, where a block is not symmetric
+                                      y.segment<n>(Eigen::Index(b) * n) +=
+                                          static_cast<double>(weight[b]) * (block * xb - block.transpose() * xa);
                               });
             };
             detail::for_each_stiff<W>(one);
