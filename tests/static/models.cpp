@@ -28,6 +28,7 @@
 #include <ansatz/motion/rest.hpp>
 #include <ansatz/motion/stop_below.hpp>
 #include <ansatz/springs/springs.hpp>
+#include <ansatz/water/buoyancy.hpp>
 
 namespace ansatz {
 
@@ -60,6 +61,7 @@ static_assert(StagedIntegratorIn<Verlet, Space<>>);
 static_assert(LawIn<QuadraticDrag, Space<>>);
 static_assert(EffectIn<Rest, Space<>>);
 static_assert(EffectIn<StopBelow, Space<>>);
+static_assert(DifferentiableCouplingIn<Buoyancy, Space<>> && DifferentiableCouplingIn<Buoyancy, Space<float, 2>>);
 static_assert(CouplingIn<Springs<>, Space<>> && CouplingIn<Ropes<Breaking>, Space<float, 2>>);
 
 } // namespace ansatz

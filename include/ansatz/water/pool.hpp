@@ -12,6 +12,7 @@
 /// none. For a surface without a world take the Surface itself.
 
 #include <ansatz/water/surface.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/element_table.hpp>
 
 #include <optional>
@@ -67,9 +68,10 @@ struct SurfaceLanes {
 /// What is kept of a pool.
 template <class Policy, class Scalar> struct PoolRow {
     using Surface_ = Surface<Policy, Scalar>;
-    std::optional<Surface_> surface; // none before it is read from a file
-    Scalar density{};                // kg/m^3
-    std::vector<Scalar> pressed;     // of each column: how much of its height bodies have pressed up, m
+    std::optional<Surface_> surface;     // none before it is read from a file
+    Scalar density{};                    // kg/m^3
+    std::vector<Scalar> pressed;         // of each column: how much of its height bodies have pressed up, m
+    Cache<std::vector<Scalar>> pressing; // the same as this step makes it
 
     static PoolRow from(const auto&, const Pool<Policy>& pool) {
         require_positive("Pool", "density", pool.density);

@@ -17,6 +17,10 @@ namespace roles {
 struct Field {
     using module = modules::Water; ///< it comes with
 };
+/// Water carries bodies: Buoyancy; at most one.
+struct Buoyancy {
+    using module = modules::Water; ///< it comes with
+};
 } // namespace roles
 
 } // namespace ansatz
