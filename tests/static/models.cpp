@@ -30,6 +30,7 @@
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/springs/springs.hpp>
+#include <ansatz/water/buoyancy.hpp>
 
 namespace ansatz {
 
@@ -67,6 +68,7 @@ static_assert(StagedIntegratorIn<Verlet, Space<>>);
 static_assert(LawIn<QuadraticDrag, Space<>>);
 static_assert(EffectIn<Rest, Space<>>);
 static_assert(EffectIn<StopBelow, Space<>>);
+static_assert(DifferentiableCouplingIn<Buoyancy, Space<>> && DifferentiableCouplingIn<Buoyancy, Space<float, 2>>);
 static_assert(CouplingIn<Springs<>, Space<>> && CouplingIn<Ropes<Breaking>, Space<float, 2>>);
 
 } // namespace ansatz

@@ -96,6 +96,13 @@ struct ClampedColumns {
         if (!(clamp.high > clamp.low))
             refuse_value(name, "high", clamp.high, "it must be above low, which is " + describe(clamp.low));
     }
+    /// Its parameters, by name, as a world saves them with its pools.
+    static void fields(auto& self, auto&& field) {
+        WaterColumns::fields(self.columns, field);
+        field("low", self.clamp.low);
+        field("high", self.clamp.high);
+        detail::choice_field(field, "excess", self.clamp.excess, Excess::counted);
+    }
     /// What is kept for each column, and how much was cut off.
     template <class Scalar> struct State {
         std::vector<Scalar> height;      ///< m

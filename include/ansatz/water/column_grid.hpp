@@ -30,6 +30,8 @@
 
 namespace ansatz {
 
+class ColumnGrid;
+
 namespace detail {
 /// What a sum over many columns is kept in: at least double.
 template <class Scalar> using SumOf = std::conditional_t<std::is_same_v<Scalar, float>, double, Scalar>;
@@ -80,6 +82,7 @@ public:
     friend bool operator==(const ColumnAxis&, const ColumnAxis&) = default;
 
 private:
+    friend class ::ansatz::ColumnGrid;
     static std::size_t count_checked(std::string_view which, std::size_t count) {
         if (count < 3 && !(which == "z" && count == 1))
             refuse_value("ColumnGrid", joined({"the number of columns along ", which}), std::to_string(count),
@@ -96,6 +99,18 @@ private:
             faces_.push_back(faces_.back() + widths_[i]);
         }
         require_finite("ColumnGrid", joined({"the length along ", which}), faces_.back() * metre);
+    }
+    /// Of numbers that were read from a file.
+    void check(std::string_view which) const {
+        ColumnAxis same(*this);
+        same.faces_.clear();
+        count_checked(which, widths_.size());
+        same.finish(which);
+        const bool ordered = faces_.size() == same.faces_.size() && std::is_sorted(faces_.begin(), faces_.end());
+        if (!ordered || !is_finite(faces_.front() * metre) || !is_finite(faces_.back() * metre))
+            refuse_value("ColumnGrid", joined({"the number of faces along ", which}), std::to_string(faces_.size()),
+                         joined({"there is one more than the ", std::to_string(widths_.size()),
+                                 " columns, finite and in ascending order"}));
     }
     std::vector<double> widths_, faces_;
 };
@@ -191,6 +206,20 @@ public:
     const detail::ColumnAxis& x() const { return x_; }                      ///< for surfaces: the columns along x
     const detail::ColumnAxis& z() const { return z_; }                      ///< for surfaces: the columns along z
     friend bool operator==(const ColumnGrid&, const ColumnGrid&) = default; ///< the same columns
+
+    /// Its fields, by name: widths, and faces to the bit.
+    static void fields(auto& self, auto&& field) {
+        field("widths_x", self.x_.widths_);
+        field("faces_x", self.x_.faces_);
+        field("widths_z", self.z_.widths_);
+        field("faces_z", self.z_.faces_);
+    }
+    /// Of numbers that were read from a file.
+    /// \throws std::invalid_argument for those that are no grid
+    void check() const {
+        x_.check("x");
+        z_.check("z");
+    }
 
 private:
     static std::size_t known(std::size_t i, const detail::ColumnAxis& axis) {

@@ -43,6 +43,8 @@ struct Pipes {
         require_positive(name, "gravity", gravity);
         require_not_negative(name, "damping", damping);
     }
+    /// Its parameters, by name, as a world saves them with its pools: gravity is the world's.
+    static void fields(auto& self, auto&& field) { field("damping", self.damping); }
 
     /// What is kept for each column.
     template <class Scalar> struct State {

@@ -84,6 +84,8 @@ struct ShallowWater {
     static constexpr bool has_bed = true;                    ///< any bed
     /// \throws std::invalid_argument for parameters that it cannot have
     void check() const { require_positive(name, "gravity", gravity); }
+    /// It has no parameter that a world saves with its pools: gravity is the world's.
+    static void fields(auto&, auto&&) {}
 
     /// What is kept for each column.
     template <class Scalar> struct State {

@@ -13,9 +13,31 @@
 
 #include <ansatz/water/height_map.hpp>
 
+#include <array>
 #include <concepts>
+#include <cstdint>
+#include <utility>
 
 namespace ansatz {
+
+namespace detail {
+/// A choice among few as a field of something that is saved: a number from 0 to that of the last one.
+template <class E> void choice_field(auto& field, std::string_view name, E& choice, std::remove_const_t<E> last) {
+    auto number = std::uint8_t(choice);
+    if constexpr (std::is_const_v<E>) field(name, std::as_const(number));
+    else {
+        field(name, number);
+        if (number > std::uint8_t(last))
+            refuse_value("Pool", name, std::size_t(number),
+                         joined({"it is a whole number from 0 to ", std::to_string(int(last))}));
+        choice = E(number);
+    }
+}
+/// What a policy keeps of columns.
+template <class T>
+concept KeptOfColumns = requires(const T& state) { state.height.size(); };
+struct SurfaceLanes; // who may write lanes: the pools of a world (pool.hpp)
+} // namespace detail
 
 /// What moves a surface, bound to a scalar: what Surface asks of a policy. `State<Scalar>` has the lane `height`, and
 /// what else is kept; `In<Scalar>` says the longest step and makes one.
@@ -56,7 +78,7 @@ public:
     /// \param level m, finite, not negative
     /// \throws std::invalid_argument for another level, or what the policy refuses
     Surface(const Policy& policy, ColumnGrid grid, Length level)
-        : policy_(checked(policy, level)), grid_(std::move(grid)), bound_(policy_, grid_, level) {
+        : policy_(checked(policy, level)), grid_(std::move(grid)), level_(level), bound_(policy_, grid_, level) {
         state_.height.assign(grid_.size(), Scalar(level.value()));
         bound_.prepare(state_, level);
     }
@@ -76,6 +98,16 @@ public:
         }
     }
 
+    /// Goes on from a state.
+    /// \param level m, with which it began: what walls hold that hold
+    /// \param state as `state()` of another surface has it, also in another scalar
+    /// \throws std::invalid_argument where it has not one number for each column
+    template <detail::KeptOfColumns OtherState>
+    Surface(const Policy& policy, ColumnGrid grid, Length level, const OtherState& state)
+        : Surface(policy, std::move(grid), level) {
+        take(state);
+    }
+
     /// Advances the water.
     /// \param dt s, finite, positive, at most longest_step()
     /// \throws std::invalid_argument for another step, before anything moves
@@ -92,6 +124,7 @@ public:
     Time longest_step() const { return bound_.longest_step(state_); }
 
     const Policy& policy() const { return policy_; }                  ///< what moves it
+    Length first_level() const { return level_; }                     ///< with which it began, m
     const ColumnGrid& grid() const { return grid_; }                  ///< where its columns are
     const State& state() const { return state_; }                     ///< its lanes, raw SI
     std::span<const Scalar> heights() const { return state_.height; } ///< of each column, m, x fastest
@@ -150,6 +183,27 @@ public:
     }
 
 private:
+    friend struct detail::SurfaceLanes;
+    /// Lane by lane; one that the other scalar does not need stays as prepared.
+    template <class From> void take(const From& from) {
+        constexpr std::size_t most = 16;
+        std::array<const std::remove_cvref_t<decltype(from.height)>*, most> lanes{};
+        std::array<double, most> numbers{};
+        std::size_t lane = 0, number = 0;
+        From::fields(from, [&](std::string_view, const auto& x) {
+            if constexpr (requires { x.size(); }) lanes[lane++] = &x;
+            else numbers[number++] = static_cast<double>(x);
+        });
+        lane = number = 0;
+        State::fields(state_, [&](std::string_view name, auto& x) {
+            if constexpr (requires { x.size(); }) {
+                const auto& given = *lanes[lane++];
+                if (given.empty() || x.empty()) return;
+                grid_.require_one_each("Surface", name, given.size());
+                for (std::size_t n = 0; n < x.size(); ++n) x[n] = Scalar(given[n]);
+            } else x = std::remove_cvref_t<decltype(x)>(numbers[number++]);
+        });
+    }
     static const Policy& checked(const Policy& policy, Length level) {
         policy.check();
         require_not_negative("Surface", "level", level);
@@ -193,12 +247,17 @@ private:
     }
     Policy policy_;
     ColumnGrid grid_;
+    Length level_;
     typename Policy::template In<Scalar> bound_;
     State state_;
 };
 
 /// A surface in double; write Surface<WaterColumns, float> for lanes half as wide.
 template <class Policy> Surface(const Policy&, ColumnGrid, Quantity<unit::Length>) -> Surface<Policy, double>;
+/// In the scalar of what another one kept.
+template <class Policy, detail::KeptOfColumns State>
+Surface(const Policy&, ColumnGrid, Quantity<unit::Length>, const State&)
+    -> Surface<Policy, std::remove_cvref_t<decltype(std::declval<const State&>().height[0])>>;
 /// In the scalar of its bed.
 template <class Policy, class Bed>
 Surface(const Policy&, ColumnGrid, const Bed&, Quantity<unit::Length>)

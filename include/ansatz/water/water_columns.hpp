@@ -133,6 +133,15 @@ struct WaterColumns {
         require_positive(name, "wave_speed", wave_speed);
         require_not_negative(name, "damping", damping);
     }
+    /// Its parameters, by name, as a world saves them with its pools.
+    static void fields(auto& self, auto&& field) {
+        field("wave_speed", self.wave_speed);
+        field("damping", self.damping);
+        detail::choice_field(field, "west", self.walls.west, Wall::absorbs);
+        detail::choice_field(field, "east", self.walls.east, Wall::absorbs);
+        detail::choice_field(field, "south", self.walls.south, Wall::absorbs);
+        detail::choice_field(field, "north", self.walls.north, Wall::absorbs);
+    }
 
     /// What is kept for each column.
     template <class Scalar> struct State {

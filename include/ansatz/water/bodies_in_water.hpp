@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// How bodies and the pools of a world meet: the water around a body, and what bodies press up.
+///
+/// For modules::Water, and for who writes a model of his own beside Buoyancy. The pool of a body is the one that covers
+/// its position; where two do, the higher. What a body displaces is added to the columns of its ring and taken out of
+/// those of the step before, the sum of all bodies for each column, in the order of their ids.
+
+#include <ansatz/water/floating.hpp>
+#include <ansatz/water/pools.hpp>
+#include <ansatz/world/types.hpp>
+
+#include <algorithm>
+
+namespace ansatz::detail {
+
+/// Calls `f(table, policy)` for the pools of each kind.
+template <class C, class Data, class F> void each_kind_of_pools(Data& data, F&& f) {
+    [&]<class... Q>(Types<Q...>) { (f(data.template state<Q>(), std::type_identity<Q>{}), ...); }(typename C::pools{});
+}
+/// A number for a kind of pools that does not depend on the order of policies (FNV-1a).
+constexpr std::uint32_t kind_number(std::string_view name) {
+    std::uint32_t hash = 2166136261u;
+    for (const char c : name) hash = (hash ^ std::uint8_t(c)) * 16777619u;
+    return hash;
+}
+
+/// How much a column counts in a ring: over a bed by its depth, up to a part of the body's height.
+template <class Policy, class Scalar> struct WetColumns {
+    const Surface<Policy, Scalar>& surface;
+    double deep;
+    double operator()([[maybe_unused]] std::size_t n) const {
+        if constexpr (Policy::has_bed) {
+            const double h = static_cast<double>(surface.heights()[n]);
+            return h > deep ? 1.0 : h > 0 ? h / deep : 0.0;
+        } else return 1;
+    }
+};
+
+/// How fast the surface of a column rises, m/s.
+template <class Policy, class Scalar> Scalar rise_of(const Surface<Policy, Scalar>& surface, std::size_t n) {
+    const auto& state = surface.state();
+    const auto& grid = surface.grid();
+    const std::size_t nx = grid.columns_x(), i = n % nx, j = n / nx;
+    const Scalar dx(grid.x().width(i)), dz(grid.z().width(j));
+    if constexpr (requires { state.rate; }) return state.rate[n];
+    else if constexpr (requires { state.flow_x; })
+        return ((i > 0 ? state.flow_x[n - 1] : Scalar(0)) - state.flow_x[n] +
+                (j > 0 ? state.flow_z[n - nx] : Scalar(0)) - state.flow_z[n]) /
+               (dx * dz);
+    else if constexpr (requires { state.momentum_x; }) {
+        const bool west = i > 0, east = i + 1 < nx, south = j > 0, north = j + 1 < grid.columns_z();
+        auto mean = [&](bool there, const Scalar& here, const Scalar& other) {
+            return there ? (here + other) / Scalar(2) : Scalar(0); // nothing passes a wall
+        };
+        const auto &hu = state.momentum_x, &hw = state.momentum_z;
+        return (mean(west, hu[n], west ? hu[n - 1] : hu[n]) - mean(east, hu[n], east ? hu[n + 1] : hu[n])) / dx +
+               (mean(south, hw[n], south ? hw[n - nx] : hw[n]) - mean(north, hw[n], north ? hw[n + nx] : hw[n])) / dz;
+    } else return Scalar(0);
+}
+
+/// One pool as one body sees it.
+template <class S, class Policy> class PoolAround {
+public:
+    using Scalar = typename S::Scalar;
+    using Vec = Vector<Scalar, S::dimension>;
+    using Pool_ = PoolRow<Policy, Scalar>;
+    using Wet = WetColumns<Policy, Scalar>;
+
+    PoolAround(const Pool_& pool, const FloatingRow<S>& body, const Vec& at, double gravity)
+        : pool_(pool), grid_(pool.surface->grid()), wet_{*pool.surface, 0.2 * static_cast<double>(body.below())} {
+        water_.density = pool.density;
+        water_.weight = pool.density * Scalar(gravity);
+        if constexpr (S::dimension == 2) water_.width = Scalar(grid_.z().end() - grid_.z().begin());
+        foot_ = body.footprint(at, water_);
+        if constexpr (S::dimension == 2) foot_.z = 0.5 * (grid_.z().begin() + grid_.z().end());
+        const auto &x = grid_.x(), &z = grid_.z();
+        covered_ = x.covers(foot_.x) && z.covers(foot_.z) && 2 * foot_.half_x <= x.end() - x.begin() &&
+                   2 * foot_.half_z <= z.end() - z.begin();
+    }
+    /// Whether the body's position is over the pool, and the pool is as wide as the body.
+    bool covered() const { return covered_; }
+    WaterRing<Wet> ring() const { return {grid_, foot_, wet_}; }
+    /// Level, slope and flow in the ring.
+    WaterBeside<Scalar> look() const {
+        auto water = water_;
+        if (!covered_) return water;
+        const auto ring = this->ring();
+        if (!ring.wet()) return water;
+        water.wet = true;
+        const std::size_t first = grid_.column(foot_.x * metre, foot_.z * metre);
+        const Scalar from = level(first); // so that the mean of a flat surface is that surface, to the bit
+        Scalar above(0), depth(0);
+        double mid_x = 0, mid_z = 0;
+        ring.each([&](std::size_t n, double part) {
+            const Scalar share(part);
+            above += share * (level(n) - from);
+            depth += share * pool_.surface->heights()[n];
+            mid_x += part * centre_x(n);
+            mid_z += part * centre_z(n);
+            add_flow(water, n, share);
+        });
+        water.level = from + above;
+        water.bed = water.level - depth;
+        slopes(ring, mid_x, mid_z, water);
+        return water;
+    }
+
+private:
+    double centre_x(std::size_t n) const { return grid_.x().centre(n % grid_.columns_x()); }
+    double centre_z(std::size_t n) const { return grid_.z().centre(n / grid_.columns_x()); }
+    Scalar level(std::size_t n) const {
+        const auto& state = pool_.surface->state();
+        if constexpr (Policy::has_bed) return state.bed[n] + state.height[n];
+        else return state.height[n];
+    }
+    void add_flow(WaterBeside<Scalar>& water, std::size_t n, const Scalar& share) const {
+        const auto& surface = *pool_.surface;
+        water.rise += share * rise_of(surface, n);
+        if constexpr (requires { surface.velocity(0, 0); }) {
+            const auto u = surface.velocity(n % grid_.columns_x(), n / grid_.columns_x()).value();
+            water.u += share * u[0];
+            water.w += share * u[1];
+        }
+    }
+    /// Of the plane that fits the ring best.
+    void slopes(const WaterRing<Wet>& ring, double mid_x, double mid_z, WaterBeside<Scalar>& water) const {
+        Scalar xx(0), xz(0), zz(0), hx(0), hz(0);
+        ring.each([&](std::size_t n, double part) {
+            const Scalar share(part), x(centre_x(n) - mid_x), z(centre_z(n) - mid_z), h = level(n) - water.level;
+            xx += share * x * x;
+            xz += share * x * z;
+            zz += share * z * z;
+            hx += share * h * x;
+            hz += share * h * z;
+        });
+        const Scalar determinant = xx * zz - xz * xz;
+        if (determinant > Scalar(1e-6) * xx * zz) {
+            water.slope_x = (hx * zz - hz * xz) / determinant;
+            water.slope_z = (hz * xx - hx * xz) / determinant;
+        } else if (xx > Scalar(0)) water.slope_x = hx / xx; // a channel
+    }
+    const Pool_& pool_;
+    const ColumnGrid& grid_;
+    Wet wet_;
+    WaterBeside<Scalar> water_;
+    Footprint foot_;
+    bool covered_ = false;
+};
+
+/// Where a body is, raw.
+template <class C> auto where_is(const auto& data, BodyId body) {
+    return data.lanes.template get<Position>(data.bodies.slot_of_id(body.id)).value();
+}
+/// The water around a body.
+template <class C, class Data>
+auto water_beside(const Data& data, const FloatingRow<typename C::S>& body, double gravity) {
+    using Scalar = typename C::S::Scalar;
+    const auto at = where_is<C>(data, body.body);
+    WaterBeside<Scalar> best;
+    each_kind_of_pools<C>(data, [&]<class Q>(const auto& pools, std::type_identity<Q>) {
+        const auto kind = kind_number(Q::name);
+        pools.for_each([&](std::uint32_t id, const auto& pool) {
+            auto one = PoolAround<typename C::S, typename Q::surface>(pool, body, at, gravity).look();
+            one.kind = kind;
+            one.pool = id;
+            const bool before =
+                !best.wet || one.level > best.level ||
+                (one.level == best.level && std::pair(one.kind, one.pool) < std::pair(best.kind, best.pool));
+            if (one.wet && before) best = one;
+        });
+    });
+    return best;
+}
+/// Refreshes what forces see of the water.
+template <class C, class Data> void look_at_water(Data& data, double gravity) {
+    data.template state<typename C::buoyancy>().for_each(
+        [&](std::uint32_t, auto& body) { body.beside = water_beside<C>(data, body, gravity); });
+}
+
+/// Notes what one body presses up in its pool now; a spring that is too deep breaks.
+template <class C, class Data> void press_one(Data& data, FloatingRow<typename C::S>& body, double gravity) {
+    using S = typename C::S;
+    using Scalar = typename S::Scalar;
+    const auto water = water_beside<C>(data, body, gravity);
+    const auto before = body.kind == water.kind && body.pool == water.pool ? body.displaced : Scalar(0);
+    body.displaced = Scalar(0);
+    body.kind = water.kind;
+    body.pool = water.pool;
+    if (!water.wet) return;
+    const auto slot = data.bodies.slot_of_id(body.body.id);
+    const auto at = data.lanes.template get<Position>(slot).value();
+    const Scalar depth = water.level - at[1];
+    if (body.model == LiftBy::spring && depth > body.size[2]) body.broken = true;
+    if (!body.presses) return;
+    const Scalar inverse_mass = data.lanes.template get<InverseMass>(slot).value();
+    each_kind_of_pools<C>(data, [&]<class Q>(auto& pools, std::type_identity<Q>) {
+        if (kind_number(Q::name) != water.kind) return;
+        auto& pool = pools.row(water.pool);
+        const auto& grid = pool.surface->grid();
+        const PoolAround<S, typename Q::surface> around(pool, body, at, gravity);
+        const auto ring = around.ring();
+        const Scalar room(ring.room());
+        const auto sunk = [&](const Scalar& d) {
+            auto all = body.sunk(d, water, inverse_mass);
+            all.volume *= room;
+            all.waterline *= room;
+            return all;
+        };
+        const Scalar most = sunk(std::numeric_limits<Scalar>::max() / Scalar(1e6)).volume;
+        body.displaced =
+            body.shaped() ? displaced_in_ring(sunk, depth, before, Scalar(ring.feedback()), most) : sunk(depth).volume;
+        ring.each([&](std::size_t n, double share) {
+            const double area = grid.x().width(n % grid.columns_x()) * grid.z().width(n / grid.columns_x());
+            pool.pressing.value[n] += body.displaced * Scalar(share / area);
+        });
+    });
+}
+/// What bodies displace rises around them, and falls where they have left. Over a bed a column gives no more than it
+/// has; what it owes stays noted, and is given later.
+template <class C, class Data> void press_water(Data& data, double gravity) {
+    using Scalar = typename C::S::Scalar;
+    each_kind_of_pools<C>(data, [&](auto& pools, auto) {
+        pools.for_each([&](std::uint32_t, auto& pool) {
+            std::fill(pool.pressing.value.begin(), pool.pressing.value.end(), Scalar(0));
+        });
+    });
+    data.template state<typename C::buoyancy>().for_each(
+        [&](std::uint32_t, auto& body) { press_one<C>(data, body, gravity); });
+    each_kind_of_pools<C>(data, [&]<class Q>(auto& pools, std::type_identity<Q>) {
+        pools.for_each([&](std::uint32_t, auto& pool) {
+            auto& height = SurfaceLanes::of(*pool.surface).height;
+            for (std::size_t n = 0; n < height.size(); ++n) {
+                const Scalar more = pool.pressing.value[n] - pool.pressed[n];
+                if (more == Scalar(0)) continue;
+                if (Q::surface::has_bed && height[n] + more < Scalar(0)) {
+                    pool.pressed[n] -= height[n];
+                    height[n] = Scalar(0);
+                } else {
+                    height[n] += more;
+                    pool.pressed[n] = pool.pressing.value[n];
+                }
+            }
+        });
+    });
+}
+
+} // namespace ansatz::detail
