@@ -7,6 +7,7 @@
 /// goal oriented action planning in ansatz::goap.
 
 #include <ansatz/paths/a_star.hpp>
+#include <ansatz/paths/any_angle.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/cost.hpp>
@@ -25,6 +26,7 @@
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/lazy_theta.hpp>
 #include <ansatz/paths/moving_ai.hpp>
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>

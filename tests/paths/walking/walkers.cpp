@@ -254,14 +254,14 @@ TEST_CASE("two who are steered apart keep their momentum", "[walking]") {
 TEST_CASE("a world of walkers is a value: copied, saved and loaded it goes on to the bit", "[walking]") {
     std::mt19937 random(8);
     for (int round = 0; round < 20; ++round) {
-        Ground world;
+        Simple world;
         std::vector<Handle> bodies;
         std::vector<ElementHandle<Walk>> walks;
         for (int i = 0; i < 5; ++i) {
             bodies.push_back(world.add(position(metres(i, 0, 0))));
             walks.push_back(world.add(walk_of(bodies.back(), random_path(random, 3, 8), 1 + i, 2)));
         }
-        const auto go_on = [&](Ground& w, unsigned seed) { // verbs at random
+        const auto go_on = [&](Simple& w, unsigned seed) { // verbs at random
             std::mt19937 own(seed);
             for (int i = 0; i < 120; ++i) {
                 const auto k = own() % 5;
@@ -282,7 +282,7 @@ TEST_CASE("a world of walkers is a value: copied, saved and loaded it goes on to
             }
         };
         go_on(world, unsigned(round));
-        Ground copy = world, loaded;
+        Simple copy = world, loaded;
         load_text(loaded, text_of(world));
         REQUIRE(loaded.hash() == world.hash());
         REQUIRE(copy.hash() == world.hash());
