@@ -3,9 +3,11 @@
 
 /// \file
 /// Everything of the module `paths`: A* over Boost.Graph's graphs, grids, way points, heuristics, and planning with
-/// goals (notes 6). All of it lives in the namespace ansatz::paths, goal oriented action planning in ansatz::goap.
+/// goals (notes 6); bodies that walk are in ansatz/paths/walking.hpp. All of it lives in the namespace ansatz::paths,
+/// goal oriented action planning in ansatz::goap.
 
 #include <ansatz/paths/a_star.hpp>
+#include <ansatz/paths/any_angle.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/cost.hpp>
@@ -24,6 +26,7 @@
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/lazy_theta.hpp>
 #include <ansatz/paths/moving_ai.hpp>
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>
@@ -37,4 +40,8 @@
 #include <ansatz/paths/successors.hpp>
 #include <ansatz/paths/true_costs.hpp>
 #include <ansatz/paths/visitor.hpp>
+#include <ansatz/paths/walking/clearance.hpp>
+#include <ansatz/paths/walking/steering.hpp>
+#include <ansatz/paths/walking/way.hpp>
+#include <ansatz/paths/walking/way_point.hpp>
 #include <ansatz/paths/waypoints.hpp>

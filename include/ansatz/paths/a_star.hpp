@@ -19,7 +19,7 @@
 /// | Reopening  | `Reopening`, `NoReopening`, `UpdateClosed` | `Reopening`                                         |
 /// | Successors | `EveryEdge`, on grids `JumpPoints`         | `EveryEdge`                                         |
 /// | Goals      | `OneGoal`, `AnyGoal`, `GoalWhere{...}`     | `OneGoal`                                           |
-/// | Engine     | `OwnLoop`, `BoostAStar`                    | `OwnLoop`                                           |
+/// | Engine     | `OwnLoop`, `BoostAStar`, `LazyTheta`       | `OwnLoop`                                           |
 /// | Weights    | `WeightsOf{map}`, `UnitWeights`            | the graph's own, else 1 for every edge              |
 /// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
 ///
@@ -104,14 +104,18 @@ template <class Graph, class... Policies> class AStar {
     using Given = detail::pick<roles::Weights, detail::NotGiven, Policies...>;
     using Index = detail::pick<roles::Index, detail::NotGiven, Policies...>;
     static_assert(detail::AsksForWeights<Graph, Given>::ok);
-    using Natural = CostIn<typename detail::NaturalCost<Graph, Given>::type>;
+    using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
+    using Natural =
+        CostIn<typename detail::CostOfEngine<Engine, typename detail::NaturalCost<Graph, Given>::type>::type>;
     using Goals = detail::pick<roles::Goals, OneGoal, Policies...>;
-    using DefaultEstimate = typename std::conditional_t<Goals::has_places, detail::DefaultHeuristic<Graph>,
-                                                        std::type_identity<ZeroHeuristic>>::type;
+    using OnGraph = typename detail::HeuristicOfEngine<Engine, typename detail::DefaultHeuristic<Graph>::type>::type;
+    using DefaultEstimate = std::conditional_t<Goals::has_places, OnGraph, ZeroHeuristic>;
     using Heuristic = detail::pick<roles::Heuristic, DefaultEstimate, Policies...>;
     using QueuePolicy = detail::pick<roles::Queue, Heap, Policies...>;
     using Reopens = detail::pick<roles::Reopening, Reopening, Policies...>;
-    using Engine = detail::pick<roles::Engine, OwnLoop, Policies...>;
+    static_assert(detail::admits<Engine, Heuristic>,
+                  "Ansatz paths: Octile and Manhattan count steps, which is too much for an engine that walks straight "
+                  "between tiles; leave the heuristic out, or take Euclid{}");
     using Leaps = detail::pick<roles::Successors, EveryEdge, Policies...>;
     static constexpr bool leaps =
         !std::is_same_v<Leaps, EveryEdge> && LeapsOn<Leaps, Graph, VertexOf<Graph>, EdgeOf<Graph>>;

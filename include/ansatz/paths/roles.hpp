@@ -20,7 +20,7 @@ struct Cost {};       ///< the number that g, h and f are
 struct Reopening {};  ///< what happens when a node of the closed list is reached on a cheaper way
 struct Successors {}; ///< which nodes are looked at from a node: every edge's, or fewer
 struct Goals {};      ///< what is to be reached: a vertex, any of several, or a condition
-struct Engine {};     ///< who runs the loop: ours, or Boost.Graph's
+struct Engine {};     ///< who runs the loop: ours, Boost.Graph's, or one for any angle
 struct Weights {};    ///< a property map of the edges' weights, where the graph has none of its own
 struct Index {};      ///< a property map that numbers the vertices, where the graph has none of its own
 } // namespace roles
@@ -48,6 +48,29 @@ template <class Role, class Default, class First, class... Rest> struct Pick<Rol
                                              Pick<Role, Default, Rest...>>::type;
 };
 template <class Role, class Default, class... Policies> using pick = typename Pick<Role, Default, Policies...>::type;
+
+/// The heuristic and the cost that come with an engine where none are given; without wishes of its own, the default's.
+template <class Engine, class Default> struct HeuristicOfEngine {
+    using type = Default;
+};
+template <class Engine, class Default>
+    requires requires { typename Engine::default_heuristic; }
+struct HeuristicOfEngine<Engine, Default> {
+    using type = typename Engine::default_heuristic;
+};
+template <class Engine, class Default> struct CostOfEngine {
+    using type = Default;
+};
+template <class Engine, class Default>
+    requires requires { typename Engine::default_cost; }
+struct CostOfEngine<Engine, Default> {
+    using type = typename Engine::default_cost;
+};
+/// Whether an engine can do with a heuristic.
+template <class Engine, class Heuristic> inline constexpr bool admits = true;
+template <class Engine, class Heuristic>
+    requires requires { Engine::template admits<Heuristic>; }
+inline constexpr bool admits<Engine, Heuristic> = Engine::template admits<Heuristic>;
 
 template <class Role, class Default> constexpr Default take() { return Default{}; }
 /// Its value: the one that was given, or one that is made.

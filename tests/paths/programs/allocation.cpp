@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// Warm searches, a route and a planner. The script of this name says what it shows.
+// Warm searches, a route, a planner and a world of walkers. The script of this name says what it shows.
 #include <ansatz/paths.hpp>
+#include <ansatz/paths/walking.hpp>
+#include <ansatz/world.hpp>
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -95,4 +97,18 @@ int main() {
     twice("Planner", [&] {
         if (planner.plan({}, goal) != Outcome::found) std::exit(2);
     });
+
+    World world{Space<double, 2>{}, SemiImplicitEuler{}, Walkers{}};
+    for (int i = 0; i < 3; ++i)
+        world.add(Walk{.body = world.add(position(metres(0, i))),
+                       .path = {{metres(5 + i, i), 1.0 * metre}, {metres(5, 7 + i), 0.0 * metre}, {metres(0, 9)}},
+                       .speed = 2.0 * metre / second,
+                       .acceleration = 3.0 * metre / second / second,
+                       .up = {},
+                       .astray = 0.5 * metre});
+    world.step(0.1 * second);
+    forbidden = true;
+    for (int i = 0; i < 200; ++i) world.step(0.1 * second); // past way points, and at rest
+    forbidden = false;
+    std::puts("Walkers: nothing allocated");
 }
