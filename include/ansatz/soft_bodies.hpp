@@ -21,4 +21,5 @@
 #include <ansatz/soft_bodies/soft_rope.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
+#include <ansatz/soft_bodies/wind.hpp>
 #include <ansatz/soft_bodies/xpbd.hpp>

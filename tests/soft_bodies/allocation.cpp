@@ -5,6 +5,7 @@
 
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
+#include <ansatz/soft_bodies/cloth.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 
@@ -50,7 +51,27 @@ template <class World_> std::size_t with_a_filling(World_ world) {
         for (int i = 0; i < 20; ++i) world.step(frame);
     });
 }
+template <class World_> std::size_t with_a_stiff_sheet_in_the_wind(World_ world) {
+    Cloth cloth{.mesh = TriangleMesh::grid(5, 5, metres(1, 0, 0), metres(0, 1, 0)),
+                .mass_per_area = 0.2 * (kilogram / square_metre),
+                .structural = {50.0 * newton_per_metre, 0.1 * newton_second_per_metre},
+                .rigidity = 0.01 * joule,
+                .drag = 1,
+                .lift = 0.5};
+    cloth.pins = {0, 20};
+    add_cloth(world, cloth);
+    for (int i = 0; i < 3; ++i) world.step(frame);
+    return during([&] {
+        for (int i = 0; i < 20; ++i) world.step(frame);
+    });
+}
 } // namespace
+
+TEST_CASE("A warm step with hinges and sails allocates nothing", "[soft_bodies][bending][wind]") {
+    const Wind wind{metres_per_second(0, 0, 3)};
+    CHECK(with_a_stiff_sheet_in_the_wind(World{SemiImplicitEuler{}, Springs<>{}, Bending{}, wind, Xpbd{2, 2}}) == 0);
+    CHECK(with_a_stiff_sheet_in_the_wind(World{ImplicitEuler{}, Springs<>{}, Bending{}, wind}) == 0);
+}
 
 TEST_CASE("A warm step with a filling allocates nothing", "[soft_bodies][pressure]") {
     CHECK(with_a_filling(World{SemiImplicitEuler{}, Springs<>{}, Pressure{}}) == 0);

@@ -191,6 +191,25 @@ TEST_CASE("One substep of Xpbd with it alone is the paper's formula", "[soft_bod
         CHECK((world.position(all[i]).value() - x[i] - weight[i] * change * g[i]).norm() < 1e-14);
 }
 
+TEST_CASE("One that was changed or removed between steps acts as it is now", "[soft_bodies]") {
+    auto world = bars<double, 3>(SemiImplicitEuler{});
+    const auto all = add_corner(world, 60, 0);
+    for (const auto spring : world.elements<Spring>().handles()) world.remove(spring);
+    const auto pushed = [&] {
+        const auto before = world.velocity(all[0]).value();
+        world.step(1e-6 * second);
+        return (world.velocity(all[0]).value() - before).norm();
+    };
+    const double first = pushed();
+    const auto corner = world.elements<Corner>().handles()[0];
+    world.set(corner, Corner{all[0], all[1], all[2], 120, 0});
+    CHECK(pushed() == Approx(2 * first).epsilon(1e-6));
+    world.remove(corner);
+    CHECK(pushed() == 0);
+    world.add(Corner{all[0], all[1], all[2], 30, 0});
+    CHECK(pushed() == Approx(first / 2).epsilon(1e-6));
+}
+
 TEST_CASE("Shared out among threads its forces are the same to the bit", "[soft_bodies]") {
     const auto fill = [](auto& world) {
         std::mt19937 random(4);

@@ -29,6 +29,7 @@
 #include <ansatz/motion/stop_below.hpp>
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
+#include <ansatz/soft_bodies/wind.hpp>
 #include <ansatz/springs/springs.hpp>
 #include <ansatz/water/buoyancy.hpp>
 
@@ -54,6 +55,8 @@ static_assert(CouplingIn<Attraction, Space<>>);
 static_assert(DifferentiableCouplingIn<Bending, Space<>> && GatheredCouplingIn<Bending, Space<>> &&
               CurvedConstraintIn<HingeConstraint<Space<>>, Space<>>);
 static_assert(DifferentiableCouplingIn<Pressure, Space<>> && GivesConstraints<Pressure, Space<float, 3>>);
+static_assert(DifferentiableCouplingIn<Wind, Space<>> && GatheredCouplingIn<Wind, Space<>> &&
+              !GivesConstraints<Wind, Space<>>);
 static_assert(WideConstraintIn<PressureConstraint<Space<>>, Space<>> &&
               !ConstraintIn<PressureConstraint<Space<>>, Space<>>);
 static_assert(EffectIn<Drag, Space<>>);

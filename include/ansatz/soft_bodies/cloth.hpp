@@ -33,6 +33,7 @@
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/plan.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
+#include <ansatz/soft_bodies/wind.hpp>
 
 namespace ansatz {
 
@@ -49,6 +50,8 @@ struct Cloth {
     Lumping lumping = Lumping::by_area;                    ///< how the mass is shared out
     Parameter<unit::Energy> rigidity = 0.0 * joule;        ///< D, N m, of a plate: hinges, in a world with Bending
     Parameter<unit::Time> rigidity_damping = 0.0 * second; ///< damping of each hinge by its stiffness, s
+    double drag = 0;                                       ///< c_D of each triangle: sails, in a world with Wind
+    double lift = 0;                                       ///< c_L of each triangle
 };
 
 /// The parts of a sheet in its world.
@@ -59,6 +62,7 @@ struct ClothParts {
     std::vector<SpringHandle> shear;      ///< of a grid, cell by cell, the two from vertex (0, 0) and (1, 0) of each
     std::vector<SpringHandle> bend;       ///< of a grid as structural; of another mesh by `inner_edges()`
     std::vector<ElementHandle<Hinge>> hinges; ///< of any mesh by `inner_edges()`
+    std::vector<ElementHandle<Sail>> sails;   ///< by `triangles()`
 };
 
 namespace detail {
@@ -132,6 +136,18 @@ inline void join_hinge(Hinge& hinge, const TriangleMesh& mesh, const TriangleMes
     hinge.wings = {bodies[edge.opposite[runs ? 0 : 1]], bodies[edge.opposite[runs ? 1 : 0]]};
 }
 
+/// Whether a world keeps sails, and whether a sheet has some: it has all of its triangles, or none.
+template <class... P> inline constexpr bool keeps_sails = !std::is_void_v<typename KeeperOf<Sail, P...>::type>;
+template <class S, bool Kept> bool has_sails(std::string_view where, const Cloth& cloth) {
+    SailRow<S>::coefficient(where, "drag", cloth.drag);
+    SailRow<S>::coefficient(where, "lift", cloth.lift);
+    const bool has = cloth.drag != 0 || cloth.lift != 0;
+    if (has && !Kept)
+        refuse_value(where, cloth.drag != 0 ? "drag" : "lift", cloth.drag != 0 ? cloth.drag : cloth.lift,
+                     "this world has no air: add Wind{} to its policies");
+    return has;
+}
+
 /// The bodies of a surface: where they are, and how heavy.
 inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantity<unit::AreaDensity>& mass_per_area,
                          Lumping lumping) {
@@ -147,7 +163,8 @@ inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantit
 } // namespace detail
 
 /// Adds a sheet: a body for each vertex, then the springs, kind by kind.
-/// \param world with Springs among its policies, and Bending for a sheet with a rigidity
+/// \param world with Springs among its policies, Bending for a sheet with a rigidity, and Wind for one with a
+///              drag or a lift
 /// \param cloth what is built; in a world of two dimensions every z is 0
 /// \param each  what each body is given beside its place, its velocity and its mass: a shape and its properties in a
 ///              world of collisions, e.g. `Sphere{0.02 * metre}`
@@ -177,6 +194,8 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
     }
     constexpr bool kept = detail::keeps_hinges<P...>;
     auto hinges = detail::hinges_of<typename World<P...>::S, kept>(plan.where, cloth);
+    constexpr bool in_air = detail::keeps_sails<P...>;
+    const bool sails = detail::has_sails<typename World<P...>::S, in_air>(plan.where, cloth);
     plan.template check<Spring>(world);
     ClothParts parts;
     std::vector<SpringHandle> springs;
@@ -190,6 +209,11 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
             detail::join_hinge(hinges[i], cloth.mesh, cloth.mesh.inner_edges()[i], parts.bodies);
             parts.hinges.push_back(world.add(hinges[i]));
         }
+    if constexpr (in_air)
+        for (const auto& [a, b, c] : cloth.mesh.triangles())
+            if (sails)
+                parts.sails.push_back(
+                    world.add(Sail{{parts.bodies[a], parts.bodies[b], parts.bodies[c]}, cloth.drag, cloth.lift}));
     return parts;
 }
 
