@@ -70,7 +70,7 @@ double period(Afloat_& one, double balance, double dt, int periods) {
 
 } // namespace
 
-TEST_CASE("a cube of 600 kg/m^3 settles 0.6 m deep (B1)", "[water][row-B1]") {
+TEST_CASE("a cube of 600 kg/m^3 settles 0.6 m deep (hard case B1)", "[water]") {
     for (const bool presses : {false, true}) {
         auto by = only(cube, 3);
         by.presses = presses;
@@ -81,7 +81,7 @@ TEST_CASE("a cube of 600 kg/m^3 settles 0.6 m deep (B1)", "[water][row-B1]") {
         CHECK(one.now().centre.value() == Approx(one.level() - 0.3).margin(1e-6));
     }
 }
-TEST_CASE("a cube bobs with the period of semi-implicit Euler, second order in the step (B2)", "[water][row-B2]") {
+TEST_CASE("a cube bobs with the period of semi-implicit Euler, second order in the step (hard case B2)", "[water]") {
     const double exact = 2 * pi * std::sqrt(0.6 / g);
     CHECK(exact == Approx(1.553893).epsilon(1e-6));
     for (const double rate : {30.0, 60.0, 120.0}) {
@@ -92,7 +92,7 @@ TEST_CASE("a cube bobs with the period of semi-implicit Euler, second order in t
         CHECK(error == Approx(-omega_h * omega_h / 24).margin(rate > 100 ? 2e-6 : 2e-5));
     }
 }
-TEST_CASE("a sphere half under water bobs with 3g/2R (B4)", "[water][row-B4]") {
+TEST_CASE("a sphere half under water bobs with 3g/2R (hard case B4)", "[water]") {
     Afloat_ one(pond(), 2, only(ball), 0.5 * 1000 * ball_volume, 5, 2 + 0.001, 5);
     const double exact = 2 * pi / std::sqrt(3 * g / (2 * 0.5)), h = 1.0 / 960;
     CHECK(exact == Approx(1.158203).epsilon(1e-6));
@@ -101,7 +101,7 @@ TEST_CASE("a sphere half under water bobs with 3g/2R (B4)", "[water][row-B4]") {
     const double omega_h = 2 * pi / exact * h;
     CHECK(found / exact - 1 == Approx(-omega_h * omega_h / 24).margin(2e-6)); // and that of an amplitude of 1 mm
 }
-TEST_CASE("under water (rho_w/rho - 1) g, dry -g, and no step between (B5)", "[water][row-B5]") {
+TEST_CASE("under water (rho_w/rho - 1) g, dry -g, and no step between (hard case B5)", "[water]") {
     for (const auto& by : {only(ball), only(cube)}) {
         const double volume = by.by.index() == 0 ? ball_volume : 1.0, kilograms = 350;
         Afloat_ one(pond(), 5, by, kilograms, 5, 2, 5);
@@ -125,8 +125,8 @@ TEST_CASE("under water (rho_w/rho - 1) g, dry -g, and no step between (B5)", "[w
         }
     }
 }
-TEST_CASE("released deep, it leaps no higher than its energy, and no faster than its drag lets it (B7)",
-          "[water][row-B7]") {
+TEST_CASE("released deep, it leaps no higher than its energy, and no faster than its drag lets it (hard case B7)",
+          "[water]") {
     const ColumnGrid grid(10, 10, 1.0 * metre);
     const double kilograms = 50 * ball_volume, weight = kilograms * g, push = 1000 * g * ball_volume;
     Afloat_ free(grid, 12, only(ball), kilograms, 5, 2, 5);
@@ -159,7 +159,7 @@ TEST_CASE("released deep, it leaps no higher than its energy, and no faster than
     shot.steps(1, 1.0 / 60);
     CHECK(shot.v() < push / 5 / 60 + 1);
 }
-TEST_CASE("400 kg raise a pool of 100 m^2 by 4 mm, and no water is lost (B9)", "[water][row-B9]") {
+TEST_CASE("400 kg raise a pool of 100 m^2 by 4 mm, and no water is lost (hard case B9)", "[water]") {
     for (const double cell : {0.1, 0.25, 0.5, 1.0}) {
         CAPTURE(cell);
         const auto n = std::size_t(10 / cell + 0.5);
@@ -316,7 +316,7 @@ TEST_CASE("a spring holds a body to the surface, breaks when it is too deep, and
     CHECK(one.world.acceleration(one.body).value()[1] == -g);
     CHECK(one.world.water(one.pool).volume().value() == Approx(500).epsilon(1e-12));
 }
-TEST_CASE("over a bed no column gives more than it has, and what it owes is given later (W8)", "[water][row-W8]") {
+TEST_CASE("over a bed no column gives more than it has, and what it owes is given later (hard case W8)", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<Pipes>{}, Buoyancy{}};
     const auto puddle = world.add(Pool{Surface{Pipes{}, ColumnGrid(30, 30, 0.2 * metre), 0.05 * metre}});
     const auto body = world.add(position(metres(3, -0.4, 3)), velocity(metres_per_second(0, 0, 0)), moving);
@@ -357,7 +357,8 @@ TEST_CASE("beside little water a body presses up only what there is room for", "
     CHECK_FALSE(world.afloat(floating).in_pool);
 }
 TEST_CASE("the Jacobian is how the force changes", "[water]") {
-    for (const auto& [by, kilograms] : {std::pair{only(ball, 0.7), 300.0}, {only(cube, 0.7), 600.0}}) {
+    for (const double kilograms : {300.0, 600.0}) {
+        const auto by = kilograms == 300 ? only(ball, 0.7) : only(cube, 0.7);
         Afloat_ one(pond(), 2, by, kilograms, 5, 2.1, 5);
         one.world.step(1e-9 * second);
         auto force = [&](double y, double v) {

@@ -40,10 +40,11 @@ template <class Policy, class Scalar> struct WetColumns {
 };
 
 /// How fast the surface of a column rises, m/s.
-template <class Policy, class Scalar> Scalar rise_of(const Surface<Policy, Scalar>& surface, std::size_t n) {
+template <class Policy, class Scalar>
+Scalar rise_of(const Surface<Policy, Scalar>& surface, std::size_t n, std::size_t i, std::size_t j) {
     const auto& state = surface.state();
     const auto& grid = surface.grid();
-    const std::size_t nx = grid.columns_x(), i = n % nx, j = n / nx;
+    const std::size_t nx = grid.columns_x();
     const Scalar dx(grid.x().width(i)), dz(grid.z().width(j));
     if constexpr (requires { state.rate; }) return state.rate[n];
     else if constexpr (requires { state.flow_x; })
@@ -87,60 +88,64 @@ public:
     WaterBeside<Scalar> look() const {
         auto water = water_;
         if (!covered_) return water;
-        const auto ring = this->ring();
-        if (!ring.wet()) return water;
-        water.wet = true;
-        const std::size_t first = grid_.column(foot_.x * metre, foot_.z * metre);
-        const Scalar from = level(first); // so that the mean of a flat surface is that surface, to the bit
-        Scalar above(0), depth(0);
-        double mid_x = 0, mid_z = 0;
-        ring.each([&](std::size_t n, double part) {
-            const Scalar share(part);
-            above += share * (level(n) - from);
-            depth += share * pool_.surface->heights()[n];
-            mid_x += part * centre_x(n);
-            mid_z += part * centre_z(n);
-            add_flow(water, n, share);
+        // Heights over that of one column, so that the mean of a flat surface is that surface, to the bit.
+        const Scalar from = level(grid_.column(foot_.x * metre, foot_.z * metre));
+        Moments sums;
+        const WaterRing<Wet> ring(grid_, foot_, wet_, [&](std::size_t n, std::size_t i, std::size_t j, double weight) {
+            const Scalar w(weight), h = level(n) - from, x(grid_.x().centre(i) - foot_.x),
+                                    z(grid_.z().centre(j) - foot_.z);
+            sums.add(w, h, x, z);
+            sums.depth += w * pool_.surface->heights()[n];
+            add_flow(water, n, i, j, w);
         });
-        water.level = from + above;
-        water.bed = water.level - depth;
-        slopes(ring, mid_x, mid_z, water);
+        if (!ring.wet()) return water_;
+        const Scalar by = Scalar(1) / Scalar(ring.total());
+        water.wet = true;
+        water.level = from + by * sums.h;
+        water.bed = water.level - by * sums.depth;
+        for (Scalar* flow : {&water.u, &water.rise, &water.w}) *flow *= by;
+        sums.slopes(by, water);
         return water;
     }
 
 private:
-    double centre_x(std::size_t n) const { return grid_.x().centre(n % grid_.columns_x()); }
-    double centre_z(std::size_t n) const { return grid_.z().centre(n / grid_.columns_x()); }
+    /// Of the plane that fits the ring best.
+    struct Moments {
+        Scalar h{}, x{}, z{}, xx{}, xz{}, zz{}, hx{}, hz{}, depth{};
+        void add(const Scalar& weight, const Scalar& height, const Scalar& at_x, const Scalar& at_z) {
+            const Scalar wx = weight * at_x, wz = weight * at_z;
+            h += weight * height;
+            x += wx;
+            z += wz;
+            xx += wx * at_x;
+            xz += wx * at_z;
+            zz += wz * at_z;
+            hx += wx * height;
+            hz += wz * height;
+        }
+        void slopes(const Scalar& by, WaterBeside<Scalar>& water) const {
+            const Scalar mx = by * x, mz = by * z, vxx = by * xx - mx * mx, vxz = by * xz - mx * mz,
+                         vzz = by * zz - mz * mz, vhx = by * hx - by * h * mx, vhz = by * hz - by * h * mz;
+            const Scalar determinant = vxx * vzz - vxz * vxz;
+            if (determinant > Scalar(1e-4) * vxx * vzz) {
+                water.slope_x = (vhx * vzz - vhz * vxz) / determinant;
+                water.slope_z = (vhz * vxx - vhx * vxz) / determinant;
+            } else if (vxx > Scalar(0)) water.slope_x = vhx / vxx; // a channel
+        }
+    };
     Scalar level(std::size_t n) const {
         const auto& state = pool_.surface->state();
         if constexpr (Policy::has_bed) return state.bed[n] + state.height[n];
         else return state.height[n];
     }
-    void add_flow(WaterBeside<Scalar>& water, std::size_t n, const Scalar& share) const {
+    void add_flow(WaterBeside<Scalar>& water, std::size_t n, std::size_t i, std::size_t j, const Scalar& weight) const {
         const auto& surface = *pool_.surface;
-        water.rise += share * rise_of(surface, n);
+        water.rise += weight * rise_of(surface, n, i, j);
         if constexpr (requires { surface.velocity(0, 0); }) {
-            const auto u = surface.velocity(n % grid_.columns_x(), n / grid_.columns_x()).value();
-            water.u += share * u[0];
-            water.w += share * u[1];
+            const auto u = surface.velocity(i, j).value();
+            water.u += weight * u[0];
+            water.w += weight * u[1];
         }
-    }
-    /// Of the plane that fits the ring best.
-    void slopes(const WaterRing<Wet>& ring, double mid_x, double mid_z, WaterBeside<Scalar>& water) const {
-        Scalar xx(0), xz(0), zz(0), hx(0), hz(0);
-        ring.each([&](std::size_t n, double part) {
-            const Scalar share(part), x(centre_x(n) - mid_x), z(centre_z(n) - mid_z), h = level(n) - water.level;
-            xx += share * x * x;
-            xz += share * x * z;
-            zz += share * z * z;
-            hx += share * h * x;
-            hz += share * h * z;
-        });
-        const Scalar determinant = xx * zz - xz * xz;
-        if (determinant > Scalar(1e-6) * xx * zz) {
-            water.slope_x = (hx * zz - hz * xz) / determinant;
-            water.slope_z = (hz * xx - hx * xz) / determinant;
-        } else if (xx > Scalar(0)) water.slope_x = hx / xx; // a channel
     }
     const Pool_& pool_;
     const ColumnGrid& grid_;
@@ -199,7 +204,6 @@ template <class C, class Data> void press_one(Data& data, FloatingRow<typename C
     each_kind_of_pools<C>(data, [&]<class Q>(auto& pools, std::type_identity<Q>) {
         if (kind_number(Q::name) != water.kind) return;
         auto& pool = pools.row(water.pool);
-        const auto& grid = pool.surface->grid();
         const PoolAround<S, typename Q::surface> around(pool, body, at, gravity);
         const auto ring = around.ring();
         const Scalar room(ring.room());
@@ -212,10 +216,10 @@ template <class C, class Data> void press_one(Data& data, FloatingRow<typename C
         const Scalar most = sunk(std::numeric_limits<Scalar>::max() / Scalar(1e6)).volume;
         body.displaced =
             body.shaped() ? displaced_in_ring(sunk, depth, before, Scalar(ring.feedback()), most) : sunk(depth).volume;
-        ring.each([&](std::size_t n, double share) {
-            const double area = grid.x().width(n % grid.columns_x()) * grid.z().width(n / grid.columns_x());
+        ring.each_with_area([&](std::size_t n, double share, double area) {
             pool.pressing.value[n] += body.displaced * Scalar(share / area);
         });
+        pool.next_rows.add(ring.begin_row(), ring.end_row());
     });
 }
 /// What bodies displace rises around them, and falls where they have left. Over a bed a column gives no more than it
@@ -224,7 +228,8 @@ template <class C, class Data> void press_water(Data& data, double gravity) {
     using Scalar = typename C::S::Scalar;
     each_kind_of_pools<C>(data, [&](auto& pools, auto) {
         pools.for_each([&](std::uint32_t, auto& pool) {
-            std::fill(pool.pressing.value.begin(), pool.pressing.value.end(), Scalar(0));
+            pool.rows.each(pool.surface->grid(), [&](std::size_t n) { pool.pressing.value[n] = Scalar(0); });
+            pool.next_rows = {};
         });
     });
     data.template state<typename C::buoyancy>().for_each(
@@ -232,17 +237,22 @@ template <class C, class Data> void press_water(Data& data, double gravity) {
     each_kind_of_pools<C>(data, [&]<class Q>(auto& pools, std::type_identity<Q>) {
         pools.for_each([&](std::uint32_t, auto& pool) {
             auto& height = SurfaceLanes::of(*pool.surface).height;
-            for (std::size_t n = 0; n < height.size(); ++n) {
+            bool owes = false;
+            auto both = pool.rows;
+            both.add(pool.next_rows.begin, pool.next_rows.end);
+            both.each(pool.surface->grid(), [&](std::size_t n) {
                 const Scalar more = pool.pressing.value[n] - pool.pressed[n];
-                if (more == Scalar(0)) continue;
+                if (more == Scalar(0)) return;
                 if (Q::surface::has_bed && height[n] + more < Scalar(0)) {
+                    owes = true;
                     pool.pressed[n] -= height[n];
                     height[n] = Scalar(0);
                 } else {
                     height[n] += more;
                     pool.pressed[n] = pool.pressing.value[n];
                 }
-            }
+            });
+            pool.rows = owes ? both : pool.next_rows;
         });
     });
 }

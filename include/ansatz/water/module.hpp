@@ -251,7 +251,9 @@ struct Water {
                              detail::joined({"the longest step that the pools of this world take is ",
                                              describe(longest), " (Courant's limit)"}));
         // Not every integrator asks the forces anew where a step begins.
-        if constexpr (C::floats) detail::look_at_water<C>(inside.data, detail::weight_of_water<C>(inside.policies));
+        if constexpr (C::floats)
+            if (!inside.data.coupled.current)
+                detail::look_at_water<C>(inside.data, detail::weight_of_water<C>(inside.policies));
     }
     /// \endcond
 };

@@ -65,6 +65,20 @@ struct SurfaceLanes {
     }
 };
 
+/// Rows of columns along z, from the first to behind the last; none where it begins behind its end.
+struct RowsOfColumns {
+    std::size_t begin = std::numeric_limits<std::size_t>::max(), end = 0;
+    void add(std::size_t first, std::size_t behind) {
+        begin = std::min(begin, first);
+        end = std::max(end, behind);
+    }
+    /// Calls `f(n)` for each of their columns.
+    template <class F> void each(const ColumnGrid& grid, F&& f) const {
+        const std::size_t nx = grid.columns_x(), last = std::min(end, grid.columns_z()) * nx;
+        for (std::size_t n = begin < end ? begin * nx : last; n < last; ++n) f(n);
+    }
+};
+
 /// What is kept of a pool.
 template <class Policy, class Scalar> struct PoolRow {
     using Surface_ = Surface<Policy, Scalar>;
@@ -72,6 +86,8 @@ template <class Policy, class Scalar> struct PoolRow {
     Scalar density{};                    // kg/m^3
     std::vector<Scalar> pressed;         // of each column: how much of its height bodies have pressed up, m
     Cache<std::vector<Scalar>> pressing; // the same as this step makes it
+    // Beyond these rows nothing is pressed up; who was read from a file looks at all of them once.
+    RowsOfColumns rows{0, std::numeric_limits<std::size_t>::max()}, next_rows;
 
     static PoolRow from(const auto&, const Pool<Policy>& pool) {
         require_positive("Pool", "density", pool.density);
