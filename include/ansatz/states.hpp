@@ -4,7 +4,7 @@
 /// \file
 /// Chapter 5, choice and states: finite state machines, described once, in four representations; guards that see
 /// crossings, bands and times; writing, drawing and checking them. Reading them from a file needs pugixml and is
-/// states/scxml.hpp.
+/// states/scxml.hpp; saving where they are needs nlohmann-json and is states/save.hpp.
 
 #include <ansatz/states/check.hpp>
 #include <ansatz/states/dot.hpp>

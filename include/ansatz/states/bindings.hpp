@@ -6,6 +6,7 @@
 /// the program's, bound once. A name that a file uses and nobody bound is refused when the file is read, not when it is
 /// needed.
 
+#include <ansatz/states/archive.hpp>
 #include <ansatz/states/outline.hpp>
 
 #include <functional>
@@ -31,6 +32,7 @@ template <class Context> struct Own {
     virtual void update(Context&, Quantity<unit::Time>, EventQueue&) = 0;
     virtual const void* data() const = 0;
     virtual const void* tag() const = 0;
+    virtual bool archive(Archive&, std::string_view name) = 0; // false: it does not say what it consists of
 };
 template <class Context, class B> struct OwnOf final : Own<Context> {
     B own{};
@@ -40,6 +42,10 @@ template <class Context, class B> struct OwnOf final : Own<Context> {
     void update(Context& c, Quantity<unit::Time> dt, EventQueue& q) override { behave_update(own, c, dt, q); }
     const void* data() const override { return &own; }
     const void* tag() const override { return tag_of<B>(); }
+    bool archive([[maybe_unused]] Archive& a, [[maybe_unused]] std::string_view name) override {
+        if constexpr (SaysFields<B>) archive_field(a, name, own);
+        return is_archived<B>;
+    }
 };
 
 /// A guard without its type. Called through plain pointers: no heap, one indirect call.
@@ -52,10 +58,13 @@ template <class Context> struct BoundGuard {
     bool (*ask)(const void* guard, const Asked&, const void* memory) = nullptr;
     void (*begin)(const void* guard, const Asked&, void* memory) = nullptr; // null: it remembers nothing
     void (*sample)(const void* guard, const Asked&, void* memory) = nullptr;
+    void (*archive)(void* memory, Archive&, std::string_view name) = nullptr; // null: it does not say its fields
     std::shared_ptr<const void> guard;
     std::size_t memory = 0;    // bytes
     const void* own = nullptr; // tag of the class that it reads, or null
     bool needs_time = false, equality = false;
+    std::uint16_t in = 0xffff; // In('x'): the machine is asked whether it is in x
+    bool not_in = false;       // the contrary
 };
 
 /// Whether a guard reads the class of its state: it cannot be asked with the context alone.
@@ -88,6 +97,10 @@ template <class G, class Context, class Own> BoundGuard<Context> bind_guard(cons
             static_cast<const G*>(guard)->sample(*static_cast<Memory*>(memory), question(a));
         };
     }
+    if constexpr (SaysFields<Memory>)
+        bound.archive = [](void* memory, Archive& a, std::string_view name) {
+            archive_field(a, name, *static_cast<Memory*>(memory));
+        };
     if constexpr (!std::is_same_v<Own, NoBehaviour>) bound.own = tag_of<Own>();
     return bound;
 }

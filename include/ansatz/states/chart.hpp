@@ -85,6 +85,7 @@ private:
     template <class> friend class states::detail::ChartTables;
     template <class, class, class...> friend class InterpretedMachine;
     template <class> friend class states::detail::Regions;
+    friend struct states::MachineArchive;
     using Guard = states::detail::BoundGuard<Context>;
     using Action = states::detail::BoundAction<Context>;
 

@@ -6,6 +6,7 @@
 /// the name. Nothing half-made is ever seen.
 
 #include <ansatz/states/chart.hpp>
+#include <ansatz/states/names.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -14,24 +15,6 @@
 namespace ansatz {
 
 namespace states::detail {
-
-/// Splits a text at white space.
-inline std::vector<std::string> words(std::string_view text) {
-    std::vector<std::string> found;
-    for (std::size_t at = text.find_first_not_of(" \t\n\r"); at != std::string_view::npos;) {
-        const auto end = text.find_first_of(" \t\n\r", at);
-        found.emplace_back(text.substr(at, end - at));
-        at = end == std::string_view::npos ? end : text.find_first_not_of(" \t\n\r", end);
-    }
-    return found;
-}
-
-/// A name as a sentence shows it: not longer than a line, and without what a terminal would act on.
-inline std::string shown(std::string_view name) {
-    std::string text = "\"";
-    for (const char c : name.substr(0, 80)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-    return text + (name.size() > 80 ? "...\"" : "\"");
-}
 
 inline constexpr std::uint32_t no_candidate = 0xffffffff;
 inline constexpr std::size_t most_depth = 256, most_targets = 64;
@@ -246,6 +229,14 @@ private:
     void guard(ChartTransition& to, const Outline::Transition& from, const Outline::State& source,
                const std::string& who) {
         const auto* found = names_.find_guard(from.guard);
+        BoundGuard<Context> asks_in;
+        if (const auto asked = in_predicate(from.guard); found == nullptr && !asked.state.empty()) {
+            asks_in.in = find(std::string(asked.state), from.line, who + ", by its condition,");
+            asks_in.not_in = asked.negated;
+            if (is_history(outline_.states[asks_in.in].kind))
+                wrong(from.line, who + " has the condition " + shown(from.guard) + ", and nobody can be in a history");
+            found = &asks_in;
+        }
         if (found == nullptr)
             wrong(from.line, who + " has the guard " + shown(from.guard) +
                                  ", which is not bound; bound are: " + names_.guard_names());

@@ -37,6 +37,12 @@ template <class Read, class Limit> struct Crossing : GuardBase {
         Number previous{};    ///< the last value that was a number
         bool known = false;   ///< whether there was a good value yet
         bool crossed = false; ///< whether the last update crossed
+        /// What it consists of.
+        static void fields(auto& self, auto&& field) {
+            field("previous", self.previous);
+            field("known", self.known);
+            field("crossed", self.crossed);
+        }
     };
     Value<Read> value;   ///< what crosses
     Limit limit;         ///< in the unit of the value

@@ -59,6 +59,12 @@ template <AnyGuard G> struct HeldFor : GuardBase {
         [[no_unique_address]] typename G::Memory inner{}; ///< the memory of the other guard
         Quantity<unit::Time> held{};                      ///< for how long it has held, s
         bool holds = false;                               ///< whether it held at the last update
+        /// What it consists of.
+        static void fields(auto& self, auto&& field) {
+            field("inner", self.inner);
+            field("held", self.held);
+            field("holds", self.holds);
+        }
     };
     G guard;                   ///< the other guard
     Quantity<unit::Time> time; ///< for which it has to hold, s

@@ -77,6 +77,10 @@ template <class A, class B> struct Pair : GuardBase {
     struct Kept {
         typename A::Memory a{};
         typename B::Memory b{};
+        static void fields(auto& self, auto&& field) {
+            field("a", self.a);
+            field("b", self.b);
+        }
     };
     using Memory = std::conditional_t<remembers, Kept, NoMemory>;
     static constexpr bool needs_time = A::needs_time || B::needs_time;

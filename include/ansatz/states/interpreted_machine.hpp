@@ -10,6 +10,7 @@
 /// not allocate. What it costs: a load where the switch has a jump, an indirect call for each guard and action.
 
 #include <ansatz/states/chart_build.hpp>
+#include <ansatz/states/lasting.hpp>
 #include <ansatz/states/regions.hpp>
 
 namespace ansatz {
@@ -30,8 +31,10 @@ enum class Reloaded : std::uint8_t {
 };
 
 /// \tparam D  InFile<Context> or a description
-template <class D, class Context_, class... O> class InterpretedMachine {
+template <class D, class Context_, class... O>
+class InterpretedMachine : public states::Lasting<InterpretedMachine<D, Context_, O...>, Context_> {
 public:
+    using states::Lasting<InterpretedMachine, Context_>::start;
     using Context = Context_;                                             ///< the user's
     using Opts = states::Options<O...>;                                   ///< all its options together
     static constexpr bool from_file = std::is_same_v<D, InFile<Context>>; ///< whether it needs a chart to begin with
@@ -75,17 +78,10 @@ public:
     /// Enters the initial states, from the outside inwards; refused within an action. What waits, and stuck(), is
     /// forgotten.
     void start(Context& context) {
-        if (busy_)
-            refuse(Refusal::invalid_argument,
-                   "Machine::start: called from an action of the same machine; raise an event instead");
-        const states::detail::Busy busy(busy_);
-        now_ = dt_ = {}, queue_ = {}, stopped_ = false;
-        forget();
-        const auto& c = *chart_;
-        for_memories(context, true);
-        if (c.parallel_) regions_.start(*this, context);
-        else enter_initial(context, 0);
-        settle(context);
+        begin(context, [&] {
+            if (chart_->parallel_) regions_.start(*this, context);
+            else enter_initial(context, 0);
+        });
     }
     /// An event. Within an action of this machine it waits until the present transition is complete.
     bool handle(Context& context, EventId event) {
@@ -120,25 +116,13 @@ public:
     /// The same where nobody counts time.
     bool update(Context& context) { return update(context, Quantity<unit::Time>{}); }
 
+    using states::Lasting<InterpretedMachine, Context_>::update;
+
     /// Another chart, between two updates. The machine stays in the states of the same names, with what they hold;
     /// where an active state is gone, it goes to what is left around it and enters the initial states there. Histories
     /// and times stay with their states; what guards remember begins anew.
     /// \throws std::invalid_argument for none, or from within an action; the machine is as it was
-    Reloaded reload(Context& context, SharedChart<Context> chart) {
-        if (chart == nullptr) refuse(Refusal::invalid_argument, "Machine::reload: there is no chart");
-        if (busy_)
-            refuse(Refusal::invalid_argument,
-                   "Machine::reload: called from an action of the same machine; call it between two updates");
-        InterpretedMachine next(*this);
-        next.adopt(std::move(chart));
-        if (!started()) {
-            *this = std::move(next);
-            return Reloaded::same_states;
-        }
-        const auto how = next.take_over(*this, context);
-        *this = std::move(next);
-        return how;
-    }
+    Reloaded reload(Context& context, SharedChart<Context> chart);
 
     // ------------------------------------------------------------ looking at it
     const Chart<Context>& chart() const { return *chart_; }                              ///< what it runs
@@ -161,13 +145,6 @@ public:
             if (is_in(StateId(s)) && (chart_->states_[s].end == s + 1 || only_histories(s)))
                 found.push_back(StateId(s));
         return found;
-    }
-    /// The names of all active states, outer ones first; empty before start.
-    std::vector<std::string> active_names() const {
-        std::vector<std::string> names;
-        for (std::size_t s = 1; s < chart_->state_count(); ++s)
-            if (is_in(StateId(s))) names.emplace_back(chart_->name(StateId(s)));
-        return names;
     }
     /// In a final state of the machine itself.
     bool done() const {
@@ -203,6 +180,28 @@ public:
 
 private:
     template <class> friend class states::detail::Regions;
+    friend struct states::MachineArchive;
+    template <class, class> friend class states::Lasting;
+    states::Kind kind_of(StateId s) const { return chart_->states_[index(s)].kind; }
+    Quantity<unit::Time> entered_at(std::size_t s) const { return entered_[s]; }
+    void start_in(Context& context, std::size_t s) {
+        begin(context, [&] {
+            const std::vector<std::uint16_t> there{std::uint16_t(s)};
+            if (chart_->parallel_) regions_.go_to(*this, context, there, [](std::size_t) { return false; });
+            else enter_target(context, 0, s);
+        });
+    }
+    void begin(Context& context, auto&& enter) {
+        if (busy_)
+            refuse(Refusal::invalid_argument,
+                   "Machine::start: called from an action of the same machine; raise an event instead");
+        const states::detail::Busy busy(busy_);
+        now_ = dt_ = {}, queue_ = {}, stopped_ = false;
+        forget();
+        for_memories(context, true);
+        enter();
+        settle(context);
+    }
     static Opts make_options([[maybe_unused]] O... options) {
         if constexpr (sizeof...(O) > 0) return Opts(options...);
         else return {};
@@ -283,6 +282,7 @@ private:
         const auto& row = chart_->transitions_[t];
         if (row.guard == states::nowhere) return true;
         const auto& guard = chart_->guards_[row.guard];
+        if (guard.in != states::nowhere) return is_in(StateId(guard.in)) != guard.not_in;
         return guard.ask(guard.guard.get(), asked(context, row.source), memory_at(row.guard));
     }
     const void* memory_at(std::size_t guard) const {

@@ -13,6 +13,10 @@
 
 namespace ansatz {
 
+namespace states {
+struct MachineArchive; // save.hpp
+}
+
 /// Where actions raise events: `[](Npc& npc, EventQueue& events) { events.raise(event<GuardNpc>("shot")); }`.
 class EventQueue {
 public:
@@ -44,6 +48,7 @@ public:
     friend constexpr bool operator==(const EventQueue&, const EventQueue&) = default;
 
 private:
+    friend struct states::MachineArchive;
     std::array<EventId, capacity> waiting_{};
     std::uint8_t first_ = 0, size_ = 0;
     std::uint32_t dropped_ = 0;

@@ -90,6 +90,7 @@ public:
     }
 
 private:
+    friend struct ansatz::states::MachineArchive;
     static bool inside(const Chart<Context>& c, std::size_t outer, std::size_t inner) {
         return inner > outer && inner < c.states_[outer].end;
     }

@@ -71,4 +71,21 @@ Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachi
     return all && entered == 0 ? Reloaded::same_states : Reloaded::other_states;
 }
 
+template <class D, class Context_, class... O>
+Reloaded InterpretedMachine<D, Context_, O...>::reload(Context& context, SharedChart<Context> chart) {
+    if (chart == nullptr) refuse(Refusal::invalid_argument, "Machine::reload: there is no chart");
+    if (busy_)
+        refuse(Refusal::invalid_argument,
+               "Machine::reload: called from an action of the same machine; call it between two updates");
+    InterpretedMachine next(*this);
+    next.adopt(std::move(chart));
+    if (!started()) {
+        *this = std::move(next);
+        return Reloaded::same_states;
+    }
+    const auto how = next.take_over(*this, context);
+    *this = std::move(next);
+    return how;
+}
+
 } // namespace ansatz

@@ -6,15 +6,15 @@
 /// remember, and nothing that its description does not need. `Machine` is its name for users (machine.hpp).
 
 #include <ansatz/states/core.hpp>
-
-#include <vector>
+#include <ansatz/states/lasting.hpp>
 
 namespace ansatz::states {
 
 /// \tparam D  the description
 /// \tparam R  Switch, StatePattern or Table
 /// \tparam O  options, see options.hpp
-template <class D, class R, class... O> class StaticMachine {
+template <class D, class R, class... O>
+class StaticMachine : public Lasting<StaticMachine<D, R, O...>, typename D::Context> {
 public:
     using Description = D;               ///< where it is described
     using Context = typename D::Context; ///< the user's
@@ -40,21 +40,9 @@ public:
     /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies
     /// outside
     void start(Context& context) {
-        if constexpr (can_raise) {
-            if (busy_)
-                refuse(Refusal::invalid_argument,
-                       "Machine::start: called from an action of the same machine; raise an event instead");
-            queue_ = {};
-        }
-        if constexpr (loops) stopped_ = false;
-        const detail::Busy busy(busy_);
-        clock_ = {};
-        if constexpr (M::rows.history) history_.fill(nowhere);
-        begin_memories(context);
-        enter_from<0, M::rows.states[0].initial>(context);
-        settle(context);
+        begin(context, [&] { enter_from<0, M::rows.states[0].initial>(context); });
     }
-
+    using Lasting<StaticMachine, Context>::start;
     /// An event. Within an action of this machine it waits until the present transition is complete.
     /// \return whether a transition was taken (true for one that waits)
     /// \throws std::invalid_argument before start; with RefuseUnhandled, for an event that nobody handles
@@ -101,15 +89,7 @@ public:
                       "Ansatz: this machine counts time (after, held_for); write machine.update(context, dt)");
         return update(context, Quantity<unit::Time>{});
     }
-    /// Seconds without their unit.
-    template <class Number>
-        requires(std::is_arithmetic_v<Number>)
-    bool update(Context&, Number) {
-        static_assert(ansatz::detail::never<Number>,
-                      "Ansatz: update takes the time of a step; write e.g. machine.update(npc, 1.0 / 60 * second)");
-        return false;
-    }
-
+    using Lasting<StaticMachine, Context>::update;
     // ------------------------------------------------------------ looking at it
     bool started() const { return state_.started(); }         ///< start was called
     StateId active() const { return StateId(state_.leaf()); } ///< the innermost active state
@@ -122,13 +102,6 @@ public:
     }
     /// Of the innermost active state.
     std::string_view active_name() const { return M::rows.states[state_.leaf()].name; }
-    /// The names of all active states, outer ones first; empty before start.
-    std::vector<std::string> active_names() const {
-        std::vector<std::string> names;
-        for (std::size_t s = 1; s < M::state_count; ++s)
-            if (is_in(StateId(s))) names.emplace_back(M::rows.states[s].name);
-        return names;
-    }
     /// Since start.
     Quantity<unit::Time> time() const
         requires(keeps_time)
@@ -209,7 +182,34 @@ public:
     }
 
 private:
+    friend struct MachineArchive;
+    friend class Lasting<StaticMachine, Context>;
     using Shape = detail::Shape<M>;
+    static constexpr Kind kind_of(StateId s) { return M::rows.states[index(s)].kind; }
+    Quantity<unit::Time> entered_at(std::size_t s) const { return clock_.entered[s]; }
+    void start_in(Context& context, std::size_t s) {
+        begin(context, [&] {
+            detail::with_number<M::state_count>(s, [&]<std::size_t S>() {
+                if constexpr (S > 0 && !is_history(M::rows.states[S].kind)) enter_from<0, S>(context);
+                return true;
+            });
+        });
+    }
+    void begin(Context& context, auto&& enter) {
+        if constexpr (can_raise) {
+            if (busy_)
+                refuse(Refusal::invalid_argument,
+                       "Machine::start: called from an action of the same machine; raise an event instead");
+            queue_ = {};
+        }
+        if constexpr (loops) stopped_ = false;
+        const detail::Busy busy(busy_);
+        clock_ = {};
+        if constexpr (M::rows.history) history_.fill(nowhere);
+        begin_memories(context);
+        enter();
+        settle(context);
+    }
     static constexpr bool can_raise = M::rows.acts || Shape::has_final;
 
     struct Clock {
