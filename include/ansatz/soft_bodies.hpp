@@ -5,6 +5,7 @@
 /// Chapter 4, soft bodies: meshes of triangles; cloth, ropes, balls and boxes that are built of bodies and springs;
 /// what acts on surfaces beside springs; and solvers that hold all of it on positions.
 
+#include <ansatz/soft_bodies/area.hpp>
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
