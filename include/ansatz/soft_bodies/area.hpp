@@ -35,7 +35,7 @@ namespace ansatz {
 
 /// A triangle that keeps its area: what `World::add` takes of a world with `Area`.
 struct Membrane {
-    using element = Membrane;
+    using element = Membrane;                                         ///< marks it as one that World::add takes
     std::array<Handle, 3> corners = {};                               ///< its bodies; in a plane anticlockwise
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre;    ///< K, N/m, not negative
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c, N s/m, not negative

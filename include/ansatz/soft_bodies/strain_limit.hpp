@@ -60,12 +60,13 @@ template <class Of = Springs<>> struct StrainLimit {
         using Velocity_ = typename S::Velocity;
 
     public:
-        static constexpr Phase phase = phases::positions;
-        static constexpr std::string_view name = "strain limit"; // behind "constraints"
+        static constexpr Phase phase = phases::positions;        ///< behind the integrator
+        static constexpr std::string_view name = "strain limit"; ///< behind "constraints"
         using writes = Columns<Position, Velocity>;
         using reads = Columns<InverseMass>;
-        using sees = Types<Of>;
+        using sees = Types<Of>; ///< the springs
 
+        /// Takes the parameters.
         explicit Hold(const StrainLimit& limit) : most_(Scalar(limit.most)), passes_(limit.passes) {}
 
         /// Looks at all springs, to and fro.
@@ -124,7 +125,7 @@ template <class Of = Springs<>> struct StrainLimit {
         Scalar most_;
         int passes_;
     };
-    template <class S> using systems = Types<Hold<S>>;
+    template <class S> using systems = Types<Hold<S>>; ///< what it does in a step
 };
 
 /// The largest strain of a spring as the bodies are now, length / rest length - 1; those without a rest length do not
