@@ -5,6 +5,7 @@
 /// Chapter 4, soft bodies: meshes of triangles; cloth, ropes, balls and boxes that are built of bodies and springs;
 /// what acts on surfaces beside springs; and solvers that hold all of it on positions.
 
+#include <ansatz/soft_bodies/area.hpp>
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
@@ -19,6 +20,7 @@
 #include <ansatz/soft_bodies/soft_ball.hpp>
 #include <ansatz/soft_bodies/soft_box.hpp>
 #include <ansatz/soft_bodies/soft_rope.hpp>
+#include <ansatz/soft_bodies/strain_limit.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 #include <ansatz/soft_bodies/wind.hpp>

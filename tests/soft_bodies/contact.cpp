@@ -73,7 +73,7 @@ TEMPLATE_TEST_CASE("A particle that hits the ground leaves with e times its spee
     CHECK(up == Approx(e * down).epsilon(0).margin(9.81 / 60 * (1 + e)));
 }
 
-TEST_CASE("Cloth falls over a ball and comes to rest on it", "[soft_bodies]") {
+TEST_CASE("hard case K12: cloth falls over a ball and comes to rest on it", "[soft_bodies]") {
     // 240 steps a second: in a step nobody falls as far as he is thick (who does wants Swept).
     const double stiffness = GENERATE(500., 5000.);
     World world{SemiImplicitEuler{}, Gravity{},      Springs<>{},           Xpbd{},

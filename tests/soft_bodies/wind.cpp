@@ -157,7 +157,7 @@ TEST_CASE("Its derivative is that of the drag from the front, and bounds the ste
     CHECK(stiffness_of(world).damping.value() == Approx(2 * slope / 3 / 0.1).epsilon(1e-12));
 }
 
-TEMPLATE_TEST_CASE("K10: a storm, and then none: finite, and the sheet hangs again as it hung",
+TEMPLATE_TEST_CASE("hard case K10: a storm, and then none: finite, and the sheet hangs again as it hung",
                    "[soft_bodies][wind][K10]", double, float) {
     // A storm stretches such a sheet to several times its size and lets it go: an implicit step, or none that is short.
     World world{Space<TestType, 3>{}, ImplicitEuler{.tolerance = 0.01, .most_iterations = 10},

@@ -27,6 +27,7 @@
 #include <ansatz/motion/quadratic_drag.hpp>
 #include <ansatz/motion/rest.hpp>
 #include <ansatz/motion/stop_below.hpp>
+#include <ansatz/soft_bodies/area.hpp>
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/soft_bodies/wind.hpp>
@@ -52,6 +53,8 @@ static_assert(ResponseIn<Projection, Space<>> && ResponseIn<Projection, Space<fl
 static_assert(ResponseIn<SoftSubsteps<>, Space<>> && ResponseIn<SoftSubsteps<Friction>, Space<float, 2>>);
 static_assert(LawIn<AppliedForces, Space<>>);
 static_assert(CouplingIn<Attraction, Space<>>);
+static_assert(DifferentiableCouplingIn<Area, Space<>> && CurvedConstraintIn<AreaConstraint<Space<>>, Space<>> &&
+              CurvedConstraintIn<AreaConstraint<Space<float, 2>>, Space<float, 2>>);
 static_assert(DifferentiableCouplingIn<Bending, Space<>> && GatheredCouplingIn<Bending, Space<>> &&
               CurvedConstraintIn<HingeConstraint<Space<>>, Space<>>);
 static_assert(DifferentiableCouplingIn<Pressure, Space<>> && GivesConstraints<Pressure, Space<float, 3>>);

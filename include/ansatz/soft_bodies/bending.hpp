@@ -43,7 +43,7 @@ namespace ansatz {
 
 /// An edge between two triangles that keeps their angle: what `World::add` takes of a world with `Bending`.
 struct Hinge {
-    using element = Hinge;
+    using element = Hinge;                                           ///< marks it as one that World::add takes
     std::array<Handle, 2> edge = {};                                 ///< its ends
     std::array<Handle, 2> wings = {};                                ///< the third vertices of the two triangles
     Parameter<unit::Energy> stiffness = 0.0 * joule;                 ///< k, J for a squared radian, not negative

@@ -62,7 +62,7 @@ struct Filling {
 
 /// A closed surface between bodies, and its filling: what `World::add` takes of a world with `Pressure`.
 struct Enclosure {
-    using element = Enclosure;
+    using element = Enclosure;                     ///< marks it as one that World::add takes
     std::vector<Handle> bodies;                    ///< by vertex
     std::vector<TriangleMesh::Triangle> triangles; ///< their vertices, anticlockwise as seen from outside
     Filling filling;                               ///< the law of its pressure

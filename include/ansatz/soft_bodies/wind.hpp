@@ -49,7 +49,7 @@ namespace ansatz {
 
 /// A triangle on which wind blows: what `World::add` takes of a world with `Wind`.
 struct Sail {
-    using element = Sail;
+    using element = Sail;               ///< marks it as one that World::add takes
     std::array<Handle, 3> corners = {}; ///< its bodies
     double drag = 1;                    ///< c_D, finite, not negative; 1.1 to 1.3 of a plate
     double lift = 0;                    ///< c_L, finite, not negative
@@ -110,7 +110,8 @@ public:
     /// One sail as the loop over all of them wants it.
     struct Set {
         std::array<std::size_t, 3> slots; ///< of its corners
-        typename S::Scalar drag, lift;    ///< its coefficients
+        typename S::Scalar drag;          ///< c_D
+        typename S::Scalar lift;          ///< c_L
     };
     /// Finds the slots anew, if sails or slots changed since.
     /// \param layout changes whenever bodies change their slots
