@@ -414,3 +414,18 @@ TEST_CASE("nobody gets energy from nothing: a ball and the waves that it makes, 
         CHECK(columns[3] > 0.8 * columns[0]); // and loses little of it
     }
 }
+TEST_CASE("a pool that is asked for comes without what bodies press up, and may be given back", "[water]") {
+    Afloat_ one(pond(), 2, pressing(ball), 400, 5, 1.8, 5);
+    one.steps(60, 1.0 / 60);
+    REQUIRE(one.world.water(one.pool).displaced().value() > 0.3);
+    const auto pool = one.world.get(one.pool);
+    CHECK(pool.surface.volume().value() == Approx(200).epsilon(1e-13));
+    one.world.set(one.pool, pool);
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-13));
+    CHECK(one.world.water(one.pool).displaced().value() == 0);
+    CHECK(one.now().submerged.value() > 0.3); // it lies as deep as before, in the water that it will press up
+    one.steps(60 * 60, 1.0 / 60);
+    CHECK(one.now().submerged.value() == Approx(0.4).epsilon(1e-5));
+    CHECK(one.level() - 2 == Approx(0.004).epsilon(1e-3));
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-12));
+}
