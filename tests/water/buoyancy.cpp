@@ -429,3 +429,20 @@ TEST_CASE("a pool that is asked for comes without what bodies press up, and may 
     CHECK(one.level() - 2 == Approx(0.004).epsilon(1e-3));
     CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-12));
 }
+TEST_CASE("a floating body that is described anew as it was is what it was, and any change of it goes on from there",
+          "[water]") {
+    Afloat_ one(pond(), 2, pressing(ball), 400, 5, 1.8, 5);
+    one.steps(60, 1.0 / 60);
+    auto other = one;
+    other.world.set(other.floating, other.world.get(other.floating));
+    CHECK(other.world.hash() == one.world.hash());
+    other.steps(30, 1.0 / 60);
+    one.steps(30, 1.0 / 60);
+    CHECK(other.world.hash() == one.world.hash());
+    auto larger = one.world.get(one.floating);
+    larger.by = Sphere{0.6 * metre};
+    one.world.set(one.floating, larger);
+    one.steps(60 * 60, 1.0 / 60);
+    CHECK(one.now().submerged.value() == Approx(0.4).epsilon(1e-5));
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-12));
+}

@@ -48,7 +48,7 @@ struct Buoyancy {
     static void parameters(auto&, auto&&) {}
 
     /// The floating bodies of a world.
-    template <class S> using State = ElementTable<S, Floating, detail::FloatingRow<S>>;
+    template <class S> using State = detail::FloatingTable<S>;
 
     template <class S> struct In {
         using Scalar = typename S::Scalar;

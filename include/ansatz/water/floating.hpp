@@ -301,5 +301,22 @@ private:
     }
 };
 
+/// The floating bodies of a world. Who is described anew has pressed up what he has; a spring that was broken is a new
+/// one.
+template <class S> class FloatingTable : public ElementTable<S, Floating, FloatingRow<S>> {
+    using Base = ElementTable<S, Floating, FloatingRow<S>>;
+
+public:
+    void replace(std::uint32_t id, FloatingRow<S> row) {
+        const auto& before = std::as_const(*this).row(id);
+        if (before.body == row.body) {
+            row.displaced = before.displaced;
+            row.kind = before.kind;
+            row.pool = before.pool;
+        }
+        Base::replace(id, std::move(row));
+    }
+};
+
 } // namespace detail
 } // namespace ansatz
