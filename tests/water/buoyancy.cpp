@@ -188,10 +188,11 @@ TEST_CASE("where a ball floats depends on neither the step nor the columns", "[w
         one.steps(rate, 1.0 / rate); // in the midst of its way
         heights.push_back(one.y());
     }
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
     CAPTURE(heights);
-    CHECK(*high - *low < 0.04); // of its way of 0.6 m; measured 0.036, from columns of 1/8 m to 1/2 m
-    CHECK(std::abs(heights[4] - heights[1]) < 0.02);
+    // Of a way of 0.6 m: 0.2 mm between 30 and 240 Hz, 4.2 cm between columns of 1/8 m and of 1/2 m, a radius of the
+    // ball.
+    for (const std::size_t other : {3, 4}) CHECK(std::abs(heights[other] - heights[1]) < 5e-4);
+    CHECK(std::abs(heights[2] - heights[0]) < 0.05);
 }
 TEST_CASE("at a wall, in a corner and side by side bodies float as they do in the middle", "[water]") {
     auto settles = [](double x, double z) {
@@ -383,4 +384,65 @@ TEST_CASE("the Jacobian is how the force changes", "[water]") {
             CHECK(c == Approx(-by_v).epsilon(1e-6));
         });
     }
+}
+TEST_CASE("nobody gets energy from nothing: a ball and the waves that it makes, without damping", "[water]") {
+    auto fastest = []<class Policy>(const Policy& policy, double cell) {
+        World world{SemiImplicitEuler{}, Gravity{}, Pools<Policy>{}, Buoyancy{}};
+        const auto n = std::size_t(10 / cell + 0.5);
+        const auto pool = world.add(Pool{Surface{policy, ColumnGrid(n, n, cell * metre), 2.0 * metre}});
+        // In the middle, where the waves that come back from the walls do not push it aside.
+        const auto body = world.add(position(metres(5, 2.3, 5)), mass(300.0 * kilogram));
+        const auto floating = world.add(Floating{body, ball});
+        std::vector<double> of_a_minute;
+        for (int minute = 0; minute < 4; ++minute) {
+            of_a_minute.push_back(0);
+            for (int i = 0; i < 3600; ++i) {
+                world.step(1.0 / 60 * second);
+                of_a_minute.back() = std::max(of_a_minute.back(), std::abs(y(world.velocity(body)).value()));
+            }
+        }
+        // What is pressed up is what is under water, at the end of the step, to rounding.
+        CHECK(world.water(pool).displaced().value() == Approx(world.afloat(floating).submerged.value()).epsilon(1e-12));
+        return of_a_minute;
+    };
+    for (const double cell : {0.25, 0.5}) {
+        const auto columns = fastest(WaterColumns{std::sqrt(g * 2) * mps}, cell), pipes = fastest(Pipes{}, cell);
+        for (const std::size_t minute : {1, 2, 3}) {
+            CHECK(columns[minute] <= columns[0] * 1.001);
+            CHECK(pipes[minute] <= pipes[0] * 1.001);
+        }
+        CHECK(columns[3] > 0.8 * columns[0]); // and loses little of it
+    }
+}
+TEST_CASE("a pool that is asked for comes without what bodies press up, and may be given back", "[water]") {
+    Afloat_ one(pond(), 2, pressing(ball), 400, 5, 1.8, 5);
+    one.steps(60, 1.0 / 60);
+    REQUIRE(one.world.water(one.pool).displaced().value() > 0.3);
+    const auto pool = one.world.get(one.pool);
+    CHECK(pool.surface.volume().value() == Approx(200).epsilon(1e-13));
+    one.world.set(one.pool, pool);
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-13));
+    CHECK(one.world.water(one.pool).displaced().value() == 0);
+    CHECK(one.now().submerged.value() > 0.3); // it lies as deep as before, in the water that it will press up
+    one.steps(60 * 60, 1.0 / 60);
+    CHECK(one.now().submerged.value() == Approx(0.4).epsilon(1e-5));
+    CHECK(one.level() - 2 == Approx(0.004).epsilon(1e-3));
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-12));
+}
+TEST_CASE("a floating body that is described anew as it was is what it was, and any change of it goes on from there",
+          "[water]") {
+    Afloat_ one(pond(), 2, pressing(ball), 400, 5, 1.8, 5);
+    one.steps(60, 1.0 / 60);
+    auto other = one;
+    other.world.set(other.floating, other.world.get(other.floating));
+    CHECK(other.world.hash() == one.world.hash());
+    other.steps(30, 1.0 / 60);
+    one.steps(30, 1.0 / 60);
+    CHECK(other.world.hash() == one.world.hash());
+    auto larger = one.world.get(one.floating);
+    larger.by = Sphere{0.6 * metre};
+    one.world.set(one.floating, larger);
+    one.steps(60 * 60, 1.0 / 60);
+    CHECK(one.now().submerged.value() == Approx(0.4).epsilon(1e-5));
+    CHECK(one.world.water(one.pool).volume().value() == Approx(200).epsilon(1e-12));
 }

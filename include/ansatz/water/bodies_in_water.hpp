@@ -71,7 +71,10 @@ public:
     using Wet = WetColumns<Policy, Scalar>;
 
     PoolAround(const Pool_& pool, const FloatingRow<S>& body, const Vec& at, double gravity)
-        : pool_(pool), grid_(pool.surface->grid()), wet_{*pool.surface, 0.2 * static_cast<double>(body.below())} {
+        : pool_(pool),
+          grid_(pool.surface->grid()),
+          wet_{*pool.surface, 0.2 * static_cast<double>(body.below())},
+          presses_(body.presses) {
         water_.density = pool.density;
         water_.weight = pool.density * Scalar(gravity);
         if constexpr (S::dimension == 2) water_.width = Scalar(grid_.z().end() - grid_.z().begin());
@@ -85,7 +88,8 @@ public:
     bool covered() const { return covered_; }
     WaterRing<Wet> ring() const { return {grid_, foot_, wet_}; }
     /// Level, slope and flow in the ring.
-    WaterBeside<Scalar> look() const {
+    /// \param own what the body itself has pressed up there, m^3
+    WaterBeside<Scalar> look(const Scalar& own) const {
         auto water = water_;
         if (!covered_) return water;
         // Heights over that of one column, so that the mean of a flat surface is that surface, to the bit.
@@ -101,8 +105,12 @@ public:
         if (!ring.wet()) return water_;
         const Scalar by = Scalar(1) / Scalar(ring.total());
         water.wet = true;
+        const Scalar feedback(ring.feedback());
         water.level = from + by * sums.h;
         water.bed = water.level - by * sums.depth;
+        water.level -= feedback * own;
+        water.feedback = presses_ ? feedback : Scalar(0);
+        water.room = Scalar(ring.room());
         for (Scalar* flow : {&water.u, &water.rise, &water.w}) *flow *= by;
         sums.slopes(by, water);
         return water;
@@ -152,7 +160,7 @@ private:
     Wet wet_;
     WaterBeside<Scalar> water_;
     Footprint foot_;
-    bool covered_ = false;
+    bool presses_, covered_ = false;
 };
 
 /// Where a body is, raw.
@@ -168,7 +176,9 @@ auto water_beside(const Data& data, const FloatingRow<typename C::S>& body, doub
     each_kind_of_pools<C>(data, [&]<class Q>(const auto& pools, std::type_identity<Q>) {
         const auto kind = kind_number(Q::name);
         pools.for_each([&](std::uint32_t id, const auto& pool) {
-            auto one = PoolAround<typename C::S, typename Q::surface>(pool, body, at, gravity).look();
+            const bool there = pool.begun && body.kind == kind && body.pool == id;
+            auto one = PoolAround<typename C::S, typename Q::surface>(pool, body, at, gravity)
+                           .look(there ? body.displaced : Scalar(0));
             one.kind = kind;
             one.pool = id;
             const bool before =
@@ -189,33 +199,26 @@ template <class C, class Data> void look_at_water(Data& data, double gravity) {
 template <class C, class Data> void press_one(Data& data, FloatingRow<typename C::S>& body, double gravity) {
     using S = typename C::S;
     using Scalar = typename S::Scalar;
-    const auto water = water_beside<C>(data, body, gravity);
-    const auto before = body.kind == water.kind && body.pool == water.pool ? body.displaced : Scalar(0);
+    const auto water = body.beside = water_beside<C>(data, body, gravity);
     body.displaced = Scalar(0);
     body.kind = water.kind;
     body.pool = water.pool;
     if (!water.wet) return;
     const auto slot = data.bodies.slot_of_id(body.body.id);
     const auto at = data.lanes.template get<Position>(slot).value();
-    const Scalar depth = water.level - at[1];
-    if (body.model == LiftBy::spring && depth > body.size[2]) body.broken = true;
+    const Scalar depth = water.level - at[1], inverse_mass = data.lanes.template get<InverseMass>(slot).value();
+    auto now = body.settled(depth, inverse_mass);
+    if (body.model == LiftBy::spring && depth + body.raised(now) > body.size[2]) {
+        body.broken = true;
+        now = {};
+    }
     if (!body.presses) return;
-    const Scalar inverse_mass = data.lanes.template get<InverseMass>(slot).value();
+    body.displaced = water.room * now.volume;
     each_kind_of_pools<C>(data, [&]<class Q>(auto& pools, std::type_identity<Q>) {
         if (kind_number(Q::name) != water.kind) return;
         auto& pool = pools.row(water.pool);
         const PoolAround<S, typename Q::surface> around(pool, body, at, gravity);
         const auto ring = around.ring();
-        const Scalar room(ring.room());
-        const auto sunk = [&](const Scalar& d) {
-            auto all = body.sunk(d, water, inverse_mass);
-            all.volume *= room;
-            all.waterline *= room;
-            return all;
-        };
-        const Scalar most = sunk(std::numeric_limits<Scalar>::max() / Scalar(1e6)).volume;
-        body.displaced =
-            body.shaped() ? displaced_in_ring(sunk, depth, before, Scalar(ring.feedback()), most) : sunk(depth).volume;
         ring.each_with_area([&](std::size_t n, double share, double area) {
             pool.pressing.value[n] += body.displaced * Scalar(share / area);
         });
@@ -253,6 +256,7 @@ template <class C, class Data> void press_water(Data& data, double gravity) {
                 }
             });
             pool.rows = owes ? both : pool.next_rows;
+            pool.begun = true;
         });
     });
 }

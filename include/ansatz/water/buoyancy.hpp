@@ -22,9 +22,10 @@
 /// taken away where it leaves: so the volume of water is kept, the level rises by m/(rho A) under what floats, and what
 /// moves makes waves. A body that is fixed or moves by itself displaces, too. Drag is not given to the water's flow.
 ///
-/// The level is that of the ring's mean, and for the water's own acceleration the body has no added mass: it bobs a
-/// little faster than a real one. Boxes stay upright. The surface that a step begins with acts during all its stages. A
-/// drag that would turn a body round within a step only stops it against the water.
+/// The level is the mean of the ring. There is no added mass, so that a body bobs a little faster than a real one, and
+/// boxes stay upright. Without drag a body that waves push aside goes on, and may leave a pool that has no walls of
+/// bodies. The surface that a step begins with acts during all its stages. A drag that would turn a body round within a
+/// step only stops it against the water.
 
 #include <ansatz/motion/roles.hpp>
 #include <ansatz/water/floating.hpp>
@@ -47,7 +48,7 @@ struct Buoyancy {
     static void parameters(auto&, auto&&) {}
 
     /// The floating bodies of a world.
-    template <class S> using State = ElementTable<S, Floating, detail::FloatingRow<S>>;
+    template <class S> using State = detail::FloatingTable<S>;
 
     template <class S> struct In {
         using Scalar = typename S::Scalar;
@@ -59,9 +60,9 @@ struct Buoyancy {
         void couple(auto& view, const auto& context) const {
             const Scalar dt = context.dt().value();
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
-                const Scalar depth = row.beside.level - x[1];
-                Vec force = row.lift(depth, inverse_mass);
-                Scalar c = row.resistance(depth, w);
+                const auto now = row.settled(row.beside.level - x[1], inverse_mass);
+                Vec force = row.lift(now);
+                Scalar c = row.resistance(now, w);
                 const Scalar stops = c * inverse_mass * dt; // the part of w that the drag takes in a step
                 if (stops > Scalar(1)) c /= stops;
                 force += row.against(c, w);
@@ -73,21 +74,18 @@ struct Buoyancy {
         void jacobian(const auto& view, const auto&, auto&& add) const {
             using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>;
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
-                const auto& water = row.beside;
-                const Scalar depth = water.level - x[1];
+                const auto now = row.settled(row.beside.level - x[1], inverse_mass);
                 Matrix by_position = Matrix::Zero();
-                by_position(1, 1) = -water.weight * row.sunk(depth, water, inverse_mass).waterline;
-                add(slot, view.size(), by_position, Matrix(-row.resistance(depth, w) * Matrix::Identity()));
+                by_position(1, 1) = -row.stiffness(now);
+                add(slot, view.size(), by_position, Matrix(-row.resistance(now, w) * Matrix::Identity()));
             });
         }
         /// How stiff and how damped the water holds each body as it is now.
         /// \param f called with the slot of the body, `view.size()`, N/m and N s/m
         void stiffnesses(const auto& view, auto&& f) const {
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
-                const auto& water = row.beside;
-                const Scalar depth = water.level - x[1];
-                f(slot, view.size(), Scalar(water.weight * row.sunk(depth, water, inverse_mass).waterline),
-                  row.resistance(depth, w));
+                const auto now = row.settled(row.beside.level - x[1], inverse_mass);
+                f(slot, view.size(), row.stiffness(now), row.resistance(now, w));
             });
         }
 

@@ -69,13 +69,38 @@ enum class LiftBy : std::uint8_t { sphere, box, fixed, spring };
 /// The water around a body.
 template <class Scalar> struct WaterBeside {
     bool wet = false;
-    Scalar level{}, bed{};       // m
+    Scalar level{}, bed{};       // m; the level as it would be without what this body presses up
+    Scalar feedback{}, room{};   // of the ring: by how much that rises, 1/m^2, and how much of it there is room for
     Scalar slope_x{}, slope_z{}; // of the surface
     Scalar u{}, rise{}, w{};     // m/s: along x, up, along z
     Scalar density{}, weight{};  // kg/m^3, N/m^3
     Scalar width{1};             // of a channel, for bodies of two dimensions, m
     std::uint32_t kind = 0, pool = 0xffffffffu;
 };
+
+/// The volume that a body presses up where the water around it rises by what it presses up: \f$ P = P(d + \kappa P) \f$.
+/// The least one, by Newton within a bracket.
+/// \param pressed  of a depth
+/// \param depth    under the level that the water would have without it, m
+/// \param feedback kappa, 1/m^2
+/// \param most     no volume is larger, m^3
+template <class Scalar, class F>
+Scalar pressed_in_ring(const F& pressed, const Scalar& depth, const Scalar& feedback, const Scalar& most) {
+    using std::abs;
+    Scalar low = pressed(depth).volume, high = most < low ? low : most, v = low;
+    for (int i = 0; i < 100 && low < high; ++i) {
+        const auto at = pressed(depth + feedback * v);
+        const Scalar more = at.volume - v;
+        if (more > Scalar(0)) low = v;
+        else high = v;
+        const Scalar slope = Scalar(1) - feedback * at.waterline;
+        Scalar next = slope > Scalar(0) ? v + more / slope : low;
+        if (!(next > low && next < high)) next = low + (high - low) / Scalar(2);
+        if (abs(next - v) <= std::numeric_limits<Scalar>::epsilon() * high || next == v) return next;
+        v = next;
+    }
+    return v;
+}
 
 /// What is kept of one.
 template <class S> struct FloatingRow {
@@ -165,6 +190,26 @@ template <class S> struct FloatingRow {
         if (!(inverse_mass > Scalar(0))) return {};
         return {size[0] / (inverse_mass * water.weight), Scalar(0), Scalar(0)};
     }
+    /// The same in the level that the water around it has with what it presses up.
+    Sunk<Scalar> settled(const Scalar& depth, const Scalar& inverse_mass) const {
+        if (!(beside.feedback > Scalar(0)) || model == LiftBy::fixed) return sunk(depth, beside, inverse_mass);
+        const auto pressed = [&](const Scalar& d) {
+            auto all = sunk(d, beside, inverse_mass);
+            all.volume *= beside.room;
+            all.waterline *= beside.room;
+            return all;
+        };
+        const Scalar most = pressed(std::numeric_limits<Scalar>::max() / Scalar(1e6)).volume;
+        const Scalar volume = pressed_in_ring(pressed, depth, beside.feedback, most);
+        return sunk(depth + beside.feedback * volume, beside, inverse_mass);
+    }
+    /// By how much the water around it stands higher for that, m.
+    Scalar raised(const Sunk<Scalar>& now) const { return beside.feedback * beside.room * now.volume; }
+    /// How much stronger it is pushed for each metre that it sinks, N/m.
+    Scalar stiffness(const Sunk<Scalar>& now) const {
+        const Scalar slope = Scalar(1) - beside.feedback * beside.room * now.waterline;
+        return slope > Scalar(0) ? beside.weight * now.waterline / slope : Scalar(0);
+    }
     /// Where it is seen from above, for the ring around it.
     Footprint footprint(const Vec& at, const WaterBeside<Scalar>& water) const {
         auto d = [](const Scalar& x) { return static_cast<double>(x); };
@@ -182,11 +227,11 @@ template <class S> struct FloatingRow {
         return foot;
     }
     /// Upwards along the surface's normal, N; without drag.
-    Vec lift(const Scalar& depth, const Scalar& inverse_mass) const {
+    Vec lift(const Sunk<Scalar>& now) const {
         const auto& water = beside;
         Vec f = Vec::Zero();
         if (!water.wet) return f;
-        f[1] = water.weight * sunk(depth, water, inverse_mass).volume;
+        f[1] = water.weight * now.volume;
         if (!shaped()) return f; // the notes' two models push straight upwards
         f[0] = -water.slope_x * f[1];
         if constexpr (S::dimension == 3) f[2] = -water.slope_z * f[1];
@@ -203,13 +248,13 @@ template <class S> struct FloatingRow {
         return u;
     }
     /// c of -c w, against the water that passes with w, kg/s.
-    Scalar resistance(const Scalar& depth, const Vec& w) const {
+    Scalar resistance(const Sunk<Scalar>& now, const Vec& w) const {
         using std::abs;
         using std::sqrt;
         const auto& water = beside;
         if (!water.wet) return Scalar(0);
-        if (!shaped()) return model == LiftBy::spring && !broken && depth > Scalar(0) ? size[1] : Scalar(0);
-        const auto now = sunk(depth, water, Scalar(0)), all = sunk(Scalar(2) * below(), water, Scalar(0));
+        if (!shaped()) return model == LiftBy::spring && now.volume > Scalar(0) ? size[1] : Scalar(0);
+        const auto all = sunk(Scalar(2) * below(), water, Scalar(0));
         if (!(now.volume > Scalar(0))) return Scalar(0);
         Scalar speed(0), across(0); // |w|, and |w| times the area that it meets
         for (int k = 0; k < S::dimension; ++k) speed += w[k] * w[k];
@@ -256,28 +301,22 @@ private:
     }
 };
 
-/// The volume that a body displaces when the water around it has risen by what it displaces:
-/// \f$ V = V_{sub}(d + \kappa (V - V_{before})) \f$. The least one, by Newton within a bracket.
-/// \param sunk of a depth
-template <class Scalar, class F>
-Scalar displaced_in_ring(const F& sunk, const Scalar& depth, const Scalar& before, const Scalar& feedback,
-                         const Scalar& most) {
-    using std::abs;
-    const auto start = sunk(depth - feedback * before);
-    Scalar low = start.volume, high = most < low ? low : most, v = low;
-    for (int i = 0; i < 100 && low < high; ++i) {
-        const auto at = sunk(depth + feedback * (v - before));
-        const Scalar more = at.volume - v;
-        if (more > Scalar(0)) low = v;
-        else high = v;
-        const Scalar slope = Scalar(1) - feedback * at.waterline;
-        Scalar next = slope > Scalar(0) ? v + more / slope : low;
-        if (!(next > low && next < high)) next = low + (high - low) / Scalar(2);
-        if (abs(next - v) <= std::numeric_limits<Scalar>::epsilon() * high || next == v) return next;
-        v = next;
+/// The floating bodies of a world. Who is described anew has pressed up what he has; a spring that was broken is a new
+/// one.
+template <class S> class FloatingTable : public ElementTable<S, Floating, FloatingRow<S>> {
+    using Base = ElementTable<S, Floating, FloatingRow<S>>;
+
+public:
+    void replace(std::uint32_t id, FloatingRow<S> row) {
+        const auto& before = std::as_const(*this).row(id);
+        if (before.body == row.body) {
+            row.displaced = before.displaced;
+            row.kind = before.kind;
+            row.pool = before.pool;
+        }
+        Base::replace(id, std::move(row));
     }
-    return v;
-}
+};
 
 } // namespace detail
 } // namespace ansatz

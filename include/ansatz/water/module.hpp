@@ -78,17 +78,20 @@ struct MoveWater {
     template <class StepT> static void run(StepT& step) {
         using C = typename StepT::Composition_;
         const auto dt = static_cast<double>(step.context.dt().value()) * second;
-        if constexpr (C::floats) press_water<C>(step.data, weight_of_water<C>(step.policies));
         double parts = 1;
-        // What was pressed up has made the water deeper than it was when the step was looked at.
-        if constexpr (divides_for_water<C>() || C::floats)
+        if constexpr (divides_for_water<C>())
             parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
                 for (double i = 0; i < parts; ++i) SurfaceLanes::advance(*row.surface, dt / parts);
             });
         });
-        if constexpr (C::floats) step.data.coupled.current = false;
+        // Behind the waves: they were pushed by what bodies pressed up where this step began, as bodies were by the
+        // water of then. Were it before them, a body that bobs would get energy from nothing.
+        if constexpr (C::floats) {
+            press_water<C>(step.data, weight_of_water<C>(step.policies));
+            step.data.coupled.current = false;
+        }
     }
 };
 
@@ -199,15 +202,15 @@ public:
             const auto at = inside.data.lanes.template get<Position>(slot).value();
             const auto inverse_mass = inside.data.lanes.template get<InverseMass>(slot).value();
             const typename C::S::Scalar depth = water.level - at[1];
-            const auto sunk = body.sunk(depth, water, inverse_mass);
+            const auto sunk = body.settled(depth, inverse_mass);
             all.in_pool = true;
-            all.level = decltype(all.level)::from_value(water.level);
+            all.level = decltype(all.level)::from_value(water.level + body.raised(sunk));
             if (body.shaped()) {
                 all.submerged = decltype(all.submerged)::from_value(sunk.volume);
                 all.centre = decltype(all.centre)::from_value(at[1] - body.below() + sunk.centre);
             }
             all.flow = decltype(all.flow)::from_value(body.flow(at[1]));
-            all.lift = decltype(all.lift)::from_value(body.lift(depth, inverse_mass));
+            all.lift = decltype(all.lift)::from_value(body.lift(sunk));
         }
         return all;
     }

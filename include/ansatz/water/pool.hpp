@@ -85,6 +85,7 @@ template <class Policy, class Scalar> struct PoolRow {
     std::optional<Surface_> surface;     // none before it is read from a file
     Scalar density{};                    // kg/m^3
     std::vector<Scalar> pressed;         // of each column: how much of its height bodies have pressed up, m
+    bool begun = false;                  // whether a step was made: before, nothing that bodies pressed up is in it
     Cache<std::vector<Scalar>> pressing; // the same as this step makes it
     // Beyond these rows nothing is pressed up; who was read from a file looks at all of them once.
     RowsOfColumns rows{0, std::numeric_limits<std::size_t>::max()}, next_rows;
@@ -125,6 +126,7 @@ template <class Policy, class Scalar> struct PoolRow {
         }
         field("density", self.density);
         field("pressed", self.pressed);
+        field("begun", self.begun);
     }
     /// \throws std::invalid_argument where the numbers do not fit together
     void check() const {

@@ -23,10 +23,12 @@ namespace ansatz {
 
 /// What a body covers of the plane of x and z, in m.
 struct Footprint {
-    double x = 0, z = 0;           ///< its middle
-    double half_x = 0, half_z = 0; ///< half of its lengths; nothing for a point
-    bool round = false;            ///< a disc of half_x, or a rectangle
-    double section = 0;            ///< m^2, at the water line where it is largest
+    double x = 0;       ///< of its middle
+    double z = 0;       ///< of its middle
+    double half_x = 0;  ///< half of its length along x; nothing for a point
+    double half_z = 0;  ///< half of its length along z
+    bool round = false; ///< a disc of half_x, or a rectangle
+    double section = 0; ///< m^2, at the water line where it is largest
 
     /// How far a place is outside of it, m; nothing within.
     /// \param channel whether only x counts
