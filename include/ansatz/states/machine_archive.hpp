@@ -5,6 +5,7 @@
 /// `MachineArchive`: what a machine of each representation consists of, field by field, for save.hpp: where it is, its
 /// times, its histories, what guards and state classes remember, and what waits. Who reads is held to what a machine
 /// can be.
+// not in the umbrella: it is a part of save.hpp
 
 #include <ansatz/states/archive.hpp>
 #include <ansatz/states/machine.hpp>
