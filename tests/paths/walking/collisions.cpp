@@ -14,9 +14,10 @@ using namespace ansatz::paths;
 namespace {
 
 struct Yard
-    : World<SemiImplicitEuler, Gravity, SortAndSweep, Narrowphase<Sphere, Plane, Box>, Impulse<>, Projection, Walkers> {
+    : World<SemiImplicitEuler, Gravity, Rest, SortAndSweep, Narrowphase<Sphere, Plane, Box>, Impulse<>, Projection,
+            Walkers> {
     Yard()
-        : World(SemiImplicitEuler{}, Gravity{}, SortAndSweep{}, Narrowphase<Sphere, Plane, Box>{}, Impulse<>{},
+        : World(SemiImplicitEuler{}, Gravity{}, Rest{}, SortAndSweep{}, Narrowphase<Sphere, Plane, Box>{}, Impulse<>{},
                 Projection{}, Walkers{}) {
         add(Plane::ground(), fixed);
     }

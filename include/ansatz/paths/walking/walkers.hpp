@@ -15,7 +15,8 @@
 ///
 /// It knows no map. Who finds the path, and looks for another when the map changes, is `Traveller` (traveller.hpp).
 /// Between the ends of a step a body moves straight, and may cut its own curve by a dt^2/8. A walker that Rest has put
-/// to sleep, because it is stuck, stays so until something wakes its body or it is given another Walk.
+/// to sleep, because something is in its way, is told as stuck; it goes on when its body wakes: what it leant on is
+/// gone, or it is given another Walk.
 // not in the umbrella: it brings a World along, and a search needs none; ansatz/paths/walking.hpp has it
 
 #include <ansatz/motion/policy_systems.hpp>
@@ -81,7 +82,11 @@ struct Walkers {
             view.state().for_each([&](std::uint32_t, Row& row) {
                 row.told = 0, row.passed = 0;
                 const auto slot = view.slot(row.body);
-                if (slot >= view.end(Motion::awake) || !(dt.value() > Scalar(0))) return;
+                if (!(dt.value() > Scalar(0))) return;
+                if (slot >= view.end(Motion::awake)) { // asleep: it may have been stopped by something
+                    if (slot < view.end(Motion::resting) && !row.arrived && !row.halting) wait(row, dt);
+                    return;
+                }
                 const auto v = view.template get<Velocity>(slot);
                 view.template set<Velocity>(slot, v + change(row, view.template get<Position>(slot), v, dt));
             });
@@ -175,10 +180,14 @@ struct Walkers {
                 row.nearest = left, row.waited = {}, row.stuck = false;
                 return;
             }
+            wait(row, dt);
+        }
+        /// It has got no nearer in this step, either.
+        void wait(Row& row, const typename S::Time& dt) const {
             row.waited += dt;
             if (row.waited < patience || row.stuck) return;
             row.stuck = true;
-            note(WalkNews::stuck);
+            row.told = std::uint8_t(row.told | 1u << unsigned(WalkNews::stuck));
         }
     };
     template <class S> using systems = Types<Steer<S>>; ///< what it does in a step
