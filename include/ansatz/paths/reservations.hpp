@@ -116,7 +116,8 @@ private:
 
 /// A step of an agent: to a neighbour, or none.
 struct TimedEdge {
-    Timed from, to;        ///< to is one step later
+    Timed from;            ///< where, and when it begins
+    Timed to;              ///< one step later
     bool diagonal = false; ///< both coordinates change
     friend bool operator==(const TimedEdge& a, const TimedEdge& b) { return a.from == b.from && a.to == b.to; }
 };

@@ -67,16 +67,19 @@ struct Walkers {
 
     /// Gives each walker its velocity for the step.
     template <class S> struct Steer {
+        /// Before a driver divides the step.
         static constexpr Phase phase = between(phases::begin, phases::substeps);
         static constexpr std::string_view name = "walkers: steer";
         using writes = Columns<Velocity>;
         using reads = Columns<Position>;
-        using Row = detail::WalkRow<S>;
+        using Row = detail::WalkRow<S>; ///< what is kept of a walk
         using Scalar = typename S::Scalar;
 
         typename S::Time patience; ///< s
+        /// Of the policy.
         explicit Steer(const Walkers& walkers) : patience(S::convert("Walkers::patience", walkers.patience)) {}
 
+        /// All walkers, by the age of their walks.
         void run(auto& view, const auto& context) const {
             const typename S::Time dt = context.dt();
             view.state().for_each([&](std::uint32_t, Row& row) {
