@@ -31,8 +31,10 @@
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>
 #include <ansatz/paths/own_loop.hpp>
+#include <ansatz/paths/prioritised.hpp>
 #include <ansatz/paths/property_maps.hpp>
 #include <ansatz/paths/reopening.hpp>
+#include <ansatz/paths/reservations.hpp>
 #include <ansatz/paths/roles.hpp>
 #include <ansatz/paths/route.hpp>
 #include <ansatz/paths/search.hpp>

@@ -5,7 +5,7 @@
 /// `MachineArchive`: what a machine of each representation consists of, field by field, for save.hpp: where it is, its
 /// times, its histories, what guards and state classes remember, and what waits. Who reads is held to what a machine
 /// can be.
-// not in the umbrella: a part of save.hpp, which is not in it either
+// not in the umbrella: it is a part of save.hpp
 
 #include <ansatz/states/archive.hpp>
 #include <ansatz/states/machine.hpp>
@@ -32,23 +32,29 @@ template <> inline constexpr std::string_view representation_name<Table> = "Tabl
 struct MachineArchive {
     static constexpr std::uint64_t version = 1; ///< of the format
 
+    /// The name of its representation.
     template <class D, class R, class... O> static std::string_view representation(const StaticMachine<D, R, O...>&) {
         return detail::representation_name<R>;
     }
+    /// The same.
     template <class D, class C, class... O>
     static std::string_view representation(const InterpretedMachine<D, C, O...>&) {
         return detail::representation_name<Interpreted>;
     }
+    /// Its structure and names.
     template <class D, class R, class... O> static Outline outline(const StaticMachine<D, R, O...>&) {
         return outline_of<D>();
     }
+    /// The same.
     template <class D, class C, class... O> static const Outline& outline(const InterpretedMachine<D, C, O...>& m) {
         return m.outline();
     }
+    /// Whether an action of it is running.
     template <class D, class R, class... O> static bool busy(const StaticMachine<D, R, O...>& m) {
         if constexpr (StaticMachine<D, R, O...>::can_raise) return m.busy_;
         else return false;
     }
+    /// The same.
     template <class D, class C, class... O> static bool busy(const InterpretedMachine<D, C, O...>& m) {
         return m.busy_;
     }
@@ -58,6 +64,7 @@ struct MachineArchive {
         next.options_ = m.options_;
         return next;
     }
+    /// The same.
     template <class D, class C, class... O> static auto fresh(const InterpretedMachine<D, C, O...>& m) {
         InterpretedMachine<D, C, O...> next(m);
         next.adopt(m.chart_);

@@ -144,7 +144,9 @@ private:
 
 /// What `save` takes.
 template <class T> inline constexpr bool is_machine = false;
+/// A machine of the compile-time representations.
 template <class D, class R, class... O> inline constexpr bool is_machine<StaticMachine<D, R, O...>> = true;
+/// An interpreted one.
 template <class D, class C, class... O> inline constexpr bool is_machine<InterpretedMachine<D, C, O...>> = true;
 
 } // namespace states

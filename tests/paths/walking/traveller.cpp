@@ -127,7 +127,7 @@ double walked(const Map& map, const std::vector<WayPoint>& points, Cell start, d
     while (!world.walking(walk).arrived && time < 2 * ideal + 10 * dt) {
         world.step(dt * second);
         time += dt;
-        const auto x = world.position(body).value() / tile;
+        const Eigen::Vector2d x = world.position(body).value() / tile;
         REQUIRE(clearance(map, x[0], x[1]) >= radius / tile - 1e-9);
         REQUIRE(!world.walking(walk).off);
     }

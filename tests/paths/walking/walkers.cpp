@@ -191,6 +191,31 @@ TEST_CASE("pushed off it is told, comes back, and arrives; what it adds never ex
     }
 }
 
+TEST_CASE("put elsewhere on its way, or beside it, it goes on from the nearest place, and not from where it was",
+          "[walking]") {
+    Simple world;
+    const auto body = world.add(position(metres(0, 0, 0)));
+    const auto walk = world.add(walk_of(body, {{metres(20, 0, 0)}}, 2, 2));
+    const double all = world.walking(walk).time_left.value();
+    double time = 0, x = 0;
+    const auto go_on = [&](double until) {
+        for (; time < until && !world.walking(walk).arrived; time += 0.02) {
+            world.step(0.02 * second);
+            REQUIRE(world.position(body).value()[0] >= x - 1e-9); // never back
+            x = world.position(body).value()[0];
+        }
+    };
+    go_on(3);
+    world.set_position(body, metres(x + 6, 0, 0));
+    x += 6;
+    go_on(5);
+    world.set_position(body, metres(x, 0, 0.3)); // not far enough to be told
+    go_on(20);
+    CHECK(world.walking(walk).arrived);
+    CHECK(time == Approx(all - 6 / 2.0).margin(0.1)); // 6 m at 2 m/s less, and hardly anything for the way back
+    CHECK(norm(world.position(body) - metres(20, 0, 0)).value() < 1e-9);
+}
+
 TEST_CASE("stuck is told once, and again only when it has got on", "[walking]") {
     Simple world;
     world.set(Walkers{.patience = 2.0 * second});

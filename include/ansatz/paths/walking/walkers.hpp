@@ -15,7 +15,8 @@
 ///
 /// It knows no map. Who finds the path, and looks for another when the map changes, is `Traveller` (traveller.hpp).
 /// Between the ends of a step a body moves straight, and may cut its own curve by a dt^2/8. A walker that Rest has put
-/// to sleep, because it is stuck, stays so until something wakes its body or it is given another Walk.
+/// to sleep, because something is in its way, is told as stuck; it goes on when its body wakes: what it leant on is
+/// gone, or it is given another Walk.
 // not in the umbrella: it brings a World along, and a search needs none; ansatz/paths/walking.hpp has it
 
 #include <ansatz/motion/policy_systems.hpp>
@@ -66,22 +67,29 @@ struct Walkers {
 
     /// Gives each walker its velocity for the step.
     template <class S> struct Steer {
+        /// Before a driver divides the step.
         static constexpr Phase phase = between(phases::begin, phases::substeps);
         static constexpr std::string_view name = "walkers: steer";
         using writes = Columns<Velocity>;
         using reads = Columns<Position>;
-        using Row = detail::WalkRow<S>;
+        using Row = detail::WalkRow<S>; ///< what is kept of a walk
         using Scalar = typename S::Scalar;
 
         typename S::Time patience; ///< s
+        /// Of the policy.
         explicit Steer(const Walkers& walkers) : patience(S::convert("Walkers::patience", walkers.patience)) {}
 
+        /// All walkers, by the age of their walks.
         void run(auto& view, const auto& context) const {
             const typename S::Time dt = context.dt();
             view.state().for_each([&](std::uint32_t, Row& row) {
                 row.told = 0, row.passed = 0;
                 const auto slot = view.slot(row.body);
-                if (slot >= view.end(Motion::awake) || !(dt.value() > Scalar(0))) return;
+                if (!(dt.value() > Scalar(0))) return;
+                if (slot >= view.end(Motion::awake)) { // asleep: it may have been stopped by something
+                    if (slot < view.end(Motion::resting) && !row.arrived && !row.halting) wait(row, dt);
+                    return;
+                }
                 const auto v = view.template get<Velocity>(slot);
                 view.template set<Velocity>(slot, v + change(row, view.template get<Position>(slot), v, dt));
             });
@@ -175,10 +183,14 @@ struct Walkers {
                 row.nearest = left, row.waited = {}, row.stuck = false;
                 return;
             }
+            wait(row, dt);
+        }
+        /// It has got no nearer in this step, either.
+        void wait(Row& row, const typename S::Time& dt) const {
             row.waited += dt;
             if (row.waited < patience || row.stuck) return;
             row.stuck = true;
-            note(WalkNews::stuck);
+            row.told = std::uint8_t(row.told | 1u << unsigned(WalkNews::stuck));
         }
     };
     template <class S> using systems = Types<Steer<S>>; ///< what it does in a step
