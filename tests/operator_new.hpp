@@ -6,6 +6,8 @@
 /// included in one file of a program: they cannot be inline. All forms, because the address sanitizer brings its own of
 /// those that are left out, whose memory must not go to `free`.
 
+#include "tests/before_allocation.hpp"
+
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -16,9 +18,6 @@
 #endif
 
 namespace ansatz::test {
-
-/// Asked with the number of bytes; an allocation that it answers with false fails. While it is null all are allowed.
-inline bool (*before_allocation)(std::size_t bytes) noexcept = nullptr;
 
 namespace memory {
 inline void* take(std::size_t bytes, std::size_t alignment) noexcept {

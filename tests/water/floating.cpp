@@ -7,7 +7,7 @@
 #include <ansatz/world.hpp>
 #include <ansatz/world/save.hpp>
 
-#include "tests/operator_new.hpp"
+#include "tests/before_allocation.hpp"
 #include "tests/water/support.hpp"
 
 #include <sstream>
