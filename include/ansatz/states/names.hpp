@@ -5,6 +5,8 @@
 /// What stands in the attributes of a machine's file: lists of names, names as a sentence shows them, and the condition
 /// In('x'), which holds while the machine is in x.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
