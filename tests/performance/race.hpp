@@ -43,11 +43,12 @@ inline double thread_seconds() {
 /// What callgrind is to write its counts into, and does when a program asks it to; nothing where time is measured.
 inline const char* counts_file() { return std::getenv("ANSATZ_COUNTS"); }
 
-/// The instructions of one call. Callgrind runs with `--instr-atstart=no --callgrind-out-file=$ANSATZ_COUNTS`, and adds
-/// the number of the dump to the file's name.
+/// How often callgrind was asked to write its counts: the number that it adds to the file's name.
+inline int dumps = 0;
+
+/// The instructions of one call. Callgrind runs with `--instr-atstart=no --callgrind-out-file=$ANSATZ_COUNTS`.
 template <class F> double instructions([[maybe_unused]] F&& call) {
 #ifdef CALLGRIND_DUMP_STATS
-    static int dumps = 0;
     CALLGRIND_ZERO_STATS;
     CALLGRIND_START_INSTRUMENTATION;
     call();
