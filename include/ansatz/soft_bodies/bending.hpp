@@ -71,13 +71,13 @@ template <class S> struct HingeConstraint {
         using std::sqrt;
         const Vec e = x[1] - x[0], c = x[2] - x[0], d = x[3] - x[0];
         const Vec n1 = e.cross(c), n2 = d.cross(e);
-        const Scalar ee = e.squaredNorm(), first = n1.squaredNorm(), second_ = n2.squaredNorm();
-        if (!detail::squares_well(first) || !detail::squares_well(second_) || !detail::squares_well(ee)) {
+        const Scalar ee = e.squaredNorm(), first = n1.squaredNorm(), other = n2.squaredNorm();
+        if (!detail::squares_well(first) || !detail::squares_well(other) || !detail::squares_well(ee)) {
             for (Vec& g : gradient) g.setZero();
             return Scalar(0);
         }
         const Scalar length = sqrt(ee);
-        const Vec up1 = n1 * (length / first), up2 = n2 * (length / second_);
+        const Vec up1 = n1 * (length / first), up2 = n2 * (length / other);
         gradient[2] = -up1;
         gradient[3] = -up2;
         gradient[0] = ((ee - c.dot(e)) / ee) * up1 + ((ee - d.dot(e)) / ee) * up2;

@@ -248,6 +248,7 @@ template <class S> struct EnclosureRow {
 private:
     void check_bodies(std::string_view where) const {
         std::vector<std::uint32_t> ids;
+        ids.reserve(bodies.size());
         for (const BodyId& body : bodies) ids.push_back(body.id);
         std::sort(ids.begin(), ids.end());
         const auto twice = std::adjacent_find(ids.begin(), ids.end());

@@ -12,6 +12,7 @@
 #include <ansatz/water/pools.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace ansatz {
@@ -83,7 +84,8 @@ struct MoveWater {
             parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
-                for (double i = 0; i < parts; ++i) SurfaceLanes::advance(*row.surface, dt / parts);
+                for (auto left = static_cast<std::uint64_t>(parts); left > 0; --left)
+                    SurfaceLanes::advance(*row.surface, dt / parts);
             });
         });
         // Behind the waves: they were pushed by what bodies pressed up where this step began, as bodies were by the

@@ -78,7 +78,7 @@ inline Submerged submerged_of(const Sunk<double>& s) {
 /// \throws std::invalid_argument for other values
 inline Submerged submerged(const Sphere& sphere, const Quantity<unit::Length>& depth) {
     sphere.check();
-    if (depth != depth) refuse_value("submerged", "depth", depth, "it must be a number");
+    if (std::isnan(depth.value())) refuse_value("submerged", "depth", depth, "it must be a number");
     return detail::submerged_of(detail::sunk_sphere(Quantity<unit::Length>(sphere.radius).value(), depth.value()));
 }
 /// Of an upright box.
@@ -87,7 +87,7 @@ inline Submerged submerged(const Sphere& sphere, const Quantity<unit::Length>& d
 /// \throws std::invalid_argument for other values
 inline Submerged submerged(const Box& box, const Quantity<unit::Length>& depth) {
     const Box::In<Space<double, 3>> in(box);
-    if (depth != depth) refuse_value("submerged", "depth", depth, "it must be a number");
+    if (std::isnan(depth.value())) refuse_value("submerged", "depth", depth, "it must be a number");
     const auto half = in.half.value();
     return detail::submerged_of(detail::sunk_box(4 * half[0] * half[2], 2 * half[1], depth.value()));
 }

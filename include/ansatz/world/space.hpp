@@ -82,7 +82,7 @@ template <class ScalarT = double, int Dim = 3> struct Space {
         for (int i = 0; i < Dim; ++i) v[i] = static_cast<Scalar>(q.value()[i]);
         const auto converted = VectorOf<Unit>::from_value(v);
         if (is_finite(q) && !is_finite(converted)) refuse_value("World", what, q, "the world's scalar can hold it");
-        return converted;
+        return converted; // NOLINT(performance-no-automatic-move): its numbers are copied either way
     }
     /// A vector in the scalar of the space.
     template <class Unit, class From> static VectorOf<Unit> convert(const VectorQuantity<Unit, 3, From>& q) {
