@@ -18,8 +18,7 @@
 /// that a mesh gets one there, with the sum of both constants. A kind without stiffness and damping is not built.
 ///
 /// In a world with `Bending` a sheet may have a `rigidity` D, too: a hinge on each inner edge, between triangles of
-/// areas
-/// A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
+/// areas A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
 /// the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each area; across those diagonals a
 /// mesh of triangles is stiffer than that.
 ///

@@ -8,8 +8,9 @@
 ///     const auto pool = world.add(Pool{Surface{WaterColumns{3.0 * metre_per_second}, grid, 2.0 * metre}});
 ///
 /// It is made of a `Surface`, with whatever heights and bed that has. From then on it is the world's: it advances in
-/// each step, is copied, hashed and saved with it, and its gravity is the world's. A pool holds no body and unites
-/// none. For a surface without a world take the Surface itself.
+/// each step, is copied, hashed and saved with it, and its gravity is the world's. A pool names no body, and
+/// bodies in one pool do not wake or sleep together because of it. For a surface without a world take the Surface
+/// itself.
 
 #include <ansatz/water/surface.hpp>
 #include <ansatz/world/cache.hpp>
