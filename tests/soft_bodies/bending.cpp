@@ -383,4 +383,11 @@ TEST_CASE("A hinge that is none is refused", "[soft_bodies][bending]") {
     CHECK_THAT(refusal([&] { add_cloth(without, cloth); }), ContainsSubstring("add Bending{}"));
     CHECK(world.hash() == hash);
     CHECK(without.size() == 0);
+    // Cells of 1 cm at 10^6 m, where a float has steps of 6 cm: there the corners coincide.
+    auto far = sheets<float>();
+    const auto nothing = far.hash();
+    Cloth small = plate(3, 3, 0.01, 1, [](const auto& x) { return metres(1e6 + x.value()[0], x.value()[1], 0); });
+    CHECK_THAT(refusal([&] { add_cloth(far, small); }), ContainsSubstring("add_cloth: the area of a triangle"));
+    CHECK(far.size() == 0);
+    CHECK(far.hash() == nothing);
 }

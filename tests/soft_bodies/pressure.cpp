@@ -437,6 +437,21 @@ TEST_CASE("What encloses nothing is refused, and says where", "[soft_bodies][pre
     CHECK(world.elements<Enclosure>().size() == 0);
 }
 
+TEST_CASE("A ball that is too small for the scalar of its world, where it is, leaves the world as it was",
+          "[soft_bodies][pressure]") {
+    auto world = solved<float>(Xpbd{});
+    const auto before = world.hash();
+    const SoftBall ball{.centre = metres(1e6, 0, 0), // a float has steps of 6 cm there
+                        .radius = 0.02 * metre,
+                        .density = 40.0 * kilogram_per_cubic_metre,
+                        .divisions = 0,
+                        .structural = {10.0 * N_per_m},
+                        .filling = gas};
+    CHECK(refusal([&] { add_soft_ball(world, ball); }) != "");
+    CHECK(world.size() == 0);
+    CHECK(world.hash() == before);
+}
+
 TEST_CASE("A file with an enclosure that is none is refused", "[soft_bodies][pressure]") {
     auto world = solved<double>(Xpbd{});
     add_balloon(world, gas, 100, 1);

@@ -162,6 +162,30 @@ TEST_CASE("Behind a solver, with a point for an end, and for ropes that push not
     CHECK(world.position(pin).value() == Vector<double, 3>(1, 0, 0));
 }
 
+TEST_CASE("Springs and ropes of one world have each a limit of their own", "[soft_bodies][strain_limit]") {
+    auto make = [] {
+        return World{SemiImplicitEuler{},
+                     Gravity{},
+                     Springs<>{},
+                     Ropes<>{},
+                     StrainLimit<>{.most = 0.05},
+                     StrainLimit<Ropes<>>{.most = 0.02}};
+    };
+    auto world = make();
+    const auto first = world.add(position(metres(0, -1, 0)), mass(2.0 * kilogram));
+    const auto second_ = world.add(position(metres(5, -1, 0)), mass(2.0 * kilogram));
+    world.add(Spring{first, metres(0, 0, 0), 5.0 * N_per_m, 0.0 * N_s_per_m, 1.0 * metre});
+    world.add(Rope{second_, metres(5, 0, 0), 5.0 * N_per_m, 0.0 * N_s_per_m, 1.0 * metre});
+    run(world, 300, 1e-2);
+    CHECK(world.position(first).value()[1] == Approx(-1.05).epsilon(1e-9));
+    CHECK(world.position(second_).value()[1] == Approx(-1.02).epsilon(1e-9));
+    std::stringstream file;
+    save(world, file);
+    auto loaded = make();
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+}
+
 TEST_CASE("A limit is a parameter of a living world, copied, saved and loaded", "[soft_bodies][strain_limit]") {
     auto world = limited(StrainLimit<>{.most = 0.05, .passes = 5});
     add_net(world, 9);

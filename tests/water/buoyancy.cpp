@@ -337,6 +337,17 @@ TEST_CASE("over a bed no column gives more than it has, and what it owes is give
     world.step(0.01 * second);
     CHECK(dry() > 0);
     CHECK(world.water(puddle).displaced().value() > 0);
+    // What is asked for here holds no less than nothing, and may be given back.
+    auto other = world;
+    const auto without = other.get(puddle);
+    const auto heights = without.surface.heights();
+    CHECK(*std::min_element(heights.begin(), heights.end()) == 0);
+    CHECK(without.surface.volume().value() == Approx(36 * 0.05).epsilon(1e-12));
+    other.set(puddle, without);
+    CHECK(other.water(puddle).volume().value() == Approx(36 * 0.05).epsilon(1e-12));
+    CHECK(other.water(puddle).displaced().value() == 0);
+    for (int i = 0; i < 100; ++i) other.step(0.01 * second);
+    CHECK(other.water(puddle).volume().value() == Approx(36 * 0.05).epsilon(1e-12));
     for (int i = 0; i < 4000; ++i) world.step(0.01 * second);
     dry();
     CHECK(world.water(puddle).displaced().value() == Approx(0).margin(1e-12));

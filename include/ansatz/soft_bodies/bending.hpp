@@ -5,10 +5,9 @@
 /// `Bending`: an angle between two triangles is kept, as a hinge with a spring keeps it (notes 4).
 ///
 /// Use it for sheets that should resist folding and nothing else: paper, leather, sails, leaves. A spring across an
-/// edge
-/// (`Cloth::bend`) does it too, but it hardly feels a small angle, resists being stretched as well, and does not know
-/// which way a fold goes. Add the policy, then a `Hinge` for each edge, or give `Cloth` a `rigidity`. Not for hair and
-/// ropes, which have no triangles, and not in two dimensions.
+/// edge (`Cloth::bend`) does it too, but it hardly feels a small angle, resists being stretched as well, and does not
+/// know which way a fold goes. Add the policy, then a `Hinge` for each edge, or give `Cloth` a `rigidity`. Not for hair
+/// and ropes, which have no triangles, and not in two dimensions.
 ///
 /// \f[ E = \tfrac12 k\,(\theta - \theta_0)^2, \qquad \theta = \operatorname{atan2}\bigl((\mathbf n_1 \times \mathbf n_2)\cdot\mathbf{\hat e},\;
 ///     \mathbf n_1 \cdot \mathbf n_2\bigr), \qquad \mathbf n_1 = \mathbf e \times (\mathbf x_c - \mathbf x_a), \quad
@@ -88,7 +87,7 @@ template <class S> struct HingeConstraint {
         else if (off < -turn / 2) off += turn;
         return off;
     }
-    /// None that is never negative.
+    /// Zero: the second derivative of the angle may be negative, and only what is never negative may be added.
     Matrix curvature(std::size_t, const std::array<Vec, 4>&, const std::array<Vec, 4>&) const { return Matrix::Zero(); }
 };
 

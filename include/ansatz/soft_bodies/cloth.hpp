@@ -18,8 +18,7 @@
 /// that a mesh gets one there, with the sum of both constants. A kind without stiffness and damping is not built.
 ///
 /// In a world with `Bending` a sheet may have a `rigidity` D, too: a hinge on each inner edge, between triangles of
-/// areas
-/// A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
+/// areas A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
 /// the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each area; across those diagonals a
 /// mesh of triangles is stiffer than that.
 ///
@@ -135,6 +134,14 @@ inline void join_hinge(Hinge& hinge, const TriangleMesh& mesh, const TriangleMes
     hinge.edge = {bodies[edge.ends[0]], bodies[edge.ends[1]]};
     hinge.wings = {bodies[edge.opposite[runs ? 0 : 1]], bodies[edge.opposite[runs ? 1 : 0]]};
 }
+/// Refuses hinges that the places of a plan do not allow: in the scalar of the world corners may coincide.
+template <class S> void check_hinges(const SoftPlan& plan, const TriangleMesh& mesh, std::vector<Hinge>& hinges) {
+    const auto bodies = plan.planned<S>();
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+        join_hinge(hinges[i], mesh, mesh.inner_edges()[i], bodies.handles);
+        HingeRow<S>::from(bodies, hinges[i]).check();
+    }
+}
 
 /// Whether a world keeps sails, and whether a sheet has some: it has all of its triangles, or none.
 template <class... P> inline constexpr bool keeps_sails = !std::is_void_v<typename KeeperOf<Sail, P...>::type>;
@@ -197,6 +204,7 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
     constexpr bool in_air = detail::keeps_sails<P...>;
     const bool sails = detail::has_sails<typename World<P...>::S, in_air>(plan.where, cloth);
     plan.template check<Spring>(world);
+    if constexpr (kept) detail::check_hinges<typename World<P...>::S>(plan, cloth.mesh, hinges);
     ClothParts parts;
     std::vector<SpringHandle> springs;
     plan.template build<Spring>(world, parts.bodies, springs, each...);

@@ -36,6 +36,17 @@ enum class Lumping : std::uint8_t {
     equal    ///< all have the same
 };
 
+/// Bodies that a world does not have yet, as `from` of a row asks for them: what is built on them is refused before
+/// they are added.
+template <class S> struct PlannedBodies {
+    std::string_view where;                     ///< who asks, for the sentences
+    std::vector<Handle> handles;                ///< by which a description names them here, in order
+    std::vector<typename S::Position> places{}; ///< in the scalar of the world, m
+
+    BodyId body(Handle h) const { return {h.id}; }                ///< which
+    const auto& position(Handle h) const { return places[h.id]; } ///< where, m
+};
+
 /// Bodies and springs that are to be added to a world.
 struct SoftPlan {
     /// One body.
@@ -117,6 +128,16 @@ struct SoftPlan {
                                  length, "it is a finite number that the world's scalar can hold");
             }
         }
+    }
+
+    /// Its bodies before they are built. Behind `check`.
+    template <class S> PlannedBodies<S> planned() const {
+        PlannedBodies<S> all{where, {}};
+        for (const Body& body : bodies) {
+            all.handles.push_back({std::uint32_t(all.handles.size()), 0});
+            all.places.push_back(S::convert(body.place));
+        }
+        return all;
     }
 
     /// Adds the bodies, then the springs. Behind `check` only a lack of memory, or a property that is not acceptable,

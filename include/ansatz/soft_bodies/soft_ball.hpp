@@ -105,6 +105,12 @@ SoftBallParts add_soft_ball(World<P...>& world, const SoftBall& ball, const Prop
     const auto middle = std::uint32_t(mesh.vertices().size());
     for (std::uint32_t v = 0; v < middle; ++v) plan.link(v, middle, ball.spokes);
     plan.template check<Spring>(world);
+    if constexpr (detail::keeps_enclosures<P...>)
+        if (ball.filling) { // in the scalar of the world its corners may coincide
+            using S = typename World<P...>::S;
+            const auto bodies = plan.template planned<S>();
+            EnclosureRow<S>::from(bodies, Enclosure::of(bodies.handles, mesh, *ball.filling)).check();
+        }
     SoftBallParts parts;
     std::vector<SpringHandle> springs;
     plan.template build<Spring>(world, parts.bodies, springs, each...);

@@ -27,10 +27,26 @@
 #include <ansatz/springs/springs.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string_view>
 
 namespace ansatz {
+
+namespace detail {
+/// A prefix and the name of a policy, as one name.
+template <class Of, char First> struct StrainLimitName {
+    static constexpr std::string_view prefix = First == 'S' ? "StrainLimit of " : "strain limit of ";
+    static constexpr auto letters = [] {
+        std::array<char, prefix.size() + std::string_view(Of::name).size()> all{};
+        std::size_t n = 0;
+        for (const char c : prefix) all[n++] = c;
+        for (const char c : std::string_view(Of::name)) all[n++] = c;
+        return all;
+    }();
+    static constexpr std::string_view name{letters.data(), letters.size()};
+};
+} // namespace detail
 
 /// A limit of how far springs are stretched.
 /// \tparam Of whose springs: `Springs<...>` or `Ropes<...>`, as it stands in the world's list
@@ -40,7 +56,7 @@ template <class Of = Springs<>> struct StrainLimit {
     double most = 0.1; ///< of the strain, finite, greater than zero
     int passes = 40;   ///< at least 1
 
-    static constexpr std::string_view name = "StrainLimit"; ///< in a saved file
+    static constexpr std::string_view name = detail::StrainLimitName<Of, 'S'>::name; ///< in a saved file
     /// Names the parameters.
     static void parameters(auto& self, auto&& visit) {
         visit("most", self.most);
@@ -49,8 +65,8 @@ template <class Of = Springs<>> struct StrainLimit {
     /// Refuses a strain that is not finite or not greater than zero, and fewer than one pass.
     void check() const {
         if (!(most > 0 && most < std::numeric_limits<double>::infinity()))
-            refuse_value(name, "most", most, "a strain that may be reached is finite and greater than zero");
-        if (passes < 1) refuse_value(name, "passes", passes, "it is at least 1");
+            refuse_value("StrainLimit", "most", most, "a strain that may be reached is finite and greater than zero");
+        if (passes < 1) refuse_value("StrainLimit", "passes", passes, "it is at least 1");
     }
 
     /// Behind whatever moves bodies.
@@ -60,8 +76,9 @@ template <class Of = Springs<>> struct StrainLimit {
         using Velocity_ = typename S::Velocity;
 
     public:
-        static constexpr Phase phase = phases::positions;        ///< behind the integrator
-        static constexpr std::string_view name = "strain limit"; ///< behind "constraints"
+        static constexpr Phase phase = phases::positions; ///< behind the integrator
+        /// Behind "constraints".
+        static constexpr std::string_view name = detail::StrainLimitName<Of, 's'>::name;
         using writes = Columns<Position, Velocity>;
         using reads = Columns<InverseMass>;
         using sees = Types<Of>; ///< the springs

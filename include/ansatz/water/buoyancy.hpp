@@ -9,14 +9,14 @@
 ///
 /// \f[ \mathbf F = \rho g V \,(-\partial_x \eta,\; 1,\; -\partial_z \eta) - \rho \left(\tfrac12 C A |\mathbf w| + \gamma V\right) \mathbf w, \qquad \mathbf w = \mathbf v - \mathbf u \f]
 ///
-/// | symbol  | meaning                                                              | unit  |
-/// |---------|----------------------------------------------------------------------|-------|
-/// | V       | volume under the water line, exact for spheres and upright boxes     | m^3   |
-/// | eta     | level of the water in the ring around the body (ring.hpp)            | m     |
-/// | rho, g  | density of the pool, downward part of the world's gravity            |       |
-/// | u       | how the water flows there, along x and z by its policy, and its rise | m/s   |
-/// | C, A    | drag of the body, and its section across w, by the part under water  | 1, m^2|
-/// | gamma   | damping, of the mass of water displaced                              | 1/s   |
+/// | symbol  | meaning                                                              | unit          |
+/// |---------|----------------------------------------------------------------------|---------------|
+/// | V       | volume under the water line, exact for spheres and upright boxes     | m^3           |
+/// | eta     | level of the water in the ring around the body (ring.hpp)            | m             |
+/// | rho, g  | density of the pool, downward part of the world's gravity            | kg/m^3, m/s^2 |
+/// | u       | how the water flows there, along x and z by its policy, and its rise | m/s           |
+/// | C, A    | drag of the body, and its section across w, by the part under water  | 1, m^2        |
+/// | gamma   | damping, of the mass of water displaced                              | 1/s           |
 ///
 /// The push stands on the surface, so that a body slides down a wave. What a body displaces rises in its ring, and is
 /// taken away where it leaves: so the volume of water is kept, the level rises by m/(rho A) under what floats, and what

@@ -100,7 +100,7 @@ private:
         }
         require_finite("ColumnGrid", joined({"the length along ", which}), faces_.back() * metre);
     }
-    /// Of numbers that were read from a file.
+    /// Checks numbers that were read from a file.
     void check(std::string_view which) const {
         ColumnAxis same(*this);
         same.faces_.clear();
@@ -214,7 +214,7 @@ public:
         field("widths_z", self.z_.widths_);
         field("faces_z", self.z_.faces_);
     }
-    /// Of numbers that were read from a file.
+    /// Checks numbers that were read from a file.
     /// \throws std::invalid_argument for those that are no grid
     void check() const {
         x_.check("x");

@@ -301,8 +301,8 @@ private:
     }
 };
 
-/// The floating bodies of a world. Who is described anew has pressed up what he has; a spring that was broken is a new
-/// one.
+/// The floating bodies of a world. A description that is replaced keeps what its body displaces, so that no water is
+/// lost; a broken spring is whole again.
 template <class S> class FloatingTable : public ElementTable<S, Floating, FloatingRow<S>> {
     using Base = ElementTable<S, Floating, FloatingRow<S>>;
 

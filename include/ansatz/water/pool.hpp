@@ -8,8 +8,9 @@
 ///     const auto pool = world.add(Pool{Surface{WaterColumns{3.0 * metre_per_second}, grid, 2.0 * metre}});
 ///
 /// It is made of a `Surface`, with whatever heights and bed that has. From then on it is the world's: it advances in
-/// each step, is copied, hashed and saved with it, and its gravity is the world's. A pool holds no body and unites
-/// none. For a surface without a world take the Surface itself.
+/// each step, is copied, hashed and saved with it, and its gravity is the world's. A pool names no body, and
+/// bodies in one pool do not wake or sleep together because of it. For a surface without a world take the Surface
+/// itself.
 
 #include <ansatz/water/surface.hpp>
 #include <ansatz/world/cache.hpp>
@@ -104,6 +105,7 @@ template <class Policy, class Scalar> struct PoolRow {
     Pool<Policy> describe(const auto&) const {
         auto state = surface->state();
         for (std::size_t n = 0; n < pressed.size(); ++n) state.height[n] -= pressed[n];
+        if constexpr (Policy::has_bed) give_owed(state.height, surface->grid());
         return {Surface<Policy>(surface->policy(), surface->grid(), surface->first_level(), state),
                 static_cast<double>(density) * kilogram_per_cubic_metre};
     }
@@ -152,6 +154,19 @@ template <class Policy, class Scalar> struct PoolRow {
     }
 
 private:
+    /// A column that ran dry owes water which bodies had pressed up there: without them the others give it, each by
+    /// what it has, so that none holds less than nothing and the volume is the same.
+    static void give_owed(std::vector<Scalar>& height, const ColumnGrid& grid) {
+        SumOf<Scalar> owed(0), held(0); // m^3
+        for (std::size_t n = 0, nx = grid.columns_x(); n < height.size(); ++n) {
+            const auto volume = SumOf<Scalar>(height[n]) * grid.x().width(n % nx) * grid.z().width(n / nx);
+            if (volume < 0) owed -= volume;
+            else held += volume;
+        }
+        if (!(owed > 0)) return;
+        const Scalar left(held > owed ? (held - owed) / held : SumOf<Scalar>(0));
+        for (Scalar& h : height) h = h > Scalar(0) ? left * h : Scalar(0);
+    }
     static void each(auto& policy, auto& grid, auto& level, auto& state, auto& field) {
         Policy::fields(policy, field);
         std::remove_cvref_t<decltype(grid)>::fields(grid, field);

@@ -254,7 +254,7 @@ private:
 
 /// A surface in double; write Surface<WaterColumns, float> for lanes half as wide.
 template <class Policy> Surface(const Policy&, ColumnGrid, Quantity<unit::Length>) -> Surface<Policy, double>;
-/// In the scalar of what another one kept.
+/// In the scalar of the state that is given.
 template <class Policy, detail::KeptOfColumns State>
 Surface(const Policy&, ColumnGrid, Quantity<unit::Length>, const State&)
     -> Surface<Policy, std::remove_cvref_t<decltype(std::declval<const State&>().height[0])>>;
