@@ -310,6 +310,32 @@ TEST_CASE("pushed behind a wall a traveller finds its way back", "[walking]") {
     CHECK(fox.arrived(world));
 }
 
+TEST_CASE("after a search in vain a traveller goes to the goal that was asked for last", "[walking]") {
+    auto map = grid_from<Grid<>>({"......#.", "......##", "........"});
+    AStar search{map};
+    Plane world;
+    const auto body = world.add(place_of(map, Cell{2, 0}));
+    Traveller fox{search, body, gait(2, 2, 0.2)};
+    const auto go_on = [&](double time) {
+        for (double t = 0; t < time; t += 0.05) world.step(0.05 * second), fox.update(world);
+    };
+    REQUIRE(fox.go(world, Cell{0, 0}));
+    go_on(0.3);
+    REQUIRE(!fox.go(world, Cell{7, 0}));
+    go_on(3);
+    CHECK(world.velocity(body).value().norm() == 0);
+    const auto halted = world.position(body);
+    map.set_passable(Cell{3, 2}, false);
+    map.set_passable(Cell{3, 2}, true); // freed, but it opens no way
+    go_on(3);
+    CHECK(norm(world.position(body) - halted).value() < 1e-9);
+    CHECK(!fox.arrived(world));
+    map.set_passable(Cell{7, 1}, true);
+    go_on(15);
+    CHECK(fox.arrived(world));
+    CHECK(norm(world.position(body) - map.position(Cell{7, 0})).value() < 1e-9);
+}
+
 TEST_CASE("what a traveller cannot do it says", "[walking]") {
     Grid<> map(4, 4);
     AStar search{map};

@@ -65,11 +65,12 @@ public:
     /// \throws std::invalid_argument for a body or a goal outside of the map; everything goes on as before
     template <class W> bool go(W& world, Cell goal) {
         const Cell from = tile_of(world, stopping_place(world));
-        if (route_.go(from, goal) != Outcome::found) {
+        const Outcome outcome = route_.go(from, goal);
+        goal_ = goal; // also where there is no path yet: `update` goes there when there is one
+        if (outcome != Outcome::found) {
             halt(world);
             return false;
         }
-        goal_ = goal;
         plan(world);
         return true;
     }
