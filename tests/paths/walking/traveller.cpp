@@ -336,6 +336,30 @@ TEST_CASE("after a search in vain a traveller goes to the goal that was asked fo
     CHECK(norm(world.position(body) - map.position(Cell{7, 0})).value() < 1e-9);
 }
 
+TEST_CASE("pushed off the map a traveller comes back, searches and arrives", "[walking]") {
+    for (const double far : {-3.0, -1e12}) {
+        Grid<> map(12, 3);
+        AStar search{map};
+        Plane world;
+        const auto body = world.add(place_of(map, Cell{0, 1}));
+        Traveller fox{search, body, gait(2, 2, 0.2)};
+        REQUIRE(fox.go(world, Cell{11, 1}));
+        for (int i = 0; i < 20; ++i) world.step(0.05 * second), fox.update(world);
+        world.set_position(body, metres(4, far));
+        for (int i = 0; i < 10; ++i) {
+            world.step(0.05 * second);
+            if (i == 5) map.set_passable(Cell{9, 1}, false); // ahead, while it is away
+            CHECK(!fox.update(world));
+        }
+        CHECK(fox.route().searches() == 1);
+        if (far < -3) continue; // that would take it some time
+        for (int i = 0; i < 600 && !fox.arrived(world); ++i) world.step(0.05 * second), fox.update(world);
+        CHECK(fox.route().searches() >= 2);
+        CHECK(fox.arrived(world));
+        CHECK(norm(world.position(body) - map.position(Cell{11, 1})).value() < 1e-9);
+    }
+}
+
 TEST_CASE("what a traveller cannot do it says", "[walking]") {
     Grid<> map(4, 4);
     AStar search{map};
@@ -352,6 +376,13 @@ TEST_CASE("what a traveller cannot do it says", "[walking]") {
                    Traveller{search, body, tilted};
                }),
                ContainsSubstring("along the second or the third axis"));
+    auto along_rows = gait(1, 1, 0);
+    along_rows.up = Eigen::Vector3d(0, 1, 0);
+    Traveller flat{search, body, along_rows};
+    CHECK_THAT(refusal([&] {
+                   flat.go(world, Cell{3, 3});
+               }),
+               ContainsSubstring("Traveller: up is (0, 1, 0)") && ContainsSubstring("in a world of two dimensions"));
     Traveller fox{search, body, gait(1, 1, 0)};
     CHECK_THROWS_AS(fox.go(world, Cell{9, 9}), std::invalid_argument);
     CHECK(!fox.arrived(world));
