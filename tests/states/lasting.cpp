@@ -34,18 +34,21 @@ struct Patrol {
     int corner = 0;
     float tired = 0;
     Mood mood = Mood::calm;
+    std::uint64_t seed = 0; // all bits of it
     std::array<std::uint16_t, 2> seen{};
     std::string word = "none";
     Quantity<unit::Time> walked{};
     void enter(Npc&) { word += corner % 2 != 0 ? "!" : "?", word.resize(std::min<std::size_t>(word.size(), 9)); }
     void update(Npc& npc, Quantity<unit::Time> dt) {
         corner += npc.steps, tired += 0.1f, walked += dt, ++seen[std::size_t(corner) % 2];
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
         mood = corner % 3 == 0 ? Mood::angry : Mood::calm;
     }
     static void fields(auto& self, auto&& field) {
         field("corner", self.corner);
         field("tired", self.tired);
         field("mood", self.mood);
+        field("seed", self.seed);
         field("seen", self.seen);
         field("word", self.word);
         field("walked", self.walked);
@@ -103,6 +106,7 @@ TEST_CASE("a machine that was saved goes on as it would have", "[states]") {
         using M = Machine<Nerves, R, Everything>;
         std::mt19937 random(3);
         std::map<std::string, int> where;
+        int above = 0; // of the seeds, what no signed number holds
         for (int round = 0; round < 150; ++round) {
             Npc npc;
             M machine;
@@ -127,7 +131,10 @@ TEST_CASE("a machine that was saved goes on as it would have", "[states]") {
             CHECK(saved(loaded) == saved(machine));
             const auto patrol = machine.state("patrol");
             CHECK(loaded.template own<Patrol>(patrol).word == machine.template own<Patrol>(patrol).word);
+            CHECK(loaded.template own<Patrol>(patrol).seed == machine.template own<Patrol>(patrol).seed);
+            above += machine.template own<Patrol>(patrol).seed >> 63 != 0;
         }
+        CHECK(above > 0);
         CHECK(where.size() == 5); // it was saved in all of them
         M idle, other;
         load_text(other, saved(idle));
@@ -321,6 +328,8 @@ TEST_CASE("a saved machine that does not fit is refused, and the machine is as i
             with("\"exactly\": \"", "\"exactly\": \"calm\", \"x\": \""),
             ContainsSubstring("exactly is \"calm\"; expected the name of a state that this history can remember"));
         CHECK_THAT(with("\"corner\": ", "\"corner\": 99999999999"), ContainsSubstring("classes.patrol.corner is"));
+        CHECK_THAT(with("\"seed\": ", "\"seed\": -1, \"s\": "),
+                   ContainsSubstring("classes.patrol.seed is -1; expected a whole number"));
         CHECK_THAT(with("\"time\": ", "\"time\": true, \"t\": "), ContainsSubstring("time is true; expected a finite"));
         CHECK_THAT(with("{", "["), ContainsSubstring("it is no JSON; expected a machine that was saved"));
         CHECK_THAT(with("\"patrol\"", "\"watch\""),

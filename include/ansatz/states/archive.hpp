@@ -36,11 +36,12 @@ public:
     virtual void number(std::string_view name, double& x) = 0; ///< any number
     /// A whole number within bounds.
     virtual void whole(std::string_view name, std::int64_t& x, std::int64_t least, std::int64_t most) = 0;
-    virtual void text(std::string_view name, std::string& x) = 0;     ///< a text
-    virtual void open(std::string_view name) = 0;                     ///< what follows is inside this
-    virtual void close() = 0;                                         ///< and that was all of it
-    virtual void count(std::string_view name, std::size_t& size) = 0; ///< how many are in a list
-    virtual bool reads() const = 0;                                   ///< whether it replaces what it is shown
+    virtual void natural(std::string_view name, std::uint64_t& x) = 0; ///< a whole number of 64 bits without a sign
+    virtual void text(std::string_view name, std::string& x) = 0;      ///< a text
+    virtual void open(std::string_view name) = 0;                      ///< what follows is inside this
+    virtual void close() = 0;                                          ///< and that was all of it
+    virtual void count(std::string_view name, std::size_t& size) = 0;  ///< how many are in a list
+    virtual bool reads() const = 0;                                    ///< whether it replaces what it is shown
     /// Refuses what was read last. \param expected what would have been right
     [[noreturn]] virtual void refuse_here(std::string_view name, const std::string& expected) const = 0;
 };
@@ -77,13 +78,13 @@ template <class T> void archive_field(Archive& a, std::string_view name, T& x) {
         auto number = static_cast<std::underlying_type_t<T>>(x);
         archive_field(a, name, number);
         x = T(number);
+    } else if constexpr (std::is_unsigned_v<T> && sizeof(T) >= sizeof(std::uint64_t)) {
+        std::uint64_t number = x; // the upper half of its numbers is no int64_t
+        a.natural(name, number);
+        x = T(number);
     } else if constexpr (std::is_integral_v<T>) {
-        constexpr auto top = std::numeric_limits<std::int64_t>::max();
-        constexpr auto most = std::uint64_t(std::numeric_limits<T>::max()) > std::uint64_t(top)
-                                  ? top
-                                  : std::int64_t(std::numeric_limits<T>::max());
         auto number = std::int64_t(x);
-        a.whole(name, number, std::int64_t(std::numeric_limits<T>::min()), most);
+        a.whole(name, number, std::int64_t(std::numeric_limits<T>::min()), std::int64_t(std::numeric_limits<T>::max()));
         x = T(number);
     } else if constexpr (std::is_same_v<T, std::string>) a.text(name, x);
     else if constexpr (SaysFields<T>) {

@@ -64,7 +64,7 @@ template <class Context> struct BoundGuard {
     const void* own = nullptr; // tag of the class that it reads, or null
     bool needs_time = false, equality = false;
     std::uint16_t in = 0xffff; // In('x'): the machine is asked whether it is in x
-    bool not_in = false;       // the contrary
+    bool not_in = false;       // !In('x')
 };
 
 /// Whether a guard reads the class of its state: it cannot be asked with the context alone.

@@ -22,7 +22,7 @@ namespace ansatz::states {
 template <class Machine, class Context> class Lasting {
 public:
     /// Enters a state of your choice, from the outside inwards, and the initial states in it: for a test, a checkpoint,
-    /// a figure that is met asleep. Else as start(context).
+    /// a character that is met asleep. Otherwise the same as start(context).
     /// \throws std::invalid_argument for the machine itself, a history, or what is no state; nothing is changed
     void start(Context& context, StateId state) {
         auto& machine = static_cast<Machine&>(*this);

@@ -28,7 +28,7 @@ template <> inline constexpr std::string_view representation_name<StatePattern> 
 template <> inline constexpr std::string_view representation_name<Table> = "Table";
 } // namespace detail
 
-/// What a machine consists of: the one that may look into all of them.
+/// Lists what a machine consists of; a friend of every representation.
 struct MachineArchive {
     static constexpr std::uint64_t version = 1; ///< of the format
 

@@ -27,6 +27,7 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -49,6 +50,7 @@ public:
     void flag(std::string_view name, bool& x) override { here(name) = x; }
     void number(std::string_view name, double& x) override { here(name) = ansatz::detail::number_to_file(x); }
     void whole(std::string_view name, std::int64_t& x, std::int64_t, std::int64_t) override { here(name) = x; }
+    void natural(std::string_view name, std::uint64_t& x) override { here(name) = x; }
     void text(std::string_view name, std::string& x) override { here(name) = x; }
     void open(std::string_view name) override {
         auto& inside = here(name) = Json::object();
@@ -81,6 +83,9 @@ public:
         x = value.integer<std::int64_t>();
         if (x < least || x > most)
             value.refuse_here("a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    }
+    void natural(std::string_view name, std::uint64_t& x) override {
+        x = here(name).whole(std::numeric_limits<std::uint64_t>::max());
     }
     void text(std::string_view name, std::string& x) override {
         const auto value = here(name);
@@ -167,7 +172,7 @@ void save(const Machine& machine, std::ostream& out) {
     file["description"] = identity.text();
     file["states"] = identity.states;
     states::detail::JsonWriter writer(file);
-    Machine copy(machine); // which the same functions may show to a reader
+    Machine copy(machine); // a copy, because fields() takes a machine that may be changed: reading and writing share it
     MachineArchive::fields(copy, writer);
     out << file.dump(1) << '\n';
 }

@@ -310,6 +310,56 @@ TEST_CASE("pushed behind a wall a traveller finds its way back", "[walking]") {
     CHECK(fox.arrived(world));
 }
 
+TEST_CASE("after a search in vain a traveller goes to the goal that was asked for last", "[walking]") {
+    auto map = grid_from<Grid<>>({"......#.", "......##", "........"});
+    AStar search{map};
+    Plane world;
+    const auto body = world.add(place_of(map, Cell{2, 0}));
+    Traveller fox{search, body, gait(2, 2, 0.2)};
+    const auto go_on = [&](double time) {
+        for (double t = 0; t < time; t += 0.05) world.step(0.05 * second), fox.update(world);
+    };
+    REQUIRE(fox.go(world, Cell{0, 0}));
+    go_on(0.3);
+    REQUIRE(!fox.go(world, Cell{7, 0}));
+    go_on(3);
+    CHECK(world.velocity(body).value().norm() == 0);
+    const auto halted = world.position(body);
+    map.set_passable(Cell{3, 2}, false);
+    map.set_passable(Cell{3, 2}, true); // freed, but it opens no way
+    go_on(3);
+    CHECK(norm(world.position(body) - halted).value() < 1e-9);
+    CHECK(!fox.arrived(world));
+    map.set_passable(Cell{7, 1}, true);
+    go_on(15);
+    CHECK(fox.arrived(world));
+    CHECK(norm(world.position(body) - map.position(Cell{7, 0})).value() < 1e-9);
+}
+
+TEST_CASE("pushed off the map a traveller comes back, searches and arrives", "[walking]") {
+    for (const double far : {-3.0, -1e12}) {
+        Grid<> map(12, 3);
+        AStar search{map};
+        Plane world;
+        const auto body = world.add(place_of(map, Cell{0, 1}));
+        Traveller fox{search, body, gait(2, 2, 0.2)};
+        REQUIRE(fox.go(world, Cell{11, 1}));
+        for (int i = 0; i < 20; ++i) world.step(0.05 * second), fox.update(world);
+        world.set_position(body, metres(4, far));
+        for (int i = 0; i < 10; ++i) {
+            world.step(0.05 * second);
+            if (i == 5) map.set_passable(Cell{9, 1}, false); // ahead, while it is away
+            CHECK(!fox.update(world));
+        }
+        CHECK(fox.route().searches() == 1);
+        if (far < -3) continue; // that would take it some time
+        for (int i = 0; i < 600 && !fox.arrived(world); ++i) world.step(0.05 * second), fox.update(world);
+        CHECK(fox.route().searches() >= 2);
+        CHECK(fox.arrived(world));
+        CHECK(norm(world.position(body) - map.position(Cell{11, 1})).value() < 1e-9);
+    }
+}
+
 TEST_CASE("what a traveller cannot do it says", "[walking]") {
     Grid<> map(4, 4);
     AStar search{map};
@@ -326,6 +376,13 @@ TEST_CASE("what a traveller cannot do it says", "[walking]") {
                    Traveller{search, body, tilted};
                }),
                ContainsSubstring("along the second or the third axis"));
+    auto along_rows = gait(1, 1, 0);
+    along_rows.up = Eigen::Vector3d(0, 1, 0);
+    Traveller flat{search, body, along_rows};
+    CHECK_THAT(refusal([&] {
+                   flat.go(world, Cell{3, 3});
+               }),
+               ContainsSubstring("Traveller: up is (0, 1, 0)") && ContainsSubstring("in a world of two dimensions"));
     Traveller fox{search, body, gait(1, 1, 0)};
     CHECK_THROWS_AS(fox.go(world, Cell{9, 9}), std::invalid_argument);
     CHECK(!fox.arrived(world));

@@ -149,8 +149,8 @@ template <class Map> bool can_cut(const Map& map, Spot corner, Spot from, Spot t
 inline void require_radius(const char* where, Quantity<unit::Length> radius) {
     require_not_negative(where, "radius", radius);
 }
-/// A vector of length one along another.
-inline Spot along(Spot a, Spot b) { return (1 / std::hypot(b.x - a.x, b.y - a.y)) * (b - a); }
+/// The direction from one point to another, of length one.
+inline Spot towards(Spot a, Spot b) { return (1 / std::hypot(b.x - a.x, b.y - a.y)) * (b - a); }
 
 } // namespace detail
 
@@ -223,7 +223,7 @@ std::vector<WayPoint> way_points(const Map& map, std::span<const Cell> path, Qua
         if (i + 1 < corners.size()) {
             const detail::Spot a = detail::centre(corners[i - 1]), b = detail::centre(corners[i]),
                                c = detail::centre(corners[i + 1]);
-            const detail::Spot from = detail::along(a, b), to = detail::along(b, c);
+            const detail::Spot from = detail::towards(a, b), to = detail::towards(b, c);
             const double most = 0.5 * std::min(std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y));
             double free = 0, not_free = most;
             if (detail::can_cut(map, b, from, to, most, r)) free = most;

@@ -9,6 +9,7 @@
 /// `Walk`; `update`, called after each step, polls. It searches again when the map was changed and what is left of the
 /// path, by its tiles or by the straight lines that are walked, is blocked or dearer; and when the walker is stuck or
 /// was pushed to where its way is behind a wall. A walker that is on its way halts on it first, and goes on from there.
+/// One that was pushed off the map searches when it is back on it.
 ///
 /// The Walk is a part of the world and is copied and saved with it. A Traveller for a copy of the world is a copy of
 /// the Traveller: it names the body by its handle.
@@ -62,14 +63,19 @@ public:
 
     /// Searches, and has the body go; one that is on its way to somewhere else halts first.
     /// \return whether there is a path
-    /// \throws std::invalid_argument for a body or a goal outside of the map; everything goes on as before
+    /// \throws std::invalid_argument for a body or a goal outside of the map, and for an `up` in a world of two
+    ///         dimensions; everything goes on as before
     template <class W> bool go(W& world, Cell goal) {
+        if (W::S::dimension == 2 && !gait_.up.value().isZero(0))
+            refuse_value("Traveller", "up", gait_.up,
+                         "in a world of two dimensions, over which the map lies, it is zero");
         const Cell from = tile_of(world, stopping_place(world));
-        if (route_.go(from, goal) != Outcome::found) {
+        const Outcome outcome = route_.go(from, goal);
+        goal_ = goal; // also where there is no path yet: `update` goes there when there is one
+        if (outcome != Outcome::found) {
             halt(world);
             return false;
         }
-        goal_ = goal;
         plan(world);
         return true;
     }
@@ -82,6 +88,11 @@ public:
         follow(world);
         bool searched = false;
         if (lost_ || is_touched()) {
+            if (!is_on_map(on_map(world, stopping_place(world)))) { // it comes back to its way, and then searches
+                lost_ = true;
+                halt(world);
+                return false;
+            }
             lost_ = false;
             searched = true;
             go_again(world);
@@ -103,6 +114,10 @@ private:
         const auto& x = place.value();
         return metres(double(x[0]), double(gait_.up.value()[1] != 0 ? x[2] : x[1]));
     }
+    bool is_on_map(const VectorQuantity<unit::Length, 2>& place) const {
+        const auto tiles = place.value() / map_->tile().value();
+        return tiles[0] >= 0 && tiles[1] >= 0 && tiles[0] < double(map_->width()) && tiles[1] < double(map_->height());
+    }
     template <class W> Cell tile_of(const W& world, const auto& place) const {
         return map_->cell_at(on_map(world, place));
     }
@@ -118,6 +133,7 @@ private:
     template <class W> bool is_lost(const W& world, WalkNews news, const auto& now) const {
         if (news == WalkNews::stuck) return true;
         if (news != WalkNews::pushed_off) return false;
+        if (!is_on_map(on_map(world, world.position(body_)))) return true;
         const auto spot = [&](const auto& place) {
             const auto p = on_map(world, place);
             return (1 / map_->tile().value()) * detail::Spot{p.value()[0], p.value()[1]};
@@ -128,10 +144,8 @@ private:
     /// Has the route know what was walked.
     template <class W> void follow(const W& world) {
         const auto place = on_map(world, world.position(body_));
-        const double x = std::floor(place.value()[0] / map_->tile().value());
-        const double y = std::floor(place.value()[1] / map_->tile().value());
-        if (!(x >= 0 && y >= 0 && x < double(map_->width()) && y < double(map_->height()))) return;
-        const Cell here{std::uint16_t(x), std::uint16_t(y)};
+        if (!is_on_map(place)) return;
+        const Cell here = map_->cell_at(place);
         const auto ahead = route_.ahead();
         for (std::size_t k = 1; k < ahead.size(); ++k)
             if (ahead[k] == here) {

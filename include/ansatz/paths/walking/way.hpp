@@ -19,9 +19,9 @@
 /// greatest acceleration, greatest speed, greatest deceleration.
 ///
 /// The place as a function of time has nowhere a speed or an acceleration above the greatest. So steps of any length
-/// that
-/// go from \f$ \mathbf r(t) \f$ to \f$ \mathbf r(t + \Delta t) \f$ have velocities that are no greater than the speed and
-/// differ by no more than \f$ a\,\Delta t \f$, and leave the way between their ends by \f$ a\,\Delta t^2/8 \f$ at most.
+/// that go from \f$ \mathbf r(t) \f$ to \f$ \mathbf r(t + \Delta t) \f$ have velocities that are no greater than the
+/// speed and differ by no more than \f$ a\,\Delta t \f$, and leave the way between their ends by
+/// \f$ a\,\Delta t^2/8 \f$ at most.
 
 #include <ansatz/units.hpp>
 #include <ansatz/units/requirements.hpp>
@@ -37,7 +37,7 @@
 namespace ansatz::paths {
 
 namespace detail {
-/// The root of a plain number, whose own it may be.
+/// The square root of a plain number; found by its argument for scalars that bring their own.
 template <class Scalar> Scalar root(const Scalar& x) {
     using std::sqrt;
     return sqrt(x);
