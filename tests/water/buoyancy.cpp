@@ -317,6 +317,24 @@ TEST_CASE("a spring holds a body to the surface, breaks when it is too deep, and
     CHECK(one.world.acceleration(one.body).value()[1] == -g);
     CHECK(one.world.water(one.pool).volume().value() == Approx(500).epsilon(1e-12));
 }
+TEST_CASE("a spring stiffer than the weight of its pool for each metre of level presses nothing up", "[water]") {
+    const ColumnGrid tub(5, 5, 0.1 * metre); // rho g A = 2452.5 N/m
+    auto in_tub = [&](double k, bool presses) {
+        const SurfaceSpring spring{k * newton_per_metre, 20.0 * newton_second_per_metre, 0.6 * metre};
+        Afloat_ one(tub, 2, presses ? pressing(spring) : only(spring), 10, 0.25, 1.9, 0.25);
+        const double a = one.world.acceleration(one.body).value()[1];
+        one.steps(1, 0.01);
+        CHECK(one.world.status().ok());
+        CHECK(one.world.water(one.pool).volume().value() == Approx(0.5).epsilon(1e-12));
+        return a;
+    };
+    for (const double k : {2452.5, 2500.0, 5000.0, 1e6}) CHECK(in_tub(k, true) == -g);
+    CHECK(in_tub(5000, false) == Approx(5000 * 0.1 / 10 - g).epsilon(1e-12)); // it changes no level
+    // P = k (d + kappa P) / (rho g), where a ring rises by no less than the whole pool would: kappa >= 1 / A.
+    const double wet = in_tub(1000, true) + g;
+    CHECK(wet >= 1000 * 0.1 / (1 - 1000 / 2452.5) / 10 * (1 - 1e-12));
+    CHECK(wet < 1000 * 0.1 / 0.01 / 10);
+}
 TEST_CASE("over a bed no column gives more than it has, and what it owes is given later (hard case W8)", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<Pipes>{}, Buoyancy{}};
     const auto puddle = world.add(Pool{Surface{Pipes{}, ColumnGrid(30, 30, 0.2 * metre), 0.05 * metre}});

@@ -74,7 +74,8 @@ public:
         : pool_(pool),
           grid_(pool.surface->grid()),
           wet_{*pool.surface, 0.2 * static_cast<double>(body.below())},
-          presses_(body.presses) {
+          presses_(body.presses),
+          spring_(body.model == LiftBy::spring) {
         water_.density = pool.density;
         water_.weight = pool.density * Scalar(gravity);
         if constexpr (S::dimension == 2) water_.width = Scalar(grid_.z().end() - grid_.z().begin());
@@ -106,6 +107,9 @@ public:
         const Scalar by = Scalar(1) / Scalar(ring.total());
         water.wet = true;
         const Scalar feedback(ring.feedback());
+        // A spring has no end to what it displaces: where the water rises as fast as it is pressed up, there is no
+        // level at which both come to rest, and within a hundredth of that a level far above the pool.
+        if (spring_ && presses_ && ring.feedback() * ring.room() * foot_.section > 0.99) return water_;
         water.level = from + by * sums.h;
         water.bed = water.level - by * sums.depth;
         water.level -= feedback * own;
@@ -160,7 +164,7 @@ private:
     Wet wet_;
     WaterBeside<Scalar> water_;
     Footprint foot_;
-    bool presses_, covered_ = false;
+    bool presses_, spring_, covered_ = false;
 };
 
 /// Where a body is, raw.

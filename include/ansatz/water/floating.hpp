@@ -12,7 +12,8 @@
 /// Use Archimedes where things should float as deep as they would; the fixed acceleration where they should only sink
 /// more slowly, or come up again, since it does not know how deep a body is; the spring where a thing shall stay at the
 /// surface until something pulls it under. It is a description beside the body's own: its shape for collisions, if it
-/// has one, is another matter. A body outside of every pool is dry, and so is one that is wider than its pool.
+/// has one, is another matter. A body outside of every pool is dry, and so is one that is wider than its pool, or one
+/// that presses water up with a spring stiffer than \f$ \rho g A \f$, with A the area of its pool.
 
 #include <ansatz/water/ring.hpp>
 #include <ansatz/water/submerged.hpp>
