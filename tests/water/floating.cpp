@@ -261,6 +261,30 @@ TEST_CASE("in float, in two dimensions: a disc settles at its draft, and the cha
     CHECK(world.afloat(first).level.value() - world.position(disc).value()[1] == Approx(0).margin(2e-3));
     CHECK(world.afloat(second_).submerged.value() == Approx(0.6).epsilon(1e-3));
     CHECK(world.afloat(first).level.value() == Approx(2 + (pi * 0.25 + 0.6) / 40).epsilon(1e-4));
+    // What a float cannot hold is refused by its name, and is not infinite in a step.
+    const auto hash = world.hash();
+    auto said = [&](const Floating& floating) { return refusal([&] { world.add(floating); }); };
+    CHECK(said({disc, ball, 1e39}).find("drag is 1e+39") != std::string::npos);
+    CHECK(said({disc, ball, 0, 1e39 / second}).find("damping is 1e+39") != std::string::npos);
+    CHECK(said({disc, FixedLift{1e39 * metre_per_second_squared}}).find("acceleration is 1e+39") != std::string::npos);
+    const auto k = 1.0 * newton_per_metre;
+    const auto c = 1e39 * newton_second_per_metre;
+    CHECK(said({disc, SurfaceSpring{1e39 * k, c, 1.0 * metre}}).find("stiffness is 1e+39") != std::string::npos);
+    CHECK(said({disc, SurfaceSpring{k, c, 1.0 * metre}}).find("damping is 1e+39") != std::string::npos);
+    CHECK(said({disc, SurfaceSpring{k, 0.0 * c, 1e39 * metre}}).find("breaks_at is 1e+39") != std::string::npos);
+    CHECK(world.hash() == hash);
+    // The same numbers in a file.
+    detail::FloatingRow<Flat::S> row;
+    row.size[0] = 1;
+    CHECK_NOTHROW(row.check());
+    for (float detail::FloatingRow<Flat::S>::*number :
+         {&detail::FloatingRow<Flat::S>::drag, &detail::FloatingRow<Flat::S>::damping,
+          &detail::FloatingRow<Flat::S>::displaced})
+        for (const float bad : {-1.0f, HUGE_VALF, float(not_a_number)}) {
+            auto other = row;
+            other.*number = bad;
+            CHECK(refusal([&] { other.check(); }).find("it must be finite") != std::string::npos);
+        }
 }
 TEST_CASE("at a shore a body floats on what water there is, and lies dry where there is none", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<Pipes>{}, Buoyancy{}};

@@ -124,8 +124,8 @@ template <class S> struct FloatingRow {
         if (!(given.drag >= 0) || !is_finite(given.drag))
             refuse_value("Floating", "drag", given.drag, "it must be finite and not negative");
         require_not_negative("Floating", "damping", given.damping);
-        row.drag = Scalar(given.drag);
-        row.damping = Scalar(Quantity<unit::Frequency>(given.damping).value());
+        row.drag = S::convert("drag", Quantity<unit::Dimensionless>::from_value(given.drag)).value();
+        row.damping = S::convert("damping", Quantity<unit::Frequency>(given.damping)).value();
         row.presses = given.presses;
         row.check();
         return row;
@@ -164,12 +164,9 @@ template <class S> struct FloatingRow {
                 refuse_value("Floating", joined({"number ", std::to_string(k), " of its model"}), x,
                              "it must be finite, in the scalar of the world, and greater than zero");
         }
-        if (drag < Scalar(0) || damping < Scalar(0) || displaced < Scalar(0))
-            refuse_value("Floating", "a number",
-                         drag < Scalar(0)      ? drag
-                         : damping < Scalar(0) ? damping
-                                               : displaced,
-                         "it must not be negative");
+        require_number("drag", drag);
+        require_number("damping", damping);
+        require_number("displaced", displaced);
     }
 
     bool shaped() const { return model == LiftBy::sphere || model == LiftBy::box; }
@@ -283,6 +280,10 @@ template <class S> struct FloatingRow {
     }
 
 private:
+    static void require_number(std::string_view what, const Scalar& x) {
+        if (!(x >= Scalar(0)) || !is_finite(x))
+            refuse_value("Floating", what, x, "it must be finite, in the scalar of the world, and not negative");
+    }
     void take(const Sphere& sphere) { size = {typename Sphere::In<S>(sphere).radius.value(), Scalar(0), Scalar(0)}; }
     void take(const Box& box) {
         const auto half = typename Box::In<S>(box).half.value();
@@ -290,15 +291,16 @@ private:
     }
     void take(const FixedLift& lift) {
         require_not_negative("FixedLift", "acceleration", lift.acceleration);
-        size = {Scalar(Quantity<unit::Acceleration>(lift.acceleration).value()), Scalar(0), Scalar(0)};
+        size = {S::convert("acceleration", Quantity<unit::Acceleration>(lift.acceleration)).value(), Scalar(0),
+                Scalar(0)};
     }
     void take(const SurfaceSpring& spring) {
         require_positive("SurfaceSpring", "stiffness", spring.stiffness);
         require_not_negative("SurfaceSpring", "damping", spring.damping);
         require_positive("SurfaceSpring", "breaks_at", spring.breaks_at);
-        size = {Scalar(Quantity<unit::Stiffness>(spring.stiffness).value()),
-                Scalar(Quantity<unit::Damping>(spring.damping).value()),
-                Scalar(Quantity<unit::Length>(spring.breaks_at).value())};
+        size = {S::convert("stiffness", Quantity<unit::Stiffness>(spring.stiffness)).value(),
+                S::convert("damping", Quantity<unit::Damping>(spring.damping)).value(),
+                S::convert("breaks_at", Quantity<unit::Length>(spring.breaks_at)).value()};
     }
 };
 
