@@ -327,6 +327,26 @@ TEST_CASE("what a floating body cannot be is refused, and the world is as it was
     CHECK(said({body, SurfaceSpring{0.0 * newton_per_metre, c, 1.0 * metre}}).find("stiffness") != std::string::npos);
     CHECK(said({body, SurfaceSpring{k, -c, 1.0 * metre}}).find("damping") != std::string::npos);
     CHECK(said({body, SurfaceSpring{k, c, 0.0 * metre}}).find("breaks_at") != std::string::npos);
+    // From a file: whose number it is, and what it may be.
+    detail::FloatingRow<Space<>> row;
+    auto put = [&](std::string_view which, std::uint8_t number) {
+        detail::FloatingRow<Space<>>::fields(row, [&](std::string_view name, auto& x) {
+            if constexpr (std::same_as<std::remove_cvref_t<decltype(x)>, std::uint8_t>)
+                if (name == which) x = number;
+        });
+    };
+    CHECK(refusal([&] { put("model", 9); }) == "Floating: model is 9; it is a whole number from 0 to 3");
+    auto number = [&](std::uint8_t model, std::size_t at, double x) {
+        put("model", model);
+        row.size = {1, 1, 1};
+        row.size[at] = x;
+        return refusal([&] { row.check(); });
+    };
+    CHECK_NOTHROW(row = {}, put("model", 2), row.check()); // a lift of 0 m/s^2
+    CHECK(number(2, 0, -1).find("not negative") != std::string::npos);
+    CHECK(number(3, 1, -1).find("not negative") != std::string::npos);
+    for (const std::size_t at : {0, 2}) CHECK(number(3, at, 0).find("greater than zero") != std::string::npos);
+    CHECK(number(0, 0, 0).find("greater than zero") != std::string::npos);
     world.remove(one.bodies[2]);
     CHECK(sentence<std::out_of_range>([&] {
               world.add(Floating{one.bodies[2], ball});

@@ -101,7 +101,7 @@ struct ClampedColumns {
         WaterColumns::fields(self.columns, field);
         field("low", self.clamp.low);
         field("high", self.clamp.high);
-        detail::choice_field(field, "excess", self.clamp.excess, Excess::counted);
+        detail::choice_field(field, "Pool", "excess", self.clamp.excess, Excess::counted);
     }
     /// What is kept for each column, and how much was cut off.
     template <class Scalar> struct State {

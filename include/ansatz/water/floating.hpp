@@ -142,7 +142,7 @@ template <class S> struct FloatingRow {
     }
     static void fields(auto& self, auto&& field) {
         field("body", self.body);
-        choice_field(field, "model", self.model, LiftBy::spring);
+        choice_field(field, "Floating", "model", self.model, LiftBy::spring);
         field("size", self.size);
         field("drag", self.drag);
         field("damping", self.damping);
@@ -157,12 +157,11 @@ template <class S> struct FloatingRow {
         const int positive = model == LiftBy::box ? S::dimension : 1;
         for (int k = 0; k < 3; ++k) {
             const Scalar& x = size[std::size_t(k)];
-            const bool above = model == LiftBy::fixed || (model == LiftBy::spring && k == 1) || k >= positive
-                                   ? x >= Scalar(0)
-                                   : x > Scalar(0);
-            if (!above || !is_finite(x) || (model == LiftBy::spring && k == 2 && !(x > Scalar(0))))
+            const bool may_be_zero = model == LiftBy::spring ? k == 1 : model == LiftBy::fixed || k >= positive;
+            if (!(may_be_zero ? x >= Scalar(0) : x > Scalar(0)) || !is_finite(x))
                 refuse_value("Floating", joined({"number ", std::to_string(k), " of its model"}), x,
-                             "it must be finite, in the scalar of the world, and greater than zero");
+                             may_be_zero ? "it must be finite, in the scalar of the world, and not negative"
+                                         : "it must be finite, in the scalar of the world, and greater than zero");
         }
         require_number("drag", drag);
         require_number("damping", damping);

@@ -22,13 +22,15 @@ namespace ansatz {
 
 namespace detail {
 /// A choice among few as a field of something that is saved: a number from 0 to that of the last one.
-template <class E> void choice_field(auto& field, std::string_view name, E& choice, std::remove_const_t<E> last) {
+/// \param where whose it is, for the sentence
+template <class E>
+void choice_field(auto& field, std::string_view where, std::string_view name, E& choice, std::remove_const_t<E> last) {
     auto number = std::uint8_t(choice);
     if constexpr (std::is_const_v<E>) field(name, std::as_const(number));
     else {
         field(name, number);
         if (number > std::uint8_t(last))
-            refuse_value("Pool", name, std::size_t(number),
+            refuse_value(where, name, std::size_t(number),
                          joined({"it is a whole number from 0 to ", std::to_string(int(last))}));
         choice = E(number);
     }

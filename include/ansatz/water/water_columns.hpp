@@ -137,10 +137,10 @@ struct WaterColumns {
     static void fields(auto& self, auto&& field) {
         field("wave_speed", self.wave_speed);
         field("damping", self.damping);
-        detail::choice_field(field, "west", self.walls.west, Wall::absorbs);
-        detail::choice_field(field, "east", self.walls.east, Wall::absorbs);
-        detail::choice_field(field, "south", self.walls.south, Wall::absorbs);
-        detail::choice_field(field, "north", self.walls.north, Wall::absorbs);
+        detail::choice_field(field, "Pool", "west", self.walls.west, Wall::absorbs);
+        detail::choice_field(field, "Pool", "east", self.walls.east, Wall::absorbs);
+        detail::choice_field(field, "Pool", "south", self.walls.south, Wall::absorbs);
+        detail::choice_field(field, "Pool", "north", self.walls.north, Wall::absorbs);
     }
 
     /// What is kept for each column.
