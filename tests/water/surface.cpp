@@ -1,12 +1,62 @@
 // SPDX-License-Identifier: BSL-1.0
 // A body of water as a value: its copies, its level between columns, and what it refuses.
 
+#include <ansatz/water/pool.hpp>
 #include <ansatz/water/surface.hpp>
 #include <ansatz/water/water_columns.hpp>
 
 #include "tests/water/support.hpp"
 
 using namespace water_tests;
+
+namespace {
+
+/// A policy of one's own that keeps as much as it likes: nothing moves.
+struct ManyLanes {
+    static constexpr std::string_view name = "ManyLanes";
+    static constexpr bool has_bed = false;
+    void check() const {}
+    static void fields(auto&, auto&&) {}
+    template <class Scalar> struct State {
+        std::vector<Scalar> height;
+        std::array<std::vector<Scalar>, 20> lanes;
+        std::array<double, 20> numbers{};
+        static void fields(auto& self, auto&& field) {
+            field("height", self.height);
+            for (auto& lane : self.lanes) field("lane", lane);
+            for (auto& number : self.numbers) field("number", number);
+        }
+    };
+    template <class Scalar> struct In {
+        In(const ManyLanes&, const ColumnGrid&, Length) {}
+        void prepare(State<Scalar>& state, Length) const {
+            for (auto& lane : state.lanes) lane.assign(state.height.size(), Scalar(0));
+        }
+        Quantity<unit::Time> longest_step(const State<Scalar>&) const { return 1.0 * second; }
+        void advance(State<Scalar>&, Quantity<unit::Time>) const {}
+    };
+};
+
+} // namespace
+
+TEST_CASE("a policy keeps any number of lanes and numbers", "[water]") {
+    const ColumnGrid grid(3, 3, 1.0 * metre);
+    auto state = Surface(ManyLanes{}, grid, 1.0 * metre).state();
+    for (std::size_t k = 0; k < 20; ++k) {
+        state.lanes[k].assign(9, 0.5 * double(k));
+        state.numbers[k] = 0.25 * double(k);
+    }
+    const Surface wide(ManyLanes{}, grid, 1.0 * metre, state);
+    CHECK(wide.state().lanes == state.lanes);
+    CHECK(wide.state().numbers == state.numbers);
+    const Surface<ManyLanes, float> narrow(ManyLanes{}, grid, 1.0 * metre, state);
+    CHECK(narrow.state().lanes[19] == std::vector<float>(9, 9.5f));
+    CHECK(narrow.state().numbers == state.numbers);
+    auto row = detail::PoolRow<ManyLanes, double>::from(0, Pool<ManyLanes>{wide});
+    CHECK_NOTHROW(row.check());
+    detail::SurfaceLanes::of(*row.surface).lanes[19].pop_back();
+    CHECK(refusal([&] { row.check(); }) == "Pool: the number of lane is 8; there is one for each of the 9 columns");
+}
 
 TEST_CASE("a copy of water is a snapshot, and goes on bit for bit", "[water]") {
     Surface water(WaterColumns{.wave_speed = 2.0 * mps, .damping = 0.1 / second}, unequal(6, 5), 1.0 * metre);

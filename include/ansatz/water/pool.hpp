@@ -17,6 +17,7 @@
 #include <ansatz/world/element_table.hpp>
 
 #include <optional>
+#include <vector>
 
 namespace ansatz {
 
@@ -133,14 +134,13 @@ template <class Policy, class Scalar> struct PoolRow {
     /// \throws std::invalid_argument where the numbers do not fit together
     void check() const {
         const Surface_ fresh(surface->policy(), surface->grid(), surface->first_level());
-        std::array<std::size_t, 16> sizes{};
-        std::size_t lane = 0;
+        std::vector<std::size_t> sizes;
         auto size_of = [](const auto& x) {
             if constexpr (requires { x.size(); }) return x.size();
             else return std::size_t(0);
         };
-        Surface_::State::fields(fresh.state(), [&](std::string_view, const auto& x) { sizes[lane++] = size_of(x); });
-        lane = 0;
+        Surface_::State::fields(fresh.state(), [&](std::string_view, const auto& x) { sizes.push_back(size_of(x)); });
+        std::size_t lane = 0;
         Surface_::State::fields(surface->state(), [&](std::string_view name, const auto& x) {
             if (size_of(x) != sizes[lane++]) surface->grid().require_one_each("Pool", name, size_of(x));
         });

@@ -13,10 +13,10 @@
 
 #include <ansatz/water/height_map.hpp>
 
-#include <array>
 #include <concepts>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace ansatz {
 
@@ -188,15 +188,13 @@ private:
     friend struct detail::SurfaceLanes;
     /// Lane by lane; one that the other scalar does not need stays as prepared.
     template <class From> void take(const From& from) {
-        constexpr std::size_t most = 16;
-        std::array<const std::remove_cvref_t<decltype(from.height)>*, most> lanes{};
-        std::array<double, most> numbers{};
-        std::size_t lane = 0, number = 0;
+        std::vector<const std::remove_cvref_t<decltype(from.height)>*> lanes;
+        std::vector<double> numbers;
         From::fields(from, [&](std::string_view, const auto& x) {
-            if constexpr (requires { x.size(); }) lanes[lane++] = &x;
-            else numbers[number++] = static_cast<double>(x);
+            if constexpr (requires { x.size(); }) lanes.push_back(&x);
+            else numbers.push_back(static_cast<double>(x));
         });
-        lane = number = 0;
+        std::size_t lane = 0, number = 0;
         State::fields(state_, [&](std::string_view name, auto& x) {
             if constexpr (requires { x.size(); }) {
                 const auto& given = *lanes[lane++];
