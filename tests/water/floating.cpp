@@ -98,6 +98,22 @@ TEST_CASE("integrators agree on how a ball floats, to their order", "[water]") {
     CHECK(after(ImplicitEuler{}, 400) == Approx(fine).margin(1e-2));
     CHECK(after(SemiImplicitEuler{}, 400) == Approx(fine).margin(5e-3));
 }
+TEST_CASE("an integrator that solves meets a drag that stops a body within a step", "[water]") {
+    Under<ImplicitEuler> world{{}, {}, {}, {}};
+    const auto pool = world.add(Pool{Surface{Pipes{}, pond(), 2.0 * metre}});
+    const auto light = world.add(position(metres(3, 1.6, 5)), mass(100 * pi / 6 * kilogram));
+    world.add(Floating{light, ball, 0, 30.0 / second, false}); // c dt / m is 5 under water
+    const auto hung = world.add(position(metres(7, 1.9, 5)), mass(0.1 * kilogram));
+    const SurfaceSpring spring{20.0 * newton_per_metre, 30.0 * newton_second_per_metre, 1.0 * metre}; // and 5 here
+    world.add(Floating{hung, spring, 0, 0.0 / second, false});
+    world.set_velocity(light, metres_per_second(2, 0, 0));
+    world.set_velocity(hung, metres_per_second(0.2, 0, 0));
+    for (int i = 0; i < 300; ++i) world.step(1.0 / 60 * second);
+    CHECK(world.status().unsolved == 0);
+    CHECK(world.velocity(light).value().norm() < 1e-3);
+    CHECK(world.velocity(hung).value()[0] == Approx(0.2).epsilon(1e-9)); // nothing holds it along the surface
+    CHECK(world.water(pool).volume().value() == Approx(200).epsilon(1e-12));
+}
 TEST_CASE("any order of verbs keeps the water, and handles name whom they named", "[water]") {
     std::mt19937 random(11);
     auto one = scene<SemiImplicitEuler>();

@@ -62,22 +62,24 @@ struct Buoyancy {
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
                 const auto now = row.settled(row.beside.level - x[1], inverse_mass);
                 Vec force = row.lift(now);
-                Scalar c = row.resistance(now, w);
-                const Scalar stops = c * inverse_mass * dt; // the part of w that the drag takes in a step
-                if (stops > Scalar(1)) c /= stops;
-                force += row.against(c, w);
+                force += row.against(resistance(row, now, w, inverse_mass, dt), w);
                 view.add_force(slot, S::Force::from_value(force));
             });
         }
         /// How the force changes with position and velocity, for integrators that solve.
         /// \param add called with the slot of the body, `view.size()`, and the matrices in N/m and N s/m
-        void jacobian(const auto& view, const auto&, auto&& add) const {
+        void jacobian(const auto& view, const auto& context, auto&& add) const {
             using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>;
+            const Scalar dt = context.dt().value();
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
                 const auto now = row.settled(row.beside.level - x[1], inverse_mass);
                 Matrix by_position = Matrix::Zero();
                 by_position(1, 1) = -row.stiffness(now);
-                add(slot, view.size(), by_position, Matrix(-row.resistance(now, w) * Matrix::Identity()));
+                Matrix by_velocity = Matrix::Zero();
+                const Scalar c = resistance(row, now, w, inverse_mass, dt);
+                for (int k = 0; k < S::dimension; ++k)
+                    if (row.shaped() || k == 1) by_velocity(k, k) = -c; // as FloatingRow::against
+                add(slot, view.size(), by_position, by_velocity);
             });
         }
         /// How stiff and how damped the water holds each body as it is now.
@@ -90,6 +92,14 @@ struct Buoyancy {
         }
 
     private:
+        /// c of the drag, kg/s: no more than takes all of w in a step. Force and Jacobian have the same one, so that
+        /// Newton's method meets the equation which it solves.
+        static Scalar resistance(const Row& row, const auto& now, const Vec& w, const Scalar& inverse_mass,
+                                 const Scalar& dt) {
+            const Scalar c = row.resistance(now, w);
+            const Scalar stops = c * inverse_mass * dt; // the part of w that the drag takes in a step
+            return stops > Scalar(1) ? c / stops : c;
+        }
         template <class F> static void each(const auto& view, F&& f) {
             view.state().for_each([&](std::uint32_t, const Row& row) {
                 if (!row.beside.wet) return;
