@@ -263,7 +263,7 @@ TEST_CASE("what a pool cannot be is refused, and the world is as it was", "[wate
     const auto pour = [&](double volume) {
         return refusal([&] { two.world.pour(two.lake, 1.0 * metre, 1.0 * metre, volume * cubic_metre); });
     };
-    CHECK(pour(-0.6).find("this one holds 0.5") != std::string::npos);
+    CHECK(pour(-0.6).find("it has 0.5") != std::string::npos);
     CHECK(pour(not_a_number).find("volume") != std::string::npos);
     CHECK(pour(HUGE_VAL).find("volume is inf") != std::string::npos);
     CHECK(sentence<std::out_of_range>([&] {

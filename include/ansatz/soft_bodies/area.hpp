@@ -113,7 +113,7 @@ template <class S> struct MembraneRow {
     static MembraneRow from(const auto& asked, const Membrane& m) {
         MembraneRow row;
         for (std::size_t i = 0; i < 3; ++i) row.corners[i] = asked.body(m.corners[i]);
-        row.check_corners(asked.where);
+        detail::check_corners(asked.where, row.corners);
         require_not_negative(asked.where, "stiffness", m.stiffness);
         require_not_negative(asked.where, "damping", m.damping);
         row.stiffness = S::convert("stiffness", m.stiffness);
@@ -140,7 +140,7 @@ template <class S> struct MembraneRow {
     }
     /// Holds it against what a step relies on, whoever made it: a file, too.
     void check() const {
-        check_corners("a membrane");
+        detail::check_corners("a membrane", corners);
         require_not_negative("a membrane", "stiffness", stiffness);
         require_not_negative("a membrane", "damping", damping);
         require_positive("a membrane", "area", area);
@@ -152,15 +152,6 @@ template <class S> struct MembraneRow {
                 area.value(),
                 stiffness.value() / area.value(),
                 damping.value() / area.value()};
-    }
-
-private:
-    void check_corners(std::string_view where) const {
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (corners[i] == BodyId()) refuse_value(where, "one of its corners", "nobody", "each is a body");
-            if (corners[i] == corners[(i + 1) % 3])
-                refuse_value(where, "two of its corners", "one body", "they are three different ones");
-        }
     }
 };
 

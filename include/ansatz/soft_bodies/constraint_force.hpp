@@ -28,11 +28,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace ansatz {
+
+namespace detail {
+/// Refuses corners of a triangle that are nobody, or not three different bodies.
+inline void check_corners(std::string_view where, const std::array<BodyId, 3>& corners) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (corners[i] == BodyId()) refuse_value(where, "one of its corners", "nobody", "each is a body");
+        if (corners[i] == corners[(i + 1) % 3])
+            refuse_value(where, "two of its corners", "one body", "they are three different ones");
+    }
+}
+} // namespace detail
 
 /// A table of elements from which something is derived by the slots of their bodies: it knows when that is stale.
 template <class S, class E, class Row> class ArrangedTable : public ElementTable<S, E, Row> {

@@ -84,11 +84,7 @@ template <class S> struct SailRow {
     }
     /// Holds it against what a step relies on, whoever made it: a file, too.
     void check() const {
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (corners[i] == BodyId()) refuse_value("a sail", "one of its corners", "nobody", "each is a body");
-            if (corners[i] == corners[(i + 1) % 3])
-                refuse_value("a sail", "two of its corners", "one body", "they are three different ones");
-        }
+        detail::check_corners("a sail", corners);
         coefficient("a sail", "drag", drag);
         coefficient("a sail", "lift", lift);
     }

@@ -127,7 +127,6 @@ template <class S> struct FloatingRow {
         row.drag = S::convert("drag", Quantity<unit::Dimensionless>::from_value(given.drag)).value();
         row.damping = S::convert("damping", Quantity<unit::Frequency>(given.damping)).value();
         row.presses = given.presses;
-        row.check();
         return row;
     }
     Floating describe(const auto& handle_of) const {

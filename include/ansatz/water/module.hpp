@@ -179,7 +179,7 @@ public:
         const auto then = there + Scalar((volume / footprint).value());
         if (!is_finite(then) || then < Scalar(0))
             refuse_value("World::pour", "volume", volume,
-                         detail::joined({"a column holds no less than nothing, and this one holds ",
+                         detail::joined({"the column would hold less than nothing; it has ",
                                          describe(static_cast<double>(there) * footprint * metre)}));
         detail::Key::get_ready(world, "World::pour");
         const auto inside = detail::Key::inside(world);

@@ -99,7 +99,6 @@ template <class Policy, class Scalar> struct PoolRow {
         const auto& given = pool.surface;
         row.surface.emplace(given.policy(), given.grid(), given.first_level(), given.state());
         row.pressed.assign(given.grid().size(), Scalar(0));
-        row.check();
         return row;
     }
     /// Without the bodies that lie in it.
@@ -113,7 +112,7 @@ template <class Policy, class Scalar> struct PoolRow {
     static void fields(auto& self, auto&& field) {
         constexpr bool read = !std::is_const_v<std::remove_reference_t<decltype(self)>>;
         if constexpr (read) {
-            auto& surface = self.surface; // who only looks finds what there is
+            auto& surface = self.surface; // a reader that only lists the fields is shown what is there
             auto policy = surface ? surface->policy() : Policy{};
             auto grid = surface ? surface->grid() : ColumnGrid(3, 1, 1.0 * metre);
             auto level = surface ? surface->first_level() : Quantity<unit::Length>{};
