@@ -220,6 +220,15 @@ TEST_CASE("what cannot be planned or reserved is refused in a sentence", "[prior
                    search.find(Errands{{{0, 0}, {1, 1}}, {{2, 0}, {1, 1}}});
                }),
                ContainsSubstring("the goal of agents 0 and 1 is one tile"));
+    CHECK_THAT(refusal([&] { search.plan(0); }), ContainsSubstring("Prioritised::plan: agent is 0; the last search"));
+    const auto corridor = grid_from<Grid<Four>>({"......"});
+    Prioritised narrow{corridor};
+    REQUIRE(!narrow.find(Errands{{{0, 0}, {5, 0}}, {{5, 0}, {0, 0}}}));
+    CHECK(narrow.at(0, 5) == Cell{5, 0});
+    CHECK(narrow.plan(1).empty());
+    CHECK_THAT(refusal([&] { narrow.at(1, 0); }),
+               ContainsSubstring("Prioritised::at: agent is 1; it must be one that has a plan; there is no plan for"));
+    CHECK_THAT(refusal([&] { narrow.at(2, 0); }), ContainsSubstring("agent is 2; the last search had 2 agents"));
 
     Reservations table;
     table.take(0, std::vector<Cell>{{0, 0}, {1, 0}, {2, 0}});

@@ -46,7 +46,7 @@ public:
     }
     explicit Prioritised(const Map&&) = delete; // a map that is gone after this line
 
-    /// Plans for all, the first first.
+    /// Plans for all, in the order of the list.
     /// \return whether there is a plan for everybody; else those before failed() have one
     /// \throws std::invalid_argument for no errand, for a tile outside the map, and for two who begin or end in one tile
     bool find(std::span<const Errand> errands) {
@@ -64,10 +64,20 @@ public:
     }
     /// Where an agent is in each step, from the first; behind the last it stays where it is. Empty for one who has no
     /// plan.
-    const std::vector<Cell>& plan(std::size_t agent) const { return plans_[agent]; }
+    /// \throws std::invalid_argument for an agent that was not among the errands
+    const std::vector<Cell>& plan(std::size_t agent) const {
+        if (agent >= plans_.size())
+            refuse_value("Prioritised::plan", "agent", std::to_string(agent),
+                         "the last search had " + std::to_string(plans_.size()) + " agents, counted from 0");
+        return plans_[agent];
+    }
     /// Where an agent is in a step.
+    /// \throws std::invalid_argument for an agent that was not among the errands, or that has no plan
     Cell at(std::size_t agent, std::size_t step) const {
-        return plans_[agent][std::min(step, plans_[agent].size() - 1)];
+        const auto& cells = plan(agent);
+        if (cells.empty())
+            refuse_value("Prioritised::at", "agent", std::to_string(agent), "it must be one that has a plan; " + why());
+        return cells[std::min(step, cells.size() - 1)];
     }
     std::size_t failed() const { return failed_; }                 ///< the first for whom there is no plan, or nobody
     std::size_t steps() const { return reserved_.last(); }         ///< until all stand
