@@ -166,7 +166,7 @@ foreach(module IN LISTS folders)
         target_link_libraries(test_${module} PRIVATE test_main test_quick ${libraries})
         target_precompile_headers(test_${module} REUSE_FROM test_precompiled)
         catch_discover_tests(test_${module} TEST_PREFIX "${module}."
-            PROPERTIES LABELS ${module} TIMEOUT 120 SKIP_REGULAR_EXPRESSION "${skipped}")
+            PROPERTIES LABELS ${module} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "${skipped}")
     endif()
     if(measuring)
         add_executable(test_${module}_perf ${measuring})
