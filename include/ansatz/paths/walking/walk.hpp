@@ -27,8 +27,8 @@ struct Walk {
     Parameter<unit::Velocity> speed;            ///< m/s, the greatest
     Parameter<unit::Acceleration> acceleration; ///< m/s^2, the greatest that it adds to what else acts on it
     /// Where walking has a ground, the direction away from it, such as (0, 1, 0): what goes on along it, gravity and
-    /// jumps, is left alone, and heights of way points mean nothing. Zero for what flies, and for worlds seen from
-    /// above.
+    /// jumps, is left alone, and heights of way points mean nothing. It is zero for what flies, and for worlds seen
+    /// from above.
     VectorParameter<unit::Dimensionless> up{};
     Parameter<unit::Length> astray = 0.5 * metre; ///< m, how far from its way it may be before it is told as pushed off
 };
