@@ -11,8 +11,8 @@ namespace ansatz::paths {
 /// A corner of a path.
 struct WayPoint {
     VectorParameter<unit::Length> place; ///< m; two components will do
-    /// m, how far before it the walker may leave the line towards it, and how far behind it be back on the next. Zero
-    /// where every bit of the corner is needed: it stops there and turns.
+    /// m, how far before it the walker may leave the line towards it, and how far behind it be back on the next;
+    /// zero where every bit of the corner is needed: it stops there and turns.
     Parameter<unit::Length> cut = 0.0 * metre;
 };
 
