@@ -48,6 +48,12 @@ endif()
 # optimiser, which takes a third of the time, these are compiled with this.
 set(ANSATZ_TESTS_THAT_RUN_LONG "" CACHE STRING "What tests that run long are compiled with, e.g. -O1; nothing, if there is nothing")
 
+# A test that hangs is ended, not one that a busy machine or the sanitizers make slow.
+set(hangs_after 300)    # s
+if("${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}" MATCHES "-fsanitize=")
+    set(hangs_after 900)
+endif()
+
 # One precompiled header for all of them; named by its place in the project, for the same header in every checkout.
 add_library(test_precompiled OBJECT precompiled.cpp)
 target_link_libraries(test_precompiled PRIVATE test_quick)
@@ -166,7 +172,7 @@ foreach(module IN LISTS folders)
         target_link_libraries(test_${module} PRIVATE test_main test_quick ${libraries})
         target_precompile_headers(test_${module} REUSE_FROM test_precompiled)
         catch_discover_tests(test_${module} TEST_PREFIX "${module}."
-            PROPERTIES LABELS ${module} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "${skipped}")
+            PROPERTIES LABELS ${module} TIMEOUT ${hangs_after} SKIP_REGULAR_EXPRESSION "${skipped}")
     endif()
     if(measuring)
         add_executable(test_${module}_perf ${measuring})

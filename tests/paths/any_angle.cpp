@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Paths of any angle: through no wall, never shorter than the best by brute force, never longer than the smoothed path,
 // on random maps and on the shared ones.
+// Runs long with the sanitizers.
 
 #include <ansatz/paths/any_angle.hpp>
 #include <ansatz/paths/lazy_theta.hpp>

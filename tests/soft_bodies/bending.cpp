@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Bending: the angle and its gradient, the energy of a rolled sheet and the sag of a clamped one against plates, and
 // every solver.
+// Runs long with the sanitizers.
 
 #include <ansatz/soft_bodies/bending.hpp>
 

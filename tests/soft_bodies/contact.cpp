@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a solver of positions makes of contacts that a response answers on velocities: they agree on what velocity
 // comes out.
+// Runs long with the sanitizers.
 
 #include "tests/soft_bodies/solvers.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Hard cases K that no header of the module is the place of: energy over long runs, and one sheet at three resolutions.
+// Runs long with the sanitizers.
 
 #include "tests/soft_bodies/support.hpp"
 

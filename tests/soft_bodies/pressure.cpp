@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Pressure: volumes against closed forms, the law against the motion that follows from it, and every solver against
 // the balance of forces.
+// Runs long with the sanitizers.
 
 #include <ansatz/soft_bodies/enclosure.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>

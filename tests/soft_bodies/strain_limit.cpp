@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // StrainLimit: two bodies by closed form, what it keeps and what it takes, and row K5.
+// Runs long with the sanitizers.
 
 #include <ansatz/soft_bodies/strain_limit.hpp>
 

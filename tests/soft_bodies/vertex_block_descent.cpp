@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // VertexBlockDescent: at the end of its iterations it is implicit Euler, and before it it is on the way there.
+// Runs long with the sanitizers.
 
 #include "tests/soft_bodies/solvers.hpp"
 

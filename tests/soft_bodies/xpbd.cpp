@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Xpbd: what one spring does, what a chain does beside the formula of the paper, what it keeps, and what it is not.
+// Runs long with the sanitizers.
 
 #include "tests/soft_bodies/solvers.hpp"
 

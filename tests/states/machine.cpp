@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a machine does, in every representation: entry and exit order, hierarchy, histories, raised events, options,
 // value.
+// Runs long with the sanitizers.
 
 #include <ansatz/states/bindings.hpp>
 #include <ansatz/states/chart_build.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Bodies in water: Archimedes against its closed forms, water that is pressed up and comes back, and what the notes
 // propose beside it. Rows B of the hard cases.
+// Runs long with the sanitizers.
 
 #include <ansatz/water.hpp>
 #include <ansatz/water/bodies_in_water.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Elements of a user's own: ties between bodies that wear, and lamps that hang on nobody, in a table whose rows follow
 // from their fields.
+// Runs long with the sanitizers.
 
 #include <ansatz/world/element_table.hpp>
 

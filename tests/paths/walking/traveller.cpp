@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // From the map to the body: room for discs by brute force, discs that touch no wall on the shared maps, and routes that
 // are searched again when the notes' rule says so.
+// Runs long with the sanitizers.
 
 #include <ansatz/paths/walking/traveller.hpp>
 

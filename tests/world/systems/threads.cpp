@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A policy outside the library, against the public frame only: an execution on std::thread. Whatever runs the loops of
 // a step, the world comes to the same bits.
+// Runs long with the sanitizers.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/springs.hpp>
