@@ -4,7 +4,7 @@
 #
 #   cmake -D COMPILER=... [what compiler.cmake reads] -D PRECOMPILED=<folder> -D LIBRARY=<include> -P precompile.cmake
 #
-# For g++ one header for each group of modules that mistakes take together: what templates a precompiled header has begun, g++
+# One header for each group of modules that mistakes take together: what templates a precompiled header has begun, g++
 # finishes again in every file that reads it, 0.9 s for all that has to do with bodies and 0.2 s without soft bodies and water.
 # For clang++, which keeps them finished, one.
 set(MAKES_PRECOMPILED ON)
@@ -12,14 +12,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 
 file(GLOB umbrellas RELATIVE ${LIBRARY}/ansatz ${LIBRARY}/ansatz/*.hpp)
 list(REMOVE_ITEM flags -fsyntax-only)
-set(groups ansatz)
+set(groups bodies paths soft_bodies states water)
 set(suffix gch)
 if(family STREQUAL "clang++")
     set(suffix pch)
     # What the library's own inline functions instantiate is kept with it: else every mistake instantiates it again.
     list(APPEND flags -fpch-instantiate-templates)
-else()
-    set(groups bodies paths soft_bodies states water)
+    list(REMOVE_ITEM groups soft_bodies water)    # see compiler.cmake
 endif()
 foreach(group IN LISTS groups)
     set(text "")
@@ -28,7 +27,7 @@ foreach(group IN LISTS groups)
         if(umbrella MATCHES "^(paths|soft_bodies|states|water)")
             set(of ${CMAKE_MATCH_1})
         endif()
-        if(group STREQUAL "ansatz" OR group STREQUAL of)
+        if(group STREQUAL of)
             string(APPEND text "#include <ansatz/${umbrella}>\n")
         endif()
     endforeach()
