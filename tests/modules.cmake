@@ -45,7 +45,9 @@ else()
 endif()
 
 # With sanitizers it is the other way round for a test that runs long and says so: where all others are compiled without the
-# optimiser, which takes a third of the time, these are compiled with this.
+# optimiser, which takes a third of the time, these are compiled with this. They are a program of their own, test_<module>_long:
+# of a function that two files have, the linker takes either, and where it took the one without the optimiser these would run
+# fifty times as long.
 set(ANSATZ_TESTS_THAT_RUN_LONG "" CACHE STRING "What tests that run long are compiled with, e.g. -O1; nothing, if there is nothing")
 
 # A test that hangs is ended, not one that a busy machine or the sanitizers make slow.
@@ -127,6 +129,14 @@ if(NOT ANSATZ_TIMED_TESTS)
     ansatz_note("tests that measure time: switched off (.ci/run times), their instructions are counted")
 endif()
 
+# A program of test cases, each a test of its own.
+function(ansatz_tests target module libraries)
+    add_executable(${target} ${ARGN})
+    target_link_libraries(${target} PRIVATE test_main test_quick ${libraries})
+    catch_discover_tests(${target} TEST_PREFIX "${module}."
+        PROPERTIES LABELS ${module} TIMEOUT ${hangs_after} SKIP_REGULAR_EXPRESSION "${skipped}")
+endfunction()
+
 file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} *)
 list(REMOVE_ITEM folders static archetypes must_not_compile package peers)
 set(ANSATZ_TEST_MODULES "" CACHE STRING "The modules whose tests are built, e.g. world;collision; all of them, if there is nothing")
@@ -153,6 +163,7 @@ foreach(module IN LISTS folders)
 
     # A test may say so in a line of its own: then it is long to optimise and nothing in it is measured, or it runs long,
     # or is one of those that show that the optimiser changes nothing. Neither can read the others' precompiled header.
+    set(running_long)
     foreach(source IN LISTS sources)
         file(STRINGS ${source} said REGEX "^// Compiled with(out)? optimisation" LIMIT_COUNT 1)
         if(said MATCHES "without")
@@ -162,17 +173,20 @@ foreach(module IN LISTS folders)
         endif()
         file(STRINGS ${source} long REGEX "^// Runs long with the sanitizers" LIMIT_COUNT 1)
         if(long AND ANSATZ_TESTS_THAT_RUN_LONG)
-            set_source_files_properties(${source} PROPERTIES
-                COMPILE_OPTIONS ${ANSATZ_TESTS_THAT_RUN_LONG} SKIP_PRECOMPILE_HEADERS ON)
+            list(APPEND running_long ${source})
         endif()
     endforeach()
-    if(sources)
+    list(REMOVE_ITEM sources ${running_long})
+    if(sources OR running_long)
         list(APPEND modules ${module})
-        add_executable(test_${module} ${sources})
-        target_link_libraries(test_${module} PRIVATE test_main test_quick ${libraries})
+    endif()
+    if(sources)
+        ansatz_tests(test_${module} ${module} "${libraries}" ${sources})
         target_precompile_headers(test_${module} REUSE_FROM test_precompiled)
-        catch_discover_tests(test_${module} TEST_PREFIX "${module}."
-            PROPERTIES LABELS ${module} TIMEOUT ${hangs_after} SKIP_REGULAR_EXPRESSION "${skipped}")
+    endif()
+    if(running_long)
+        ansatz_tests(test_${module}_long ${module} "${libraries}" ${running_long})
+        target_compile_options(test_${module}_long PRIVATE ${ANSATZ_TESTS_THAT_RUN_LONG})
     endif()
     if(measuring)
         add_executable(test_${module}_perf ${measuring})
