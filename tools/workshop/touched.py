@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 """What of the build a change concerns.
 
-    git diff --name-only | touched.py <project> <build folder>
+    git diff --name-only | touched.py <project> <build folder> [seconds]
 
 Every program knows from the compiler which files it was made from (ninja's record of it). A policy's header, however, is read by
 all that include <ansatz/world.hpp>, and concerns only those that name it: a template that nobody names is not compiled. So of what
@@ -9,9 +9,14 @@ was made from a header of the library, what names nothing of it is left to a who
 at the beginning of its lines (the layout is clang-format's), and what other headers declare in which such a name stands. Where a
 header declares an operator at that level, which is found without a name, whoever includes it is concerned.
 
+With a number of seconds, no more is chosen than the compiler needs so long for, one after the other, by what it needed before:
+first what always runs, what was changed itself and the tests of the changed headers, then what is quick. A verdict that comes in
+minutes is asked for after every change; the rest waits for a whole `./workbook test`.
+
 It prints lines of
     object <object>              to be built
     left <number>                how many were made from the changed files and name nothing of them
+    late <number> <seconds>      how many name something of them and would take longer, and how much longer
     program <module> <command>   that links the chosen objects of a module's tests into <build folder>/touched/test_<module>
     section <number>   exercise <module>.<name>   mistake <name>   script <module>.<name>
 """
@@ -22,12 +27,15 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
 # Built and run after every change: quick, and each goes through much of the library.
 ALWAYS = ("tests/motion/newton.cpp", "tests/motion/momentum.cpp", "tests/performance/bytes.cpp", "tests/springs/hooke.cpp",
           "tests/paths/a_star.cpp", "tests/units/vector.cpp")
+UNKNOWN = 15.0    # seconds that an object takes of which nothing is known
+MISTAKE = 1.0     # seconds that the compiler takes to refuse one
 KEYWORDS = {"alignas", "alignof", "decltype", "explicit", "if", "noexcept", "requires", "sizeof", "static_assert"}
 TOKEN = re.compile(r"[A-Za-z_]\w*")
 
@@ -153,6 +161,42 @@ def choose(project: Path, build: Path, changed: set[str], objects: dict[str, lis
     return chosen, left
 
 
+def seconds_of(log: Path) -> dict[str, float]:
+    """How long the compiler needed for each object, by ninja's log: the longest, and none under a second, which is the compiler's
+    cache."""
+    seconds: dict[str, float] = {}
+    if log.is_file():
+        for line in log.read_text(encoding="utf-8", errors="replace").splitlines():
+            fields = line.split("\t")
+            if len(fields) > 3 and fields[0].isdigit() and fields[1].isdigit():
+                seconds[fields[3]] = max(seconds.get(fields[3], 0.0), (int(fields[1]) - int(fields[0])) / 1000)
+    return {name: needed for name, needed in seconds.items() if needed >= 1}
+
+
+def comes_first(name: str, files: list[str], changed: set[str], place: Callable[[str], str]) -> bool:
+    """Whether an object is built whatever it takes: one that always is or never was, one whose own files were
+    changed, the test of a changed header, and that header alone."""
+    made_from = {place(file) for file in files}
+    headers = {file.removeprefix("include/ansatz/").removesuffix(".hpp") for file in changed if file.startswith("include/")}
+    return (not made_from or not made_from.isdisjoint(ALWAYS) or any(not file.startswith("include/") for file in made_from & changed)
+            or any(f"tests/{header}.cpp" in made_from or f"headers_alone/ansatz/{header}.hpp.cpp" in name
+                   for header in headers))
+
+
+def within(limit: float, chosen: list[str], first: set[str], seconds: dict[str, float]) -> tuple[list[str], float]:
+    """As many as the compiler is done with in so many seconds, the quick ones before the others; and how many seconds what is
+    left would take."""
+    kept, late = [], 0.0
+    for name in sorted(chosen, key=lambda one: (one not in first, seconds.get(one, UNKNOWN))):
+        cost = seconds.get(name, UNKNOWN)
+        if name in first or cost <= limit:
+            kept.append(name)
+            limit -= cost
+        else:
+            late += cost
+    return sorted(kept), late
+
+
 def link_command(build: Path, module: str, chosen: set[str]) -> str:
     """How the tests of a module are linked, with its chosen objects alone."""
     commands = subprocess.run(["ninja", "-C", str(build), "-t", "commands", f"tests/test_{module}"],
@@ -164,17 +208,38 @@ def link_command(build: Path, module: str, chosen: set[str]) -> str:
     return " ".join(words)
 
 
+def mistakes_of(project: Path, changed: set[str]) -> list[str]:
+    """The mistakes that must not compile and were changed, or name something of what was."""
+    library = Library(project)
+    names: set[str] = set()
+    for header in changed:
+        if header.startswith("include/"):
+            names |= library.concerned(header)[0]
+    return [mistake.stem for mistake in sorted((project / "tests/must_not_compile").glob("*.cpp"))
+            if str(mistake.relative_to(project)) in changed or tokens_of(mistake.read_text(encoding="utf-8")) & names]
+
+
 def main(arguments: list[str]) -> int:
     """As the module's description says."""
-    if len(arguments) != 2:
+    if len(arguments) not in (2, 3):
         print(__doc__, file=sys.stderr)
         return 2
-    project, build = (Path(argument).resolve() for argument in arguments)
+    project, build = (Path(argument).resolve() for argument in arguments[:2])
     changed = {line.strip() for line in sys.stdin if line.strip()}
-    chosen, left = choose(project, build, changed, deps_of(build))
+    objects = deps_of(build)
+    chosen, left = choose(project, build, changed, objects)
     ignored = re.compile(r"^peers/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
                          r"\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
     kept = [name for name in chosen if not ignored.search(name)]
+    mistakes = mistakes_of(project, changed)
+    if len(arguments) == 3:
+        def place(path: str) -> str:
+            return os.path.relpath(os.path.normpath(build / path), project)
+
+        first = {name for name in kept if comes_first(name, objects[name], changed, place)}
+        taken, late = within(float(arguments[2]) - MISTAKE * len(mistakes), kept, first, seconds_of(build / ".ninja_log"))
+        print("late", len(kept) - len(taken), round(late))
+        kept = taken
     modules = sorted({match[1] for name in kept if (match := re.match(r"tests/CMakeFiles/test_([a-z_]+)\.dir/", name))})
     for name in kept:
         if match := re.match(r"chapters/CMakeFiles/section_([0-9.]+)\.dir/", name):
@@ -185,15 +250,8 @@ def main(arguments: list[str]) -> int:
             print("object", name)
     for module in modules:
         print("program", module, link_command(build, module, set(kept)))
-    library = Library(project)
-    names: set[str] = set()
-    for header in changed:
-        if header.startswith("include/"):
-            names |= library.concerned(header)[0]
-    for mistake in sorted((project / "tests/must_not_compile").glob("*.cpp")):
-        place = str(mistake.relative_to(project))
-        if place in changed or tokens_of(mistake.read_text(encoding="utf-8")) & names:
-            print("mistake", mistake.stem)
+    for mistake in mistakes:
+        print("mistake", mistake)
     for file in sorted(changed):
         if match := re.match(r"tests/([a-z_]+)/([a-z_]+)\.sh$", file):
             print(f"script {match[1]}.{match[2]}")

@@ -246,15 +246,20 @@ private:
         }
     };
 
-    template <class Data> [[gnu::flatten]] void gather(const Data& data) {
+    template <class Data> void gather(const Data& data) {
         auto& w = working_.value;
-        w.boxes.clear();
-        w.ids.clear();
-        for (const auto motion : {Motion::awake, Motion::moving}) gather_range(data, motion);
-        w.boxes.set_active(w.ids.size());
-        for (const auto motion : {Motion::resting, Motion::fixed}) gather_range(data, motion);
+        w.boxes.resize(data.bodies.size()); // room for all: the loop need not ask for more
+        w.ids.resize(data.bodies.size());
+        std::size_t n = 0;
+        for (const auto motion : {Motion::awake, Motion::moving}) n = gather_range(data, motion, n);
+        w.boxes.set_active(n);
+        for (const auto motion : {Motion::resting, Motion::fixed}) n = gather_range(data, motion, n);
+        w.boxes.resize(n);
+        w.ids.resize(n);
     }
-    template <class Data> void gather_range(const Data& data, Motion motion) {
+    /// \returns how many boxes there are now, of which `n` were there before
+    template <class Data>
+    [[gnu::flatten, gnu::noinline]] std::size_t gather_range(const Data& data, Motion motion, std::size_t n) {
         auto& w = working_.value;
         for (std::size_t slot = data.bodies.begin(motion); slot < data.bodies.end(motion); ++slot) {
             const auto id = data.bodies.id(slot);
@@ -265,11 +270,12 @@ private:
                     if constexpr (C::anticipates) widen(data, slot, lower, upper);
                     if constexpr (C::holds_near) w.near.widen(slot, lower, upper);
                     if (!is_finite(lower) || !is_finite(upper)) return; // World::status tells of it
-                    w.boxes.push_back(lower, upper);
-                    w.ids.push_back(id);
+                    w.boxes.set(n, lower, upper);
+                    w.ids[n++] = id;
                 }
             });
         }
+        return n;
     }
 
     template <class Data> static bool moves(const Data& data, std::size_t slot) {

@@ -141,6 +141,50 @@ class Touched(unittest.TestCase):
         with mock.patch.object(subprocess, "run", side_effect=answers):
             self.assertEqual(touched.deps_of(self.build), {"a.o": ["../a.cpp"], "b.o": []})
 
+    def test_within(self) -> None:
+        """The first ones whatever they take, then the quick ones for which there is time."""
+        seconds = {"own": 50.0, "a": 9.0, "b": 4.0, "c": 5.0}
+        self.assertEqual(touched.within(60.0, ["a", "b", "c", "own", "new"], {"own"}, seconds), (["b", "c", "own"], 24.0))
+        self.assertEqual(touched.within(0.0, ["a", "own"], {"own"}, seconds), (["own"], 9.0))
+        self.assertEqual(touched.within(100.0, ["a", "new"], set(), seconds), (["a", "new"], 0.0))
+
+    def test_seconds(self) -> None:
+        """The longest of each object, and none from the cache; a build without a log has none."""
+        log = self.build / ".ninja_log"
+        self.assertEqual(touched.seconds_of(log), {})
+        log.write_text("# ninja log v5\n5\t2005\t7\ta.o\tx\n0\t100\t8\ta.o\tx\n0\t30\t8\tb.o\ty\n", encoding="utf-8")
+        self.assertEqual(touched.seconds_of(log), {"a.o": 2.0})
+
+    def test_first(self) -> None:
+        """What always runs, what was changed itself, the test of the header and the header alone."""
+        def first(name: str, *files: str) -> bool:
+            return touched.comes_first(name, list(files), {"include/ansatz/drag.hpp", "tests/help.hpp"}, lambda path: path)
+
+        header = "include/ansatz/drag.hpp"
+        self.assertTrue(first("a.o", "tests/drag.cpp", header))
+        self.assertTrue(first("a.o", "tests/other.cpp", "tests/help.hpp"))
+        self.assertTrue(first("a.o", "tests/motion/newton.cpp"))
+        self.assertTrue(first("x/headers_alone/ansatz/drag.hpp.cpp.o", header))
+        self.assertTrue(first("new.o"))
+        self.assertFalse(first("a.o", "tests/other.cpp", header))
+        self.assertFalse(first("x/headers_alone/ansatz/fall.hpp.cpp.o", header))
+
+    def test_late(self) -> None:
+        """With a limit, what is too dear is told and not built; the mistakes are counted, too."""
+        self.write("tests/must_not_compile/a_drag.cpp", "Drag{};")
+        self.write("build/.ninja_log", "".join(f"0\t{ms}\t7\ttests/CMakeFiles/test_all.dir/{name}.cpp.o\tx\n"
+                                              for name, ms in (("drag", 9000), ("fall", 4000), ("helped", 5000))))
+        objects = {name: files for name, files in self.objects().items() if "test_all" in name and "sum" not in name}
+        for limit, late, fall in (("18", "late 1 5", True), ("13", "late 2 9", False)):
+            out = io.StringIO()
+            with mock.patch.object(touched, "deps_of", return_value=objects), \
+                    mock.patch.object(touched, "link_command", return_value="c++ x"), \
+                    mock.patch("sys.stdin", io.StringIO("include/ansatz/drag.hpp\n")), contextlib.redirect_stdout(out):
+                self.assertEqual(touched.main([str(self.project), str(self.build), limit]), 0)
+            self.assertIn(late, out.getvalue().splitlines())
+            self.assertIn("drag.cpp.o", out.getvalue())
+            self.assertEqual("fall.cpp.o" in out.getvalue(), fall)
+
     def test_usage(self) -> None:
         """Two folders, or it says what it is."""
         with contextlib.redirect_stderr(io.StringIO()) as errors:

@@ -10,8 +10,10 @@
 #   ./workbook test --touched main   the same since the branch left main, e.g. before a merge
 #
 # --touched asks the compiler's own record of what each program was made from, and of those that include a header of the
-# library takes the ones that name what is in it. It builds and runs these, the mistakes that name it with g++, and always a few
-# that are quick and find much. What measures time, the other compilers' sentences and the sanitizers are left to a whole run.
+# library takes the ones that name what is in it: the tests of the changed headers first, then what compiles quickly, as many as
+# give a verdict in three minutes, by what the compiler needed before. It builds and runs these, the mistakes that name it with
+# g++, and always a few that are quick and find much. What measures time, the other compilers' sentences and the sanitizers are
+# left to a whole run, and what would take longer is counted and left, too.
 #
 # Shows what fails, ctest's closing lines and what took longest; the whole log is build/logs/test.log.
 
@@ -22,9 +24,12 @@ touched_files() {
     { git diff --name-only "$base" && git ls-files --others --exclude-standard; } | sort -u
 }
 
+# How long the compiler may be busy with it, of three minutes to a verdict; the tests take the rest.
+TOUCHED_SECONDS=100
+
 # Builds and runs what the changed files concern; touched [the commit]
 touched() {
-    local files line kind rest targets=() modules=() programs=() left=0 began status=0 log=build/logs/test.log
+    local files line kind rest targets=() modules=() programs=() left=0 late=0 longer=0 began status=0 log=build/logs/test.log
     local names="^mirror$|^tools\\.must_not_compile$"
     began=$(now)
     if [ ! -f "$BUILD/build.ninja" ]; then complain "--touched needs ninja, which knows what each program was made from"; return 2; fi
@@ -34,7 +39,7 @@ touched() {
         say "How the project is built was changed: what that concerns only a whole ./workbook test finds."
     fi
     local chosen
-    chosen=$(python3 "$ROOT/tools/workshop/touched.py" "$ROOT" "$BUILD" <<< "$files") || return 1
+    chosen=$(python3 "$ROOT/tools/workshop/touched.py" "$ROOT" "$BUILD" $((TOUCHED_SECONDS * $(jobs_here))) <<< "$files") || return 1
     while read -r kind rest; do
         case $kind in
             object) targets+=("$rest") ;;
@@ -44,11 +49,14 @@ touched() {
             mistake) names+="|^must_not_compile\\.(precompiled|$rest)\\.g\\+\\+$" ;;
             script) names+="|^${rest//./\\.}$" ;;
             left) left=$rest ;;
+            late) late=${rest% *} longer=${rest#* } ;;
         esac
     done <<< "$chosen"
     names=$(tr '|' '\n' <<< "$names" | awk '!seen[$0]++' | paste -s -d '|')
     echo "$(wc -l <<< "$files" | tr -d ' ') files were changed: ${#targets[@]} objects and programs name what is in them;" \
         "$left more include them and do not (they wait for a whole ./workbook test)"
+    [ "$late" -eq 0 ] ||
+        echo "$late more name it, too, and would take $(duration $((1000 * longer / $(jobs_here)))) longer: a whole ./workbook test runs them"
     build "what was touched" "${targets[@]}" "tests/CMakeFiles/test_main.dir/main.cpp.o" || return 1
     # The tests of a module that were chosen, in a program of their own: the others need not be compiled.
     mkdir -p "$BUILD/touched"
