@@ -63,6 +63,12 @@ set(precompiled \"tests/catch.hpp\" <Eigen/Core> <algorithm> <array> <cmath> <co
     <functional> <iomanip> <iostream> <limits> <map> <memory> <numeric> <optional> <random> <span> <sstream> <string>
     <string_view> <tuple> <type_traits> <utility> <variant> <vector>)
 target_precompile_headers(test_precompiled PRIVATE ${precompiled})
+if(ANSATZ_TESTS_THAT_RUN_LONG)
+    add_library(test_precompiled_long OBJECT precompiled.cpp)
+    target_link_libraries(test_precompiled_long PRIVATE test_quick)
+    target_compile_options(test_precompiled_long PRIVATE ${ANSATZ_TESTS_THAT_RUN_LONG})
+    target_precompile_headers(test_precompiled_long PRIVATE ${precompiled})
+endif()
 
 # Takes out of a list of sources those that need what is not here, and reports each as a skipped test; for the others,
 # the libraries that they need.
@@ -187,6 +193,7 @@ foreach(module IN LISTS folders)
     if(running_long)
         ansatz_tests(test_${module}_long ${module} "${libraries}" ${running_long})
         target_compile_options(test_${module}_long PRIVATE ${ANSATZ_TESTS_THAT_RUN_LONG})
+        target_precompile_headers(test_${module}_long REUSE_FROM test_precompiled_long)
     endif()
     if(measuring)
         add_executable(test_${module}_perf ${measuring})
