@@ -23,7 +23,9 @@
 #include <ansatz/water/ripples.hpp>
 #include <ansatz/water/roles.hpp>
 #include <ansatz/water/shallow_water.hpp>
+#include <ansatz/water/soft_surface.hpp>
 #include <ansatz/water/submerged.hpp>
 #include <ansatz/water/surface.hpp>
+#include <ansatz/water/surface_contacts.hpp>
 #include <ansatz/water/water_columns.hpp>
 #include <ansatz/water/waves.hpp>

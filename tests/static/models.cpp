@@ -33,6 +33,7 @@
 #include <ansatz/soft_bodies/wind.hpp>
 #include <ansatz/springs/springs.hpp>
 #include <ansatz/water/buoyancy.hpp>
+#include <ansatz/water/surface_contacts.hpp>
 
 namespace ansatz {
 
@@ -75,6 +76,8 @@ static_assert(LawIn<QuadraticDrag, Space<>>);
 static_assert(EffectIn<Rest, Space<>>);
 static_assert(EffectIn<StopBelow, Space<>>);
 static_assert(DifferentiableCouplingIn<Buoyancy, Space<>> && DifferentiableCouplingIn<Buoyancy, Space<float, 2>>);
+static_assert(DifferentiableCouplingIn<SurfaceContacts, Space<>> &&
+              DifferentiableCouplingIn<SurfaceContacts, Space<float, 2>>);
 static_assert(CouplingIn<Springs<>, Space<>> && CouplingIn<Ropes<Breaking>, Space<float, 2>>);
 
 } // namespace ansatz
