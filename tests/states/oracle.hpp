@@ -95,6 +95,7 @@ struct Oracle {
         const bool target_inside = common == source.size() && target.size() > source.size();
         if (!(it.internal && target_inside) && common == source.size()) --common;
         if (common == target.size()) --common;
+        common = std::max<std::size_t>(common, 1); // the machine itself is never left
         for (auto s = path.size(); s-- > common;)
             for (std::size_t h = 1; h < o.states.size(); ++h)
                 if (is_history(o.states[h].kind) && o.states[h].parent == path[s])

@@ -177,6 +177,12 @@ public:
         return *this;
     }
 
+    /// Where the text of `<log>` goes, of other bindings.
+    Bindings& adopt_log(std::shared_ptr<const std::function<void(Context&, std::string_view)>> f) {
+        log_ = std::move(f);
+        return *this;
+    }
+
     const Guard* find_guard(const std::string& name) const { return find(guards_, name); }    ///< null: nobody bound it
     const Action* find_action(const std::string& name) const { return find(actions_, name); } ///< null: nobody bound it
     /// Null: nobody bound it.

@@ -45,6 +45,7 @@ struct Step {
 
 template <class Context> class ChartBuilder;
 template <class Context> class ChartTables;
+template <class Context> class ChartEditor;
 template <class Context> class Regions;
 
 } // namespace states::detail
@@ -82,6 +83,7 @@ public:
 
 private:
     template <class> friend class states::detail::ChartBuilder;
+    template <class> friend class states::detail::ChartEditor;
     template <class> friend class states::detail::ChartTables;
     template <class, class, class...> friend class InterpretedMachine;
     template <class> friend class states::detail::Regions;

@@ -45,9 +45,12 @@ public:
     /// The whole of it.
     // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved from
     static SharedChart<Context> make(Outline outline, const Bindings<Context>& names,
-                                     std::optional<Outline> shown_as = {}) {
+                                     std::optional<Outline> shown_as = {},
+                                     const std::vector<std::string>& first_events = {}) {
         auto chart = std::make_shared<Chart<Context>>();
         chart->outline_ = std::move(outline);
+        for (const auto& event : first_events)
+            chart->event_ids_.emplace(event, std::uint16_t(chart->events_.size())), chart->events_.push_back(event);
         ChartBuilder builder(*chart, names);
         builder.build();
         ChartTables<Context>(*chart, builder).build();

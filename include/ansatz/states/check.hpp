@@ -12,6 +12,7 @@
 /// noise.
 
 #include <ansatz/core/error.hpp>
+#include <ansatz/states/names.hpp>
 #include <ansatz/states/outline.hpp>
 
 #include <algorithm>
@@ -112,18 +113,23 @@ inline void check_exits(const Outline& outline, const Reach& reached, std::vecto
     }
 }
 
-// A transition after one without a guard, of the same state, on the same events.
+// Whether a transition is always taken before a later one of the same state could be.
+inline bool hides(const Outline::Transition& earlier, const Outline::Transition& later) {
+    bool same = earlier.events.empty() == later.events.empty();
+    for (auto one : words(later.events)) {
+        if (one.ends_with(".*")) one.resize(one.size() - 2);
+        same = same && matches(earlier.events, one);
+    }
+    const bool always = earlier.guard.empty() || earlier.guard == later.guard;
+    const bool at_once = earlier.events.empty() && earlier.guard.empty();
+    return same && always && !(earlier.events.empty() && !at_once && earlier.guard != later.guard);
+}
 inline void check_hidden(const Outline& outline, std::vector<Finding>& found) {
     const auto& all = outline.transitions;
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t j = i + 1; j < all.size() && all[j].source == all[i].source; ++j) {
-            const bool same = all[i].events == all[j].events ||
-                              (!all[j].events.empty() && all[j].events.find(' ') == std::string::npos &&
-                               matches(all[i].events, all[j].events));
-            const bool always = all[i].guard.empty() || all[i].guard == all[j].guard;
-            const bool at_once = all[i].events.empty() && all[i].guard.empty();
             const auto& name = outline.states[all[j].source].name;
-            if (same && always && !(all[i].events.empty() && !at_once && all[i].guard != all[j].guard))
+            if (hides(all[i], all[j]))
                 found.push_back({Finding::What::hidden, name, all[j].line,
                                  "a transition of \"" + name + "\"" +
                                      (all[j].events.empty() ? "" : " on \"" + all[j].events + "\"") +

@@ -9,6 +9,7 @@
 /// a description, for comparison. It alone has parallel states. Several machines share one chart. Taking an event does
 /// not allocate. What it costs: a load where the switch has a jump, an indirect call for each guard and action.
 
+#include <ansatz/states/additions.hpp>
 #include <ansatz/states/chart_build.hpp>
 #include <ansatz/states/lasting.hpp>
 #include <ansatz/states/regions.hpp>
@@ -32,8 +33,11 @@ enum class Reloaded : std::uint8_t {
 
 /// \tparam D  InFile<Context> or a description
 template <class D, class Context_, class... O>
-class InterpretedMachine : public states::Lasting<InterpretedMachine<D, Context_, O...>, Context_> {
+class InterpretedMachine
+    : public states::Lasting<InterpretedMachine<D, Context_, O...>, Context_>
+    , public states::Additions<InterpretedMachine<D, Context_, O...>, Context_> {
 public:
+    using states::Additions<InterpretedMachine, Context_>::add;
     using states::Lasting<InterpretedMachine, Context_>::start;
     using Context = Context_;                                             ///< the user's
     using Opts = states::Options<O...>;                                   ///< all its options together
@@ -182,6 +186,7 @@ private:
     template <class> friend class states::detail::Regions;
     friend struct states::MachineArchive;
     template <class, class> friend class states::Lasting;
+    template <class, class> friend class states::Additions;
     states::Kind kind_of(StateId s) const { return chart_->states_[index(s)].kind; }
     Quantity<unit::Time> entered_at(std::size_t s) const { return entered_[s]; }
     void start_in(Context& context, std::size_t s) {
@@ -213,19 +218,23 @@ private:
 
     void adopt(SharedChart<Context> chart) {
         if (chart == nullptr) refuse(Refusal::invalid_argument, "Machine: there is no chart");
-        chart_ = std::move(chart);
+        fit_chart(std::move(chart));
         const auto& c = *chart_;
         leaf_ = 0;
         regions_.fit(c);
         entered_.assign(c.state_count(), {});
-        memory_.assign((c.memory_ + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t), std::max_align_t{});
         owns_.clear();
         for (const auto maker : c.behaviours_) owns_.push_back(maker());
+        forget();
+    }
+    void fit_chart(SharedChart<Context> chart) {
+        chart_ = std::move(chart);
+        const auto& c = *chart_;
+        memory_.assign((c.memory_ + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t), std::max_align_t{});
         // Without options that see, and where nothing asks for the time, an event that changes only the state is one
         // load.
         quick_ = !Opts::watched && !c.automatic_ && !c.raises_;
         for (const auto& guard : c.guards_) quick_ = quick_ && !guard.needs_time;
-        forget();
     }
     void forget() {
         leaf_ = 0;
@@ -289,13 +298,14 @@ private:
         return reinterpret_cast<const std::byte*>(memory_.data()) + chart_->memory_at_[guard];
     }
     void for_memories(Context& context, bool begin) {
-        const auto& c = *chart_;
-        for (const auto& row : c.transitions_) {
-            if (row.guard == states::nowhere || c.guards_[row.guard].memory == 0) continue;
-            const auto& guard = c.guards_[row.guard];
-            (begin ? guard.begin : guard.sample)(guard.guard.get(), asked(context, row.source),
-                                                 const_cast<void*>(memory_at(row.guard)));
-        }
+        for (std::size_t t = 0; t < chart_->transitions_.size(); ++t) for_memory(context, t, begin);
+    }
+    void for_memory(Context& context, std::size_t t, bool begin) {
+        const auto& row = chart_->transitions_[t];
+        if (row.guard == states::nowhere || chart_->guards_[row.guard].memory == 0) return;
+        const auto& guard = chart_->guards_[row.guard];
+        (begin ? guard.begin : guard.sample)(guard.guard.get(), asked(context, row.source),
+                                             const_cast<void*>(memory_at(row.guard)));
     }
     void perform(Context& context, states::detail::Range steps, Quantity<unit::Time> dt = {}) {
         using What = Outline::Content::What;

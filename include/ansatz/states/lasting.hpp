@@ -56,6 +56,12 @@ public:
                       "Ansatz: update takes the time of a step; write e.g. machine.update(npc, 1.0 / 60 * second)");
         return false;
     }
+    /// Transitions are added to a machine that is interpreted: additions.hpp.
+    template <class M = Machine> void add(Context&, const auto&, const auto&, auto&&...) {
+        static_assert(ansatz::detail::never<M>,
+                      "Ansatz: Switch, StatePattern and Table have the transitions of their "
+                      "description; take Machine<..., Interpreted> to add some while it runs");
+    }
     /// For how long a state has been active, s; none where it is not. Known to machines that keep the time.
     Quantity<unit::Time> time_in(StateId state) const {
         const auto& machine = static_cast<const Machine&>(*this);

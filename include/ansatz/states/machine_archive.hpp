@@ -72,6 +72,38 @@ struct MachineArchive {
         return next;
     }
 
+    /// A transition that was added, and where it stands among those of its state.
+    using Addition = std::pair<Outline::Transition, std::size_t>;
+    /// Gives a machine these additions and no others. One that it has keeps its functions; the names of another are
+    /// looked up in `names`, if there are any.
+    /// \param file  for the sentences
+    template <class D, class C, class... O>
+    static void set_additions(InterpretedMachine<D, C, O...>& m, const std::vector<Addition>& additions,
+                              const Bindings<C>* names, const std::string& file) {
+        if (additions.empty() && m.added().empty()) return;
+        using Editor = detail::ChartEditor<C>;
+        const Editor editor(*m.chart_, names != nullptr ? *names : Bindings<C>{});
+        auto before = editor.rows(), rows = before;
+        std::erase_if(rows, [](const auto& row) { return row.shown.added; });
+        for (const auto& [transition, place] : additions) {
+            typename Editor::Row row{{}, transition, transition};
+            for (auto& old : before)
+                if (!row.old && old.old && old.shown.added && old.shown == transition)
+                    row.old = std::exchange(old.old, std::nullopt), row.shown = old.shown;
+            if (!row.old && names == nullptr)
+                refuse(Refusal::invalid_argument,
+                       file + ": a transition of " + detail::shown(m.name(StateId(transition.source))) +
+                           (transition.events.empty() ? "" : " on " + detail::shown(transition.events)) +
+                           (transition.guard.empty() ? "" : " with the guard " + detail::shown(transition.guard)) +
+                           " was added to the machine before it was saved; add it to this one too, or give load the "
+                           "Bindings of its names");
+            if (const auto* guard = row.old ? nullptr : names->find_guard(transition.guard))
+                row.shown.equality = guard->equality;
+            Editor::insert(rows, std::move(row), place);
+        }
+        m.fit_chart(editor.make(rows, file));
+    }
+
     /// A machine of the compile-time representations, field by field.
     template <class D, class R, class... O> static void fields(StaticMachine<D, R, O...>& m, Archive& a) {
         using Machine = StaticMachine<D, R, O...>;

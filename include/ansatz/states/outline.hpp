@@ -54,6 +54,7 @@ struct Outline {
         std::vector<Content> content;     ///< done when it is taken
         bool internal = false;            ///< to a state inside its source it does not leave that
         bool equality = false;            ///< its guard compares a continuous value for equality
+        bool added = false;               ///< to a machine that runs (additions.hpp); no part of its description
         long line = 0;                    ///< in its file
         /// The same, in whatever line.
         friend bool operator==(const Transition& a, const Transition& b) {

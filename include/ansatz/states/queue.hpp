@@ -42,6 +42,7 @@ public:
         return event;
     }
     constexpr bool empty() const { return size_ == 0; }          ///< nothing waits
+    constexpr std::size_t size() const { return size_; }         ///< how many wait
     constexpr std::uint32_t dropped() const { return dropped_; } ///< events for which there was no room
 
     /// The same memory: what waits, what was taken before, how many were dropped.

@@ -12,6 +12,9 @@
 /// with its place. The machine is then as it was. For a description that was changed while the game runs there is
 /// `reload`.
 ///
+/// Transitions that were added while the machine ran (additions.hpp) are in the file by their names; the machine that
+/// is loaded into has them already, or `load` is given the Bindings of those names.
+///
 /// Guards with a Memory of your own and state classes with data say what they consist of: `fields` (archive.hpp).
 /// Options are not saved: what counts or watches goes on with what the machine has that is loaded into.
 // not in the umbrella: it needs nlohmann-json
@@ -125,6 +128,7 @@ struct Identity {
             names(s.initial), contents(s.initial_content), contents(s.entry), contents(s.exit), contents(s.each);
         }
         for (const auto& t : outline.transitions) {
+            if (t.added) continue; // that is no part of the description
             add(t.source), add(t.events), add(t.guard), add(std::size_t(t.internal));
             names(t.targets), contents(t.content);
         }
@@ -145,6 +149,56 @@ private:
     }
 };
 
+/// What was added to a machine while it ran, as a file has it; of others nothing.
+inline Json additions_to_file(const Outline& outline) {
+    Json all = Json::array();
+    std::size_t place = 0;
+    for (std::size_t t = 0; t < outline.transitions.size(); ++t) {
+        const auto& from = outline.transitions[t];
+        place = t > 0 && outline.transitions[t - 1].source == from.source ? place + 1 : 0;
+        if (!from.added) continue;
+        Json content = Json::array();
+        for (const auto& one : from.content) content.push_back({one.what, one.name});
+        all.push_back({{"state", outline.states[from.source].name},
+                       {"place", place},
+                       {"events", from.events},
+                       {"guard", from.guard},
+                       {"targets", from.targets},
+                       {"internal", from.internal},
+                       {"content", content}});
+    }
+    return all;
+}
+inline std::vector<MachineArchive::Addition> additions_from_file(const FileValue& all, const Outline& outline) {
+    const auto text = [](const FileValue& value) {
+        if (!value.json.is_string()) value.refuse_here("a text");
+        return value.json.get<std::string>();
+    };
+    std::vector<std::size_t> count(outline.states.size(), 0);
+    for (const auto& t : outline.transitions) count[t.source] += t.added ? 0 : 1;
+    std::vector<MachineArchive::Addition> found;
+    for (std::size_t i = 0; i < all.size("transitions"); ++i) {
+        const auto from = all.at(i);
+        Outline::Transition to;
+        const auto state = text(from.at("state"));
+        while (to.source < outline.states.size() && outline.states[to.source].name != state) ++to.source;
+        if (to.source == outline.states.size()) from.at("state").refuse_here("the name of a state of the machine");
+        const auto place = std::size_t(from.at("place").whole(count[to.source]++));
+        to.added = true;
+        to.events = text(from.at("events")), to.guard = text(from.at("guard"));
+        to.internal = from.at("internal").yes();
+        const auto targets = from.at("targets"), content = from.at("content");
+        for (std::size_t k = 0; k < targets.size("names"); ++k) to.targets.push_back(text(targets.at(k)));
+        for (std::size_t k = 0; k < content.size("things that are done"); ++k) {
+            content.at(k).size_is(2, "parts, what is done and its name");
+            to.content.push_back(
+                {Outline::Content::What(content.at(k).at(std::size_t(0)).whole(2)), text(content.at(k).at(1)), 0});
+        }
+        found.emplace_back(std::move(to), place);
+    }
+    return found;
+}
+
 } // namespace detail
 
 /// What `save` takes.
@@ -153,6 +207,10 @@ template <class T> inline constexpr bool is_machine = false;
 template <class D, class R, class... O> inline constexpr bool is_machine<StaticMachine<D, R, O...>> = true;
 /// An interpreted one.
 template <class D, class C, class... O> inline constexpr bool is_machine<InterpretedMachine<D, C, O...>> = true;
+/// Whether a machine can be added to while it runs.
+template <class T> inline constexpr bool is_interpreted = false;
+/// An interpreted one can.
+template <class D, class C, class... O> inline constexpr bool is_interpreted<InterpretedMachine<D, C, O...>> = true;
 
 } // namespace states
 
@@ -171,38 +229,37 @@ void save(const Machine& machine, std::ostream& out) {
     file["representation"] = MachineArchive::representation(machine);
     file["description"] = identity.text();
     file["states"] = identity.states;
+    if (auto added = states::detail::additions_to_file(MachineArchive::outline(machine)); !added.empty())
+        file["added"] = std::move(added);
     states::detail::JsonWriter writer(file);
     Machine copy(machine); // a copy, because fields() takes a machine that may be changed: reading and writing share it
     MachineArchive::fields(copy, writer);
     out << file.dump(1) << '\n';
 }
-/// Puts a machine where the one was that was saved.
-/// \param name of the file, for its sentences
-/// \throws std::invalid_argument for a file of another representation, version or description, or one that cannot be; the
-///         machine is as it was
-template <class Machine>
-    requires states::is_machine<Machine>
-void load(Machine& machine, std::istream& in, const std::string& name = "load") {
+namespace states::detail {
+/// \param names  what the names of transitions stand for that were added while the machine ran; null: nothing
+template <class Machine, class Names>
+void load_machine(Machine& machine, std::istream& in, const std::string& name, const Names* names) {
     using states::MachineArchive;
-    using states::detail::Json;
     if (MachineArchive::busy(machine))
         refuse(Refusal::invalid_argument, "load: called from an action of the machine; load between two updates");
     const Json file = Json::parse(in, nullptr, false);
     if (file.is_discarded())
         refuse(Refusal::invalid_argument, name + ": it is no JSON; expected a machine that was saved");
-    const states::detail::FileValue root{file, name, true};
+    const FileValue root{file, name, true};
     root.at("machine").is(MachineArchive::version, ", the version of the format that this library reads");
     root.at("representation")
         .is(std::string(MachineArchive::representation(machine)), ", the representation of the machine that is loaded");
-    const states::detail::Identity identity(MachineArchive::outline(machine));
+    const Outline& outline = MachineArchive::outline(machine);
+    const Identity identity(outline);
     const auto there = root.at("states");
     for (std::size_t s = 0; s < std::max(there.size("names"), identity.states.size()); ++s) {
         const bool here = s < identity.states.size(), saved = s < there.json.size();
         if (here && saved && there.json[s] == identity.states[s]) continue;
-        refuse(Refusal::invalid_argument,
-               name + ": the description of the machine has changed: state " + std::to_string(s) + " is " +
-                   (here ? states::detail::shown(identity.states[s]) : "none") + ", and was " +
-                   (saved ? there.json[s].dump() : "none") + " when the file was saved");
+        refuse(Refusal::invalid_argument, name + ": the description of the machine has changed: state " +
+                                              std::to_string(s) + " is " + (here ? shown(identity.states[s]) : "none") +
+                                              ", and was " + (saved ? there.json[s].dump() : "none") +
+                                              " when the file was saved");
     }
     if (root.at("description").json != identity.text())
         refuse(Refusal::invalid_argument, name +
@@ -210,9 +267,34 @@ void load(Machine& machine, std::istream& in, const std::string& name = "load") 
                                               "names, and their parts, transitions, guards or actions are others than "
                                               "when the file was saved");
     Machine next = MachineArchive::fresh(machine);
-    states::detail::JsonReader reader(root);
+    if constexpr (is_interpreted<Machine>) {
+        std::vector<MachineArchive::Addition> added;
+        if (file.contains("added")) added = additions_from_file(root.at("added"), outline);
+        MachineArchive::set_additions(next, added, names, name);
+    }
+    JsonReader reader(root);
     MachineArchive::fields(next, reader);
     machine = std::move(next);
+}
+} // namespace states::detail
+
+/// Puts a machine where the one was that was saved.
+/// \param name of the file, for its sentences
+/// \throws std::invalid_argument for a file of another representation, version or description, or one that cannot be; the
+///         machine is as it was
+template <class Machine>
+    requires states::is_machine<Machine>
+void load(Machine& machine, std::istream& in, const std::string& name = "load") {
+    states::detail::load_machine(machine, in, name, static_cast<const Bindings<typename Machine::Context>*>(nullptr));
+}
+/// The same of an Interpreted machine to which transitions were added: the machine has those of the file afterwards.
+/// \param names  what their guards and actions stand for, where this machine has none of that name
+/// \throws std::invalid_argument for a name that nobody bound, too
+template <class Machine>
+    requires states::is_interpreted<Machine>
+void load(Machine& machine, std::istream& in, const Bindings<typename Machine::Context>& names,
+          const std::string& name = "load") {
+    states::detail::load_machine(machine, in, name, &names);
 }
 /// The same into a file.
 /// \throws std::invalid_argument where it cannot be written, too
@@ -231,6 +313,14 @@ void load(Machine& machine, const std::string& path) {
     std::ifstream in(path);
     if (!in) refuse(Refusal::invalid_argument, "load: " + path + " cannot be opened");
     load(machine, in, path);
+}
+/// The same.
+template <class Machine>
+    requires states::is_interpreted<Machine>
+void load(Machine& machine, const std::string& path, const Bindings<typename Machine::Context>& names) {
+    std::ifstream in(path);
+    if (!in) refuse(Refusal::invalid_argument, "load: " + path + " cannot be opened");
+    load(machine, in, names, path);
 }
 
 } // namespace ansatz
