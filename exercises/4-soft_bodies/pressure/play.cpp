@@ -74,7 +74,10 @@ int main() {
                   once);
     };
     const exercise::Points x(ball.vertices().begin(), ball.vertices().end());
-    show("yours", yours(), [&] { exercise::forces(x, triangles, 1.0 * pascal); });
+    show("yours", yours(), [&] {
+        static volatile double sink = 0;
+        sink = exercise::forces(x, triangles, 1.0 * pascal)[0].value()[0];
+    });
     World world{SemiImplicitEuler{}, Pressure{}};
     std::vector<Handle> bodies;
     for (const auto& at : ball.vertices()) bodies.push_back(world.add(position(at), mass(1e6 * kilogram)));

@@ -172,10 +172,10 @@ TEST_CASE("and nobody turns himself", "[task-3][turn]") {
     for (const Mesh& mesh : meshes())
         for (const double p : pressures) {
             const auto all = forces(mesh, p);
-            Vector<double, 3> turn(0, 0, 0);
-            for (std::size_t i = 0; i < all.size(); ++i) turn += mesh.points[i].value().cross(all[i].value());
-            expect_near(said(mesh, p) + ": the sum of your torques, in N m", newtons(turn[0], turn[1], turn[2]),
-                        newtons(0, 0, 0), 1e-10 * p * newton,
+            auto turn = newton_metres(0, 0, 0);
+            for (std::size_t i = 0; i < all.size(); ++i) turn += cross(mesh.points[i], all[i]);
+            expect_near(said(mesh, p) + ": the sum of your torques", turn, newton_metres(0, 0, 0),
+                        1e-10 * p * newton_metre,
                         "Each corner of a triangle gets a third of its force, along its normal.");
         }
 }
