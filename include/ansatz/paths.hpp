@@ -10,6 +10,7 @@
 #include <ansatz/paths/any_angle.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
+#include <ansatz/paths/conflict_based.hpp>
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/dimacs.hpp>
 #include <ansatz/paths/flow_field.hpp>
@@ -31,6 +32,7 @@
 #include <ansatz/paths/nodes.hpp>
 #include <ansatz/paths/outcome.hpp>
 #include <ansatz/paths/own_loop.hpp>
+#include <ansatz/paths/plans.hpp>
 #include <ansatz/paths/prioritised.hpp>
 #include <ansatz/paths/property_maps.hpp>
 #include <ansatz/paths/reopening.hpp>
@@ -47,3 +49,4 @@
 #include <ansatz/paths/walking/way.hpp>
 #include <ansatz/paths/walking/way_point.hpp>
 #include <ansatz/paths/waypoints.hpp>
+#include <ansatz/paths/windowed.hpp>

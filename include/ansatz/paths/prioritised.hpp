@@ -7,8 +7,8 @@
 ///
 /// It takes time in proportion to the number of agents, where all at once would take it to its power. The price: the
 /// order decides. Whoever is planned first does not make way, and for a later one there may then be no plan, though
-/// together, or in another order, there is one; `find` says for whom. Try another order, or for two or three agents
-/// search over all places at once (chapter 6.3.4).
+/// together, or in another order, there is one; `find` says for whom. Try another order, or for a few agents
+/// `ConflictBased`, which finds the best plan for all if there is one.
 ///
 /// Who has arrived stays there and is in the way. Who has not been planned yet is not: an earlier one may walk over
 /// where it stands, and it must get out of the way in time.
@@ -16,9 +16,9 @@
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/heuristics/by.hpp>
+#include <ansatz/paths/plans.hpp>
 #include <ansatz/paths/reservations.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,12 +26,6 @@
 #include <vector>
 
 namespace ansatz::paths {
-
-/// From where to where somebody wants.
-struct Errand {
-    Cell start; ///< in step 0
-    Cell goal;  ///< and stays there
-};
 
 /// \tparam Map a Grid on even ground
 template <class Map> class Prioritised {
@@ -50,7 +44,7 @@ public:
     /// \return whether there is a plan for everybody; else those before failed() have one
     /// \throws std::invalid_argument for no errand, for a tile outside the map, and for two who begin or end in one tile
     bool find(std::span<const Errand> errands) {
-        check(errands);
+        detail::require_errands("Prioritised::find", *map_, errands);
         reserved_.clear();
         plans_.assign(errands.size(), {});
         expanded_ = 0;
@@ -77,7 +71,7 @@ public:
         const auto& cells = plan(agent);
         if (cells.empty())
             refuse_value("Prioritised::at", "agent", std::to_string(agent), "it must be one that has a plan; " + why());
-        return cells[std::min(step, cells.size() - 1)];
+        return at_step(cells, step);
     }
     std::size_t failed() const { return failed_; }                 ///< the first for whom there is no plan, or nobody
     std::size_t steps() const { return reserved_.last(); }         ///< until all stand
@@ -91,23 +85,6 @@ public:
     }
 
 private:
-    void check(std::span<const Errand> errands) const {
-        if (errands.empty())
-            refuse_value("Prioritised::find", "the number of errands", "0", "there must be one at least");
-        for (std::size_t i = 0; i < errands.size(); ++i) {
-            for (const Cell c : {errands[i].start, errands[i].goal})
-                if (!map_->contains(c))
-                    refuse_value("Prioritised::find", "a tile of agent " + std::to_string(i), name_of(c),
-                                 "the map has " + map_->size_in_words());
-            for (std::size_t k = 0; k < i; ++k)
-                if (errands[i].start == errands[k].start || errands[i].goal == errands[k].goal)
-                    refuse_value(
-                        "Prioritised::find",
-                        (errands[i].start == errands[k].start ? "the start of agents " : "the goal of agents ") +
-                            std::to_string(k) + " and " + std::to_string(i),
-                        "one tile", "each needs its own");
-        }
-    }
     bool find_one(const Errand& errand, std::uint32_t agent) {
         if (field_.aim(errand.goal) != Outcome::found || !field_.reaches(errand.start)) return false;
         if (reserved_.owner(errand.start, 0) != Reservations::nobody) return false;

@@ -123,24 +123,32 @@ struct TimedEdge {
 };
 
 /// A grid in space and time.
-template <class Map> class TimedGrid {
+/// \tparam Table what is taken: `is_free(from, to, step)` and `last()`, as `Reservations` have them
+template <class Map, class Table = Reservations> class TimedGrid {
 public:
     using default_cost = std::uint32_t; ///< as on a grid
     /// \param map          looked at, never copied
     /// \param reservations looked at, never copied
-    TimedGrid(const Map& map, const Reservations& reservations) : map_(&map), reservations_(&reservations) {}
-    const Map& map() const { return *map_; }                            ///< in space
-    const Reservations& reservations() const { return *reservations_; } ///< in time
-    /// The first step from which on nobody moves.
-    std::uint32_t settled() const { return reservations_->last(); }
+    /// \param until        up to here steps are told apart, though nothing may be reserved there
+    TimedGrid(const Map& map, const Table& reservations, std::uint32_t until = 0)
+        : map_(&map), reservations_(&reservations), settled_(std::max(until, reservations.last())) {}
+    const Map& map() const { return *map_; }                     ///< in space
+    const Table& reservations() const { return *reservations_; } ///< in time
+    /// The first step from which on nothing changes.
+    std::uint32_t settled() const { return settled_; }
 
 private:
     const Map* map_;
-    const Reservations* reservations_;
+    const Table* reservations_;
+    std::uint32_t settled_;
 };
+/// `TimedGrid{map, reservations}`.
+template <class Map, class Table> TimedGrid(const Map&, const Table&) -> TimedGrid<Map, Table>;
+/// With steps that are told apart up to one.
+template <class Map, class Table> TimedGrid(const Map&, const Table&, std::uint32_t) -> TimedGrid<Map, Table>;
 
 /// The steps that are free, one after the other; waiting is the last.
-template <class Map> class TimedEdges {
+template <class Map, class Table = Reservations> class TimedEdges {
 public:
     using iterator_category = std::forward_iterator_tag;
     using value_type = TimedEdge;
@@ -149,7 +157,9 @@ public:
     using reference = value_type;
     TimedEdges() = default;
     /// At the first free step in direction `d` or behind it; 8 is waiting, 9 the end.
-    TimedEdges(const TimedGrid<Map>& graph, const Timed& from, int d) : graph_(&graph), from_(from), d_(d) { skip(); }
+    TimedEdges(const TimedGrid<Map, Table>& graph, const Timed& from, int d) : graph_(&graph), from_(from), d_(d) {
+        skip();
+    }
     /// What it points to.
     value_type operator*() const {
         return {from_, {target(), std::min(from_.step + 1, graph_->settled())}, d_ >= 4 && d_ < 8};
@@ -175,7 +185,7 @@ private:
     void skip() {
         while (d_ < 9 && !(open() && graph_->reservations().is_free(from_.cell, target(), from_.step))) ++d_;
     }
-    const TimedGrid<Map>* graph_ = nullptr;
+    const TimedGrid<Map, Table>* graph_ = nullptr;
     Timed from_;
     int d_ = 9;
 };
@@ -191,30 +201,36 @@ template <class Cost> struct TimedWeights {
     }
 };
 
-template <class M> std::pair<TimedEdges<M>, TimedEdges<M>> out_edges(const Timed& v, const TimedGrid<M>& g) {
-    return {TimedEdges<M>(g, v, 0), TimedEdges<M>(g, v, 9)};
+template <class M, class T>
+std::pair<TimedEdges<M, T>, TimedEdges<M, T>> out_edges(const Timed& v, const TimedGrid<M, T>& g) {
+    return {TimedEdges<M, T>(g, v, 0), TimedEdges<M, T>(g, v, 9)};
 }
-template <class M> std::size_t out_degree(const Timed& v, const TimedGrid<M>& g) {
+template <class M, class T> std::size_t out_degree(const Timed& v, const TimedGrid<M, T>& g) {
     const auto edges = out_edges(v, g);
     return std::size_t(std::distance(edges.first, edges.second));
 }
-template <class M> Timed source(const TimedEdge& e, const TimedGrid<M>&) { return e.from; }
-template <class M> Timed target(const TimedEdge& e, const TimedGrid<M>&) { return e.to; }
-template <class M> TimedWeights<double> get(boost::edge_weight_t, const TimedGrid<M>&) { return {}; }
-template <class M, class Cost> TimedWeights<Cost> edge_weights(const TimedGrid<M>&, std::type_identity<Cost>) {
+template <class M, class T> Timed source(const TimedEdge& e, const TimedGrid<M, T>&) { return e.from; }
+template <class M, class T> Timed target(const TimedEdge& e, const TimedGrid<M, T>&) { return e.to; }
+template <class M, class T> TimedWeights<double> get(boost::edge_weight_t, const TimedGrid<M, T>&) { return {}; }
+template <class M, class T, class Cost>
+TimedWeights<Cost> edge_weights(const TimedGrid<M, T>&, std::type_identity<Cost>) {
     return {};
 }
-template <class M> bool has_vertex(const Timed& v, const TimedGrid<M>& g) { return g.map().contains(v.cell); }
-template <class M> bool is_blocked(const Timed& v, const TimedGrid<M>& g) { return !g.map().passable(v.cell); }
-template <class M> std::string name_of(const Timed& v, const TimedGrid<M>&) { return name_of(v); }
+template <class M, class T> bool has_vertex(const Timed& v, const TimedGrid<M, T>& g) {
+    return g.map().contains(v.cell);
+}
+template <class M, class T> bool is_blocked(const Timed& v, const TimedGrid<M, T>& g) {
+    return !g.map().passable(v.cell);
+}
+template <class M, class T> std::string name_of(const Timed& v, const TimedGrid<M, T>&) { return name_of(v); }
 
 } // namespace ansatz::paths
 
 namespace boost {
-template <class M> struct graph_traits<ansatz::paths::TimedGrid<M>> {
+template <class M, class T> struct graph_traits<ansatz::paths::TimedGrid<M, T>> {
     using vertex_descriptor = ansatz::paths::Timed;
     using edge_descriptor = ansatz::paths::TimedEdge;
-    using out_edge_iterator = ansatz::paths::TimedEdges<M>;
+    using out_edge_iterator = ansatz::paths::TimedEdges<M, T>;
     using directed_category = directed_tag;
     using edge_parallel_category = disallow_parallel_edge_tag;
     using traversal_category = incidence_graph_tag;
@@ -226,7 +242,7 @@ template <class M> struct graph_traits<ansatz::paths::TimedGrid<M>> {
     using vertex_iterator = void;
     using edge_iterator = void;
 };
-template <class M> struct property_map<ansatz::paths::TimedGrid<M>, edge_weight_t> {
+template <class M, class T> struct property_map<ansatz::paths::TimedGrid<M, T>, edge_weight_t> {
     using type = ansatz::paths::TimedWeights<double>;
     using const_type = type;
 };

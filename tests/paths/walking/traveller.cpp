@@ -388,6 +388,18 @@ TEST_CASE("what a traveller cannot do it says", "[walking]") {
     CHECK_THROWS_AS(fox.go(world, Cell{9, 9}), std::invalid_argument);
     CHECK(!fox.arrived(world));
     REQUIRE(fox.go(world, Cell{3, 3}));
+    Traveller second_one{search, body, gait(1, 1, 0)};
+    const auto one_walk = world.hash();
+    CHECK_THAT(refusal([&] {
+                   second_one.go(world, Cell{0, 3});
+               }),
+               ContainsSubstring("Traveller: body is one that has a walk of somebody else; a body follows one at a"));
+    CHECK(world.hash() == one_walk);
+    CHECK(!second_one.update(world));
+    world.remove(fox.walk());
+    CHECK(second_one.go(world, Cell{0, 3}));
+    world.remove(second_one.walk());
+    REQUIRE(fox.go(world, Cell{3, 3}));
     world.set_position(body, metres(-5, 1));
     const auto hash = world.hash();
     CHECK_THROWS_AS(fox.go(world, Cell{0, 0}), std::invalid_argument);

@@ -15,8 +15,10 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 using namespace ansatz;
@@ -341,6 +343,73 @@ TEST_CASE("a walk ends with its body, and one that is there already has arrived"
     CHECK_THROWS_AS(world.walking(walk), std::out_of_range);
     CHECK_THROWS_AS(world.halt(walk), std::out_of_range);
     world.step(0.1 * second);
+}
+
+TEST_CASE("a body has one walk at a time: another is refused, whatever came, went and was loaded", "[walking]") {
+    std::mt19937 random(23);
+    const std::string twice = "Walk: body is one that has a walk; a body follows one at a time; set this one for the "
+                              "handle of the other, or remove that";
+    Simple world;
+    std::vector<Handle> bodies;
+    std::vector<std::pair<ElementHandle<Walk>, std::size_t>> walks; // with the body, by its place in the list
+    const auto walker = [&](std::size_t k) {
+        for (const auto& walk : walks)
+            if (walk.second == k) return std::optional(walk.first);
+        return std::optional<ElementHandle<Walk>>();
+    };
+    int refused = 0, exchanged = 0, loads = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const auto path = random_path(random, 2, 5);
+        const std::size_t k = bodies.empty() ? 0 : random() % bodies.size();
+        const std::size_t w = walks.empty() ? 0 : random() % walks.size();
+        const auto verb = random() % 16;
+        const auto before = world.hash();
+        if (bodies.size() < 3 || (verb == 0 && bodies.size() < 30))
+            bodies.push_back(world.add(position(metres(i, 0, 0))));
+        else if (verb < 6) { // another walk
+            std::optional<ElementHandle<Walk>> added;
+            const auto said = refusal([&] { added = world.add(walk_of(bodies[k], path, 1, 1)); });
+            REQUIRE(said == (walker(k) ? twice : "nothing"));
+            if (added) walks.emplace_back(*added, k);
+            else REQUIRE(world.hash() == before);
+            refused += !added;
+        } else if (verb < 11 && !walks.empty()) { // a walk for somebody, the same or another
+            const bool may = !walker(k) || *walker(k) == walks[w].first;
+            const auto said = refusal([&] { world.set(walks[w].first, walk_of(bodies[k], path, 1, 1)); });
+            REQUIRE(said == (may ? "nothing" : twice));
+            if (may) exchanged += walks[w].second != k, walks[w].second = k;
+            else REQUIRE(world.hash() == before);
+        } else if (verb < 13 && !walks.empty()) {
+            world.remove(walks[w].first);
+            walks.erase(walks.begin() + std::ptrdiff_t(w));
+        } else if (verb == 13) {
+            world.remove(bodies[k]);
+            std::erase_if(walks, [&](const auto& walk) { return walk.second == k; });
+            bodies.erase(bodies.begin() + std::ptrdiff_t(k));
+            for (auto& walk : walks) walk.second -= walk.second > k;
+        } else if (verb == 14 && i % 5 == 0) {
+            Simple loaded;
+            load_text(loaded, text_of(world));
+            REQUIRE(loaded.hash() == world.hash());
+            world = loaded;
+            ++loads;
+        } else world.step(0.05 * second);
+        for (std::size_t n = 0; n < bodies.size(); ++n) REQUIRE(world.walk_of(bodies[n]) == walker(n));
+    }
+    CHECK(refused > 100);
+    CHECK(exchanged > 100);
+    CHECK(loads > 10);
+    CHECK_THROWS_AS(world.walk_of(Handle{}), std::out_of_range);
+
+    Simple two;
+    const auto one = two.add(position(metres(0, 0, 0))), other = two.add(position(metres(0, 1, 0)));
+    two.add(walk_of(one, {{metres(1, 0)}}, 1, 1)), two.add(walk_of(other, {{metres(1, 1)}}, 1, 1));
+    std::string text = text_of(two);
+    const auto at = text.rfind("\"body\"");
+    REQUIRE(at != std::string::npos);
+    text.replace(text.find('1', at), 1, "0");
+    CHECK_THAT(refusal([&] { load_text(two, text); }),
+               ContainsSubstring("the walks: the number of walks of body 0 is 2; one at most"));
 }
 
 TEST_CASE("a walk that cannot be is refused in a sentence, and nothing is changed", "[walking]") {

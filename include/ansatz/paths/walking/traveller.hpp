@@ -63,12 +63,15 @@ public:
 
     /// Searches, and has the body go; one that is on its way to somewhere else halts first.
     /// \return whether there is a path
-    /// \throws std::invalid_argument for a body or a goal outside of the map, and for an `up` in a world of two
-    ///         dimensions; everything goes on as before
+    /// \throws std::invalid_argument for a body or a goal outside of the map, for a body that has a walk from elsewhere,
+    ///         and for an `up` in a world of two dimensions; everything goes on as before
     template <class W> bool go(W& world, Cell goal) {
         if (W::S::dimension == 2 && !gait_.up.value().isZero(0))
             refuse_value("Traveller", "up", gait_.up,
                          "in a world of two dimensions, over which the map lies, it is zero");
+        if (const auto other = world.walk_of(body_); other && !(walk_ && *other == *walk_))
+            refuse_value("Traveller", "body", "one that has a walk of somebody else",
+                         "a body follows one at a time; remove that, world.remove(*world.walk_of(body))");
         const Cell from = tile_of(world, stopping_place(world));
         const Outcome outcome = route_.go(from, goal);
         goal_ = goal; // also where there is no path yet: `update` goes there when there is one

@@ -12,8 +12,11 @@
 #include <ansatz/units/requirements.hpp>
 #include <ansatz/world/element_table.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ansatz::paths {
@@ -21,10 +24,10 @@ namespace ansatz::paths {
 /// Lets a body follow a path, from where it is: `world.add(Walk{.body = fox, .path = {...}, .speed = ...})`. Setting
 /// another Walk for the same handle gives it another path, while it walks.
 struct Walk {
-    using element = Walk;                       ///< it is one
-    Handle body;                                ///< who walks; a body that is free to move, at most one walk each
-    std::vector<WayPoint> path;                 ///< the places to come, in their order; the last is where it stops
-    Parameter<unit::Velocity> speed;            ///< m/s, the greatest
+    using element = Walk;            ///< it is one
+    Handle body;                     ///< who walks; a body that is free to move; who walks already is refused
+    std::vector<WayPoint> path;      ///< the places to come, in their order; the last is where it stops
+    Parameter<unit::Velocity> speed; ///< m/s, the greatest
     Parameter<unit::Acceleration> acceleration; ///< m/s^2, the greatest that it adds to what else acts on it
     /// Where walking has a ground, the direction away from it, such as (0, 1, 0): what goes on along it, gravity and
     /// jumps, is left alone, and heights of way points mean nothing. It is zero for what flies, and for worlds seen
@@ -182,6 +185,94 @@ template <class S> struct WalkRow {
                 refuse_value("a walk", "the limit of corner " + std::to_string(i), way.limits[i],
                              "what follows from its corners");
     }
+};
+
+/// The walks of a world, of which a body has one at most: two would give it two velocities.
+template <class S> class WalkTable : public ElementTable<S, Walk, WalkRow<S>> {
+    using Base = ElementTable<S, Walk, WalkRow<S>>;
+    using Row = WalkRow<S>;
+
+public:
+    static constexpr std::uint32_t none = 0xffffffffu; ///< no walk
+
+    /// The id of the walk of a body, or `none`.
+    std::uint32_t walk_of(std::uint32_t body) const {
+        if (known_) return body < by_body_.size() ? by_body_[body] : none;
+        std::uint32_t found = none;
+        this->for_each([&](std::uint32_t id, const Row& row) { found = row.body.id == body ? id : found; });
+        return found;
+    }
+    /// Nothing beside the walks; it makes a file that is loaded come to `check`.
+    static void fields(auto&, auto&&) {}
+    /// Whether no body of a file has two walks.
+    void check() const {
+        std::vector<std::uint32_t> bodies;
+        this->for_each([&](std::uint32_t, const Row& row) { bodies.push_back(row.body.id); });
+        std::sort(bodies.begin(), bodies.end());
+        const auto twice = std::adjacent_find(bodies.begin(), bodies.end());
+        if (twice != bodies.end())
+            refuse_value("the walks", "the number of walks of body " + std::to_string(*twice), "2", "one at most");
+    }
+
+    /// \name As ElementTable has them
+    /// @{
+
+    std::uint32_t id(const ElementHandle<Walk>& h, const char* where) const { return Base::id(h, where); }
+    /// A verb is about to change this one; `admit`, which follows and is not told, takes it from here.
+    std::uint32_t id(const ElementHandle<Walk>& h, const char* where) { return changed_ = Base::id(h, where); }
+    /// Checks a description, before anything is changed.
+    template <class Where, class... Option>
+    Row admit(const char* where, const Walk& walk, const Bodies& bodies, const Where& place, const Option&... option) {
+        const auto own = std::string_view(where) == "World::set" ? changed_ : none;
+        Row row = Base::admit(where, walk, bodies, place, option...);
+        find_bodies(row.body.id);
+        if (const auto other = walk_of(row.body.id); other != none && other != own)
+            refuse_value("Walk", "body", "one that has a walk",
+                         "a body follows one at a time; set this one for the handle of the other, or remove that");
+        return row;
+    }
+    ElementHandle<Walk> insert(Row row) {
+        const auto body = row.body.id;
+        const auto handle = Base::insert(std::move(row));
+        note(body, handle.id);
+        return handle;
+    }
+    void replace(std::uint32_t id, Row row) {
+        forget(this->row(id).body.id, id);
+        note(row.body.id, id);
+        Base::replace(id, std::move(row));
+    }
+    void erase(std::uint32_t id) {
+        forget(this->row(id).body.id, id);
+        Base::erase(id);
+    }
+    void body_removed(std::uint32_t body) {
+        if (body < by_body_.size()) by_body_[body] = none;
+        Base::body_removed(body);
+    }
+    /// @}
+
+private:
+    /// Room for a body, and who walks, if a file has brought them: this may fail, and what follows cannot.
+    void find_bodies(std::uint32_t body) {
+        if (body >= by_body_.size()) by_body_.resize(std::max<std::size_t>(body + 1, 2 * by_body_.size()), none);
+        if (known_) return;
+        std::uint32_t most = 0;
+        this->for_each([&](std::uint32_t, const Row& row) { most = std::max(most, row.body.id); });
+        by_body_.assign(std::max<std::size_t>(most + 1, by_body_.size()), none);
+        this->for_each([&](std::uint32_t id, const Row& row) { by_body_[row.body.id] = id; });
+        known_ = true;
+    }
+    void note(std::uint32_t body, std::uint32_t id) {
+        if (body < by_body_.size()) by_body_[body] = id;
+        else known_ = false; // the rows of a file, which are filled in behind this
+    }
+    void forget(std::uint32_t body, std::uint32_t id) {
+        if (body < by_body_.size() && by_body_[body] == id) by_body_[body] = none;
+    }
+    std::vector<std::uint32_t> by_body_; // a cache: the walk of each body
+    bool known_ = true;                  // whether that is right
+    std::uint32_t changed_ = none;       // by `set`
 };
 
 } // namespace detail

@@ -26,6 +26,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -63,7 +64,7 @@ struct Walkers {
     static void parameters(auto& self, auto&& visit) { visit("patience", self.patience); }
     void check() const { require_positive("Walkers", "patience", patience); }
 
-    template <class S> using State = ElementTable<S, Walk, detail::WalkRow<S>>; ///< all walks
+    template <class S> using State = detail::WalkTable<S>; ///< all walks, one of a body at most
 
     /// Gives each walker its velocity for the step.
     template <class S> struct Steer {
@@ -224,6 +225,14 @@ struct Walkers {
                     row.off,
                     row.halting,
                     row.stuck};
+        }
+        /// The walk of a body, if it has one.
+        /// \throws std::out_of_range for a stale handle
+        std::optional<ElementHandle<Walk>> walk_of(Handle body) const {
+            const auto& kept = this->kept();
+            const auto id = kept.walk_of(this->id(body, "World::walk_of"));
+            if (id == detail::WalkTable<S_>::none) return std::nullopt;
+            return kept.handle(id);
         }
         /// Has a walker come to rest on its way, as soon as it can, and wait; or go on.
         /// \throws std::out_of_range for a stale handle
