@@ -221,12 +221,19 @@ foreach(module IN LISTS folders)
             set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 600
                 SKIP_REGULAR_EXPRESSION "^skipped: " ENVIRONMENT
                 "ANSATZ_SCRATCH=${PROJECT_BINARY_DIR}/scratch/${module}.${name};CXX=${CMAKE_CXX_COMPILER};CMAKE=${CMAKE_COMMAND}")
+            # They are the longest of the tests: begun last, one of them would run while the other cores have nothing to do.
+            set_property(TEST "${module}.${name}" PROPERTY COST 1000)
             # A script may say so in a line of its own: then one build on a machine is enough, or it measures time.
             file(STRINGS ${script} said REGEX "^# (Looks at every compiler|Measures time)")
             if(said MATCHES "Looks at every compiler")
-                set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};every_compiler" RUN_SERIAL TRUE)
+                set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};every_compiler")
             elseif(said MATCHES "Measures time")
                 set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};perf" RUN_SERIAL TRUE)
+            endif()
+            # What compiles on all cores itself is not run beside others.
+            file(STRINGS ${script} on_all_cores REGEX "^all_done" LIMIT_COUNT 1)
+            if(on_all_cores)
+                set_tests_properties("${module}.${name}" PROPERTIES RUN_SERIAL TRUE)
             endif()
         endforeach()
     endif()

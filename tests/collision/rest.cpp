@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // Who sleeps and who wakes where bodies collide: hard cases R5, R9 to R12, and removed loads (R7).
-// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

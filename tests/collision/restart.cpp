@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // I19 where velocities and forces decide who may come to touch: a world that is saved between two steps, whatever was
 // done to it there, goes on to the same bits.
-// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 

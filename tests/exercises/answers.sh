@@ -70,7 +70,7 @@ expect 1 "this is a quantity in 1/s^2, where a quantity in 1/s belongs" -- exerc
 answer 'for (volatile int i = 0;; i = i + 1) {}'
 (set -m; ANSATZ_CPU_SECONDS=60 "$tree/workbook" exercise > "$scratch/stopped" 2>&1 < /dev/null & echo $! > "$scratch/pid"; wait) &
 walk=$!
-for ((i = 0; i < 300; i++)); do [ "$tree/build/exercises/motion.explicit_euler/student" -nt "$exercise/exercise.hpp" ] && break; sleep 0.1; done
+for ((i = 0; i < 1200; i++)); do [ "$tree/build/exercises/motion.explicit_euler/student" -nt "$exercise/exercise.hpp" ] && break; sleep 0.1; done
 sleep 1      # now it has been built, and hangs
 start=$SECONDS
 kill -INT -- "-$(cat "$scratch/pid")"

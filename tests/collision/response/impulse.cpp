@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // Impulse and projection: hard cases C1 to C6, C8, C9, C24, in every space and with every integrator.
-// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 
