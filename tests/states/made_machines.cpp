@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Fifty machines made while this file is compiled, in every representation: the same events lead to the same trace.
 // Compiled without optimisation: two hundred machines, and none of them is measured.
-// Runs long with the sanitizers.
 
 #include <ansatz/states/interpreted.hpp>
 #include <ansatz/states/state_pattern.hpp>

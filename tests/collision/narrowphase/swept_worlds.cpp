@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // Worlds with Swept: hard cases C19 and G12, energy, many impacts at once, and what must stay as it was.
-// Runs long with the sanitizers.
 
 #include "tests/collision/support.hpp"
 
