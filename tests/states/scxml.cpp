@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Reading machines from files: the conformance scripts, writing and reading back, bad files, reloading, noise as input.
+// Runs long with the sanitizers.
 
 #include <ansatz/states/scxml.hpp>
 #include <ansatz/states/scxml_elements.hpp>
