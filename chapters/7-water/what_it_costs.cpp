@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSL-1.0
-// What accuracy costs in chapter 7: each surface on a seiche and two dam breaks, and buoyancy by exact shapes and by
-// sampled points
+// What accuracy costs in chapter 7: each surface on a seiche and two dam breaks, a map of sines beside
+// one that is simulated, and buoyancy by exact shapes and by sampled points
 
 // Read the rows like this: on the seiche, a low wave, the columns of the notes are the cheapest and as exact as Pipes;
 // ShallowWater, which is of first order, pays fifteen times as much and damps the wave. On the dams columns and Pipes
 // come to a wall that no finer grid takes away, since their water does not carry its momentum along; only ShallowWater
 // comes nearer. All pay N^2 for each simulated second: twice as many columns, and twice as many steps.
+//
+// A map of equal size for each frame: a sum of sines is asked once, costs what it has sines, and its waves run as water
+// does, to the last digit, since that is put in. A surface that is simulated is moved in as many steps as Courant's
+// limit wants, and its wave of 20 m on 1 m is 1.6 % too fast however fine the map: shallow water knows no dispersion.
+// What it has for that is walls, drops and bodies.
 //
 // A ball whose volume under water is counted from points on a grid is off by about one of their spacings, and N^3
 // points are paid for. The closed form is exact.
@@ -18,7 +23,9 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -99,7 +106,9 @@ template <class Policy> Outcome heights(const Policy& policy, const Problem& pro
             .diverged = lowest < -1e-6 * problem.depth};
 }
 /// The error of the period and the part of the height that is lost in a swing, whichever is larger.
-template <class Policy> Outcome swings(const Policy& policy, const Problem& problem, std::size_t count) {
+/// \param swing the period that it should have, s
+template <class Policy>
+Outcome swings(const Policy& policy, const Problem& problem, std::size_t count, double swing = 20 / std::sqrt(g)) {
     int steps = 0;
     double before = 1, time_before = 0;
     std::vector<double> crossings, tops{problem.start(5.0 / double(count)) - 1};
@@ -113,7 +122,7 @@ template <class Policy> Outcome swings(const Policy& policy, const Problem& prob
         before = height;
         time_before = time;
     });
-    const double swing = 20 / std::sqrt(g), count_of = double(crossings.size() - 1);
+    const double count_of = double(crossings.size() - 1);
     const double period = std::abs((crossings.back() - crossings.front()) / count_of / swing - 1);
     const double loss = 1 - std::pow(tops.back() / tops.front(), 1 / double(tops.size() - 1));
     return {.error = std::max(period, loss), .work = double(steps) * double(count)};
@@ -140,6 +149,66 @@ void add_surface(Costs& costs, const Axis& axis, const char* choice, const Polic
              .per = problem.seconds});
 }
 
+/// The swing of a wave of 20 m on water that is 1 m deep, by linear theory: w^2 = g k tanh(k d).
+double real_swing() {
+    const double k = std::numbers::pi / 10;
+    return 2 * std::numbers::pi / std::sqrt(g * k * std::tanh(k));
+}
+/// A square map of 10 m, moved by a policy for a frame of 1/60 s.
+template <class Policy>
+void add_frame(Costs& costs, const Axis& axis, const char* choice, const Policy& policy, std::size_t count) {
+    auto water = std::make_shared<Surface<Policy, float>>(
+        policy, ColumnGrid(count, count, 10.0 / double(count) * metre), 1.0 * metre);
+    water->set_height(count / 2, count / 3, Quantity<unit::Length, float>::from_value(1.1F));
+    const double parts = std::ceil(1.0 / 60 / (0.95 * water->longest_step().value()));
+    costs.add(axis, {.choice = choice,
+                     .problem = "a map for a frame of 1/60 s",
+                     .parameter = {"dx", 10.0 / double(count) * metre},
+                     .n = double(count) * double(count),
+                     .known_order = {},
+                     .error_run =
+                         [=] {
+                             auto all = swings(policy, seiche(), count, real_swing());
+                             all.work = parts * double(count) * double(count);
+                             return all;
+                         },
+                     .timed_run =
+                         [=] {
+                             for (int part = 0; part < int(parts); ++part) water->step(1 / (60 * parts) * second);
+                             return water->heights()[count + 1];
+                         }});
+}
+/// The same map as a sum of sines.
+void add_functions(Costs& costs, const Axis& axis, int waves, std::size_t count) {
+    std::vector<Wave> all{{20.0 * metre, 0.5e-6 * metre}, {20.0 * metre, 0.5e-6 * metre, std::numbers::pi}};
+    for (int n = 2; n < waves; ++n) all.push_back({(20.0 / n) * metre, 0.0 * metre, 0.4 * n}); // no part of the swing
+    const Waves sum(all, 1.0 * metre);
+    auto heights = std::make_shared<std::vector<float>>(count * count);
+    const auto dx = 10.0 / double(count) * metre;
+    costs.add(axis, {.choice = std::to_string(waves) + " sines",
+                     .problem = "a map for a frame of 1/60 s",
+                     .parameter = {"dx", dx},
+                     .n = double(count) * double(count),
+                     .known_order = {},
+                     .error_run =
+                         [=] {
+                             // The fourth time that the wall's height is at its mean: 7/4 of a swing.
+                             double low = 1.6 * real_swing(), high = 1.9 * real_swing();
+                             for (int n = 0; n < 60; ++n) {
+                                 const double middle = 0.5 * (low + high);
+                                 (sum.height(0.0 * metre, 0.0 * metre, middle * second).value() < 0 ? low : high) =
+                                     middle;
+                             }
+                             return Outcome{.error = std::abs(low / (1.75 * real_swing()) - 1),
+                                            .work = double(waves) * double(count) * double(count)};
+                         },
+                     .timed_run =
+                         [=] {
+                             sum.fill(std::span<float>(*heights), count, count, 0.0 * metre, 0.0 * metre, dx, dx,
+                                      1.0 * second);
+                             return (*heights)[count + 1];
+                         }});
+}
 /// How much of a ball is under water, from the points of a grid that are in both.
 double by_points(double radius, double depth, int n) {
     const double width = 2 * radius / n;
@@ -221,5 +290,17 @@ int main(int argc, char** argv) {
                         .time_unit = "ns a body",
                         .has_order = false};
     add_buoyancy(costs, buoyancy);
+    const Axis map{.name = "map",
+                   .error_norm = "error of the period, by w^2 = g k tanh(k d), or loss of height in a swing",
+                   .work_unit = "heights",
+                   .time_unit = "ns a frame",
+                   .has_order = false};
+    for (const std::size_t count : {64U, 128U, 256U, 512U}) {
+        add_functions(costs, map, 2, count);
+        add_functions(costs, map, 16, count);
+        add_frame(costs, map, "WaterColumns", on_one_metre, count);
+        add_frame(costs, map, "Pipes", Pipes{}, count);
+        add_frame(costs, map, "ShallowWater", ShallowWater{}, count);
+    }
     return costs.run();
 }

@@ -12,6 +12,7 @@
 #include <ansatz/water/column_grid.hpp>
 #include <ansatz/water/dispersion.hpp>
 #include <ansatz/water/floating.hpp>
+#include <ansatz/water/foam.hpp>
 #include <ansatz/water/gerstner_waves.hpp>
 #include <ansatz/water/height_files.hpp>
 #include <ansatz/water/height_map.hpp>
