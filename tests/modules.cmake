@@ -16,7 +16,7 @@ find_package(benchmark CONFIG QUIET)
 find_package(pugixml CONFIG QUIET)
 find_package(Threads QUIET)
 set(wanted
-    "nlohmann-json|nlohmann-json3-dev|nlohmann_json::nlohmann_json|<nlohmann/,<ansatz/states/save.hpp>,\"tools/costs.hpp,\"tools/costs/json.hpp"
+    "nlohmann-json|nlohmann-json3-dev|nlohmann_json::nlohmann_json|<nlohmann/,<ansatz/states/save.hpp>,<ansatz/paths/goap/save.hpp>,\"tools/costs.hpp,\"tools/costs/json.hpp"
     "Threads|libc6-dev|Threads::Threads|<thread>"
     "pugixml|libpugixml-dev|pugixml::pugixml|<ansatz/states/scxml.hpp>"
     "Google Benchmark|libbenchmark-dev|benchmark::benchmark|<benchmark/,\"tools/costs.hpp,\"tools/costs/measure.hpp")

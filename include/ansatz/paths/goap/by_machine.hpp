@@ -98,6 +98,12 @@ public:
         begun_ = false; // also when handle throws
         begun_ = machine_->handle(*context_, steps_[a].begins);
     }
+    /// The action was begun before, by one whose machine was saved and is loaded: it goes on. See goap/save.hpp.
+    /// \throws std::invalid_argument for an action that was not in the domain
+    void resume(Action a) {
+        require(a);
+        begun_ = true;
+    }
     /// Updates the machine once and reads from its state how the action goes.
     /// \throws std::invalid_argument for an action that was not in the domain; what the machine throws
     Progress tick(Action a) {

@@ -37,8 +37,8 @@ struct Performance {
 /// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the
 /// action
 /// \return whether there is anything left to do
-template <class Planner, Performer P, class StateOf>
-bool perform(Runner<Planner>& runner, P& performer, Performance& performance, StateOf&& state_of) {
+template <class Planner, class Memory, Performer P, class StateOf>
+bool perform(Runner<Planner, Memory>& runner, P& performer, Performance& performance, StateOf&& state_of) {
     runner.look(state_of());
     const auto due = runner.action();
     if (!due) {
@@ -56,6 +56,14 @@ bool perform(Runner<Planner>& runner, P& performer, Performance& performance, St
     }
     performance.begun.reset();
     return runner.action().has_value();
+}
+/// The same of a runner that remembers what failed.
+/// \param dt of the tick, s
+template <class Planner, class Memory, Performer P, class StateOf>
+bool perform(Runner<Planner, Memory>& runner, P& performer, Performance& performance, StateOf&& state_of,
+             Parameter<unit::Time> dt) {
+    runner.pass(dt);
+    return perform(runner, performer, performance, state_of);
 }
 
 } // namespace ansatz::goap

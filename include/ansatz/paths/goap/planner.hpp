@@ -51,6 +51,15 @@ public:
     /// \param most how many states may be expanded before it gives up; then actions() lead to the state that came
     /// nearest
     Outcome plan(const State& now, const Condition& goal, std::size_t most = Search::without_end) {
+        leave_out({});
+        search_.find(now, goal, most);
+        return read(now);
+    }
+    /// The same without some of the actions: the cheapest plan of the others.
+    /// \param left_out their numbers; one that the domain does not have is none
+    Outcome plan_without(std::span<const Action> left_out, const State& now, const Condition& goal,
+                         std::size_t most = Search::without_end) {
+        leave_out(left_out);
         search_.find(now, goal, most);
         return read(now);
     }
@@ -58,6 +67,7 @@ public:
     /// @{
     /// Sets out to plan.
     void begin(const State& now, const Condition& goal) {
+        leave_out({});
         search_.begin(now, goal);
         start_ = now;
         actions_.clear();
@@ -84,6 +94,11 @@ public:
         if (outcome() == Outcome::no_path) {
             const std::string reason = explain(domain(), start_, search_.goal());
             if (!reason.empty()) return "there is no plan: " + reason;
+            if (!left_out_.empty()) {
+                std::string names;
+                for (const Action a : left_out_) names += (names.empty() ? "\"" : ", \"") + domain().name_of(a) + "\"";
+                return "there is no plan without what is left out: " + names;
+            }
             return "there is no plan: every fact of the goal can be had, but not all at once; all " +
                    std::to_string(expanded()) + " states that can be reached were looked at";
         }
@@ -99,12 +114,22 @@ private:
         if constexpr (chosen) return Search(g, policies...);
         else return Search(g, Careful{}, policies...);
     }
+    void leave_out(std::span<const Action> actions) {
+        left_out_.clear();
+        for (const Action a : actions)
+            if (a < domain().actions()) left_out_.push_back(a);
+        graph_.use(nullptr);
+        if (left_out_.empty()) return;
+        rules_ = domain().rules();
+        for (const Action a : left_out_) rules_[a].makes = {}; // an action that changes nothing is no edge
+        graph_.use(&rules_);
+    }
     /// The actions between the states of the path: of several that lead to the same state the cheapest.
     Outcome read(const State& now) {
         start_ = now;
         actions_.clear();
         const auto path = search_.path();
-        const auto& rules = domain().rules();
+        const auto& rules = graph_.rules();
         for (std::size_t i = 1; i < path.size(); ++i) {
             Action best = rules.size();
             for (Action a = 0; a < rules.size(); ++a)
@@ -116,9 +141,10 @@ private:
         return search_.outcome();
     }
     Graph graph_;
+    typename Graph::Rules rules_; // where some are left out
     Search search_;
     State start_{};
-    std::vector<Action> actions_;
+    std::vector<Action> actions_, left_out_;
 };
 /// The planner of a domain, `Planner{domain}`.
 template <std::size_t Words, class... Policies>

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace ansatz::goap {
 
@@ -73,9 +74,16 @@ public:
     explicit StateGraph(const Domain<Words>& domain) : domain_(&domain) {}
     /// Whose states these are.
     const Domain<Words>& domain() const { return *domain_; }
+    using Rules = std::vector<typename Domain<Words>::Rule>; ///< one for each action
+    /// What the actions do: as the domain says, or as somebody says who leaves some out.
+    const Rules& rules() const { return instead_ != nullptr ? *instead_ : domain_->rules(); }
+    /// Rules in the place of the domain's, one for each of its actions; null: those of the domain. They are looked at,
+    /// never copied. A rule that makes nothing is no change, and so no edge.
+    void use(const Rules* instead) { instead_ = instead; }
 
 private:
     const Domain<Words>* domain_;
+    const Rules* instead_ = nullptr;
 };
 
 /// What a change costs, as a property map.
@@ -89,7 +97,7 @@ template <std::size_t Words> struct ChangeCosts {
 };
 
 template <std::size_t W> std::pair<Changes<W>, Changes<W>> out_edges(const State<W>& s, const StateGraph<W>& g) {
-    const auto& rules = g.domain().rules();
+    const auto& rules = g.rules();
     const auto *first = rules.data(), *end = first + rules.size();
     return {Changes<W>(s, first, first, end), Changes<W>(s, first, end, end)};
 }
