@@ -8,6 +8,7 @@
 // updates.
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 #include "guard_npc.hpp"
 
 #include <ansatz/states/scxml.hpp>
@@ -86,11 +87,25 @@ int main() {
                                                                from_file.handle(of_file, "bell") &&
                                                                from_file.active_name() == "sleep");
 
-    // A picture of the machine, for Graphviz: dot -Tsvg.
+    // Nothing leads out of the new state. He gets a way out while he sleeps, he alone.
+    //! [add]
+    from_file.add(of_file, "sleep", transition(when("rested", after(8.0 * second)), to("patrol")));
+    //! [add]
+    try {
+        from_file.add(of_file, "sleep", transition(on("bell"), to("patroll")));
+        claim("a transition to nowhere is refused", false);
+    } catch (const std::invalid_argument& error) {
+        std::cout << error.what() << '\n';
+    }
+
+    // A picture of the machine as it is now.
     //! [dot]
-    const std::string dot = to_dot(chart->outline(), {"chase"});
+    const std::string dot = to_dot(from_file.outline(), from_file.active_names());
+    workbook::draw_graph("5.1.3", dot);
     //! [dot]
     std::cout << dot;
-    claim("the picture marks the active state", dot.find("\"chase\" [style=\"rounded,filled\"") != std::string::npos);
+    claim("the picture marks the active state", dot.find("\"sleep\" [fillcolor=\"#0072b2\"") != std::string::npos);
+    for (int i = 0; i < 8 && from_file.is_in("sleep"); ++i) from_file.update(of_file, 1.0 * second);
+    claim("he sleeps for 8 s, and goes on with his round", from_file.active_name() == "patrol");
     return claim.result();
 }

@@ -9,6 +9,7 @@
 // a variable of its own.
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 
 #include <ansatz/states.hpp>
 #include <ansatz/units/print.hpp>
@@ -163,5 +164,13 @@ int main() {
           way == " -approach +strike -strike -combat -on duty +flee +run");
     claim("in every parent of an active state he is too",
           watched.is_in("run") && watched.is_in("flee") && watched.is_in("awake") && !watched.is_in("on duty"));
+
+    // Both machines as pictures, at the same moment of the same evening.
+    //! [pictures]
+    Machine<FlatGuardNpc, Switch> flat_now;
+    flat_now.start(npc, watched.active_name());
+    workbook::draw_graph("5.3", to_dot(outline_of<GuardNpc>(), watched.active_names()));
+    workbook::draw_graph("5.3-flat", to_dot(outline_of<FlatGuardNpc>(), flat_now.active_names()));
+    //! [pictures]
     return claim.result();
 }

@@ -385,10 +385,11 @@ TEST_CASE("a machine as text and as a picture", "[states]") {
     CHECK_THAT(xml, ContainsSubstring("<history id=\"last\" type=\"shallow\">"));
     CHECK_THAT(xml, ContainsSubstring("<script>patrol: entry 1</script>")); // what has no name says where it stands
     const auto dot = to_dot(outline, m.active_names());
-    CHECK_THAT(dot, ContainsSubstring("\"idle\" [style=\"rounded,filled\", fillcolor=gold];"));
+    CHECK_THAT(dot, ContainsSubstring("\"idle\" [fillcolor=\"#0072b2\", color=\"#0072b2\", fontcolor=white];"));
     CHECK_THAT(dot, ContainsSubstring("subgraph \"cluster_calm\""));
-    CHECK_THAT(dot, ContainsSubstring("\"dead\" [style=rounded, peripheries=2];"));
-    CHECK_THAT(dot, ContainsSubstring("\"aim\" -> \"idle\" [label=\"done.state.combat\", ltail=\"cluster_combat\""));
+    CHECK_THAT(dot, ContainsSubstring("\"dead\" [peripheries=2];"));
+    CHECK_THAT(dot,
+               ContainsSubstring("\" combat\" -> \" calm\" [label=\"done.state.combat\", ltail=\"cluster_combat\""));
     CHECK(std::count(dot.begin(), dot.end(), '{') == std::count(dot.begin(), dot.end(), '}'));
-    CHECK_THAT(to_dot(make_chart(outline, bindings_of<Npc>())->outline()), !ContainsSubstring("gold"));
+    CHECK_THAT(to_dot(make_chart(outline, bindings_of<Npc>())->outline()), !ContainsSubstring("fontcolor=white"));
 }

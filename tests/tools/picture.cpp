@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 
 #include "tools/costs/picture.hpp"
+#include "tools/graphviz.hpp"
 #include "tools/plot.hpp"
 
 #include <ansatz/units.hpp>
@@ -13,6 +14,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -185,6 +190,30 @@ TEST_CASE("gnuplot draws what it is given", "[plot]") {
     CHECK(draw_pictures(folder, "motion", rows).size() == 1);
     // Whole or not at all: no half-written neighbours stay.
     CHECK(std::distance(std::filesystem::directory_iterator{folder}, {}) == 2);
+    ::unsetenv("ANSATZ_PICTURES");
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("Graphviz draws what it is given, and where it is missing that is said", "[plot]") {
+    const auto folder = std::filesystem::temp_directory_path() / ("a machine's pictures " + std::to_string(::getpid()));
+    ::setenv("ANSATZ_PICTURES", folder.c_str(), 1);
+    std::ostringstream said;
+    auto* before = std::clog.rdbuf(said.rdbuf());
+    CHECK_FALSE(draw_graph("5.1", "digraph { a -> b }", "no-such-program"));
+    CHECK(contains(said.str(), "picture skipped: Graphviz is not installed (its program is no-such-program)"));
+    CHECK_FALSE(std::filesystem::exists(folder));
+    if (graphviz_installed()) {
+        CHECK(draw_graph("5.1", "digraph { \"it's\" -> b [label=\"[x < 3 m]\"] }"));
+        CHECK(contains(said.str(), "picture: " + (folder / "5.1.svg").string()));
+        std::ifstream picture(folder / "5.1.svg");
+        const std::string svg{std::istreambuf_iterator<char>(picture), {}};
+        CHECK(contains(svg, "</svg>"));
+        CHECK(contains(svg, "[x &lt; 3 m]"));
+        CHECK_FALSE(draw_graph("5.2", "digraph { a -> ")); // whole or not at all
+        CHECK(contains(said.str(), "5.2.svg: Graphviz could not draw it"));
+        CHECK(std::distance(std::filesystem::directory_iterator{folder}, {}) == 1);
+    } else WARN("Graphviz is not installed: nothing drawn, nothing checked");
+    std::clog.rdbuf(before);
     ::unsetenv("ANSATZ_PICTURES");
     std::filesystem::remove_all(folder);
 }

@@ -17,6 +17,7 @@ pugixml|header pugixml.hpp|libpugixml-dev|needed|state machines in files
 Google Benchmark|header benchmark/benchmark.h|libbenchmark-dev|needed|what accuracy costs
 Python 3|command python3|python3|needed|what reads and writes the pages, the exercises, the logs
 gnuplot|command gnuplot|gnuplot-nox|wanted|the pictures; without it they are skipped
+Graphviz|command dot|graphviz|wanted|the pictures of state machines; without it they are skipped
 Doxygen (docs)|command doxygen|doxygen|docs|only for the site of ./workbook docs
 theme (docs)|file '"${ANSATZ_DOXYGEN_THEME:-/usr/share/doxygen-awesome-css}"'/doxygen-awesome.css|doxygen-awesome-css|docs|only for the look of that site
 MathJax 2 (docs)|file '"${ANSATZ_MATHJAX:-/usr/share/javascript/mathjax}"'/MathJax.js|libjs-mathjax|docs|only for the formulas of that site'

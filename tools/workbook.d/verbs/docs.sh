@@ -22,7 +22,7 @@ draw_missing_pictures() {
     local missing number file left count=0
     missing=$(sections_without_picture)
     [ -z "$missing" ] && return 0
-    if command -v gnuplot > /dev/null; then
+    if command -v gnuplot > /dev/null || command -v dot > /dev/null; then
         while IFS= read -r number; do
             file=$(section_index | awk -F '\037' -v number="$number" '$1 == number { print $4 }')
             if [ -n "$file" ] && program_of "section_$number" > /dev/null; then
@@ -35,10 +35,10 @@ draw_missing_pictures() {
     fi
     left=$(sections_without_picture | tr '\n' ' ')
     [ -z "$left" ] && return 0
-    if command -v gnuplot > /dev/null; then
+    if command -v gnuplot > /dev/null && command -v dot > /dev/null; then
         say "${YELLOW}Not drawn yet: the pictures of section ${left% }.$PLAIN The site says so in their place. ./workbook builds the sections and draws them; then give this command again."
     else
-        say "${YELLOW}Not drawn: the pictures of section ${left% }.$PLAIN There is no gnuplot here; ./workbook installs it and draws them. The site says so in their place."
+        say "${YELLOW}Not drawn: the pictures of section ${left% }.$PLAIN gnuplot or Graphviz is missing here; ./workbook installs it and draws them. The site says so in their place."
     fi
 }
 

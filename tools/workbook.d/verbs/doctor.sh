@@ -25,6 +25,7 @@ version_of() {
         nlohmann-json) sed -n 's/^#define NLOHMANN_JSON_VERSION_[A-Z]* \([0-9]*\).*/\1/p' "$where" "${where%/*}"/detail/abi_macros.hpp 2>/dev/null | head -n 3 | paste -s -d . - ;;
         pugixml) awk '/define PUGIXML_VERSION/ { printf "%d.%d", $3 / 1000, $3 % 1000 / 10 }' "$where" ;;
         gnuplot) "$where" --version 2>/dev/null | sed 's/gnuplot //' ;;
+        Graphviz) "$where" -V 2>&1 | sed 's/.*version \([0-9.]*\).*/\1/' ;;
         *) echo "is there" ;;
     esac
 }
