@@ -21,6 +21,9 @@
 #include <ansatz/soft_bodies/soft_box.hpp>
 #include <ansatz/soft_bodies/soft_rope.hpp>
 #include <ansatz/soft_bodies/strain_limit.hpp>
+#include <ansatz/soft_bodies/tear.hpp>
+#include <ansatz/soft_bodies/tearable.hpp>
+#include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 #include <ansatz/soft_bodies/wind.hpp>

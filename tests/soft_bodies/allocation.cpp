@@ -7,6 +7,7 @@
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
+#include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 
 #include "tests/operator_new.hpp"
@@ -65,7 +66,41 @@ template <class World_> std::size_t with_a_stiff_sheet_in_the_wind(World_ world)
         for (int i = 0; i < 20; ++i) world.step(frame);
     });
 }
+/// \return how often steps allocated in which springs broke and vertices split, and how many did
+template <class World_>
+std::pair<std::size_t, std::size_t> in_steps_that_tear(World_ world, Quantity<unit::Energy> rigidity, double drag) {
+    Cloth cloth{.mesh = TriangleMesh::grid(8, 8, metres(1, 0, 0), metres(0, 1, 0)),
+                .mass_per_area = 0.2 * (kilogram / square_metre),
+                .structural = {50.0 * newton_per_metre, 0.1 * newton_second_per_metre},
+                .shear = {20.0 * newton_per_metre, 0.1 * newton_second_per_metre},
+                .bend = {5.0 * newton_per_metre, 0.1 * newton_second_per_metre}};
+    cloth.rigidity = rigidity;
+    cloth.drag = drag;
+    const auto parts = add_cloth(world, cloth);
+    for (int i = 0; i < 3; ++i) world.step(frame);
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < parts.structural.size(); i += 3) {
+        if (!world.contains(parts.structural[i])) continue;
+        auto spring = world.get(parts.structural[i]);
+        spring.rest_length = 0.01 * metre;
+        world.set(parts.structural[i], spring, breaks_at(0.5));
+        all += during([&] { world.step(frame); });
+    }
+    return {all, world.tearing().split};
+}
 } // namespace
+
+TEST_CASE("A warm step that tears a sheet and splits its vertices allocates nothing", "[soft_bodies][tearing]") {
+    const Tearing<Splitting> tearing{.room = 200};
+    const auto [forces, split] = in_steps_that_tear(
+        World{SemiImplicitEuler{}, Springs<Breaking>{}, Bending{}, Wind{}, tearing}, 0.001 * joule, 1);
+    CHECK(forces == 0);
+    CHECK(split > 2);
+    const auto [held, parted] =
+        in_steps_that_tear(World{SemiImplicitEuler{}, Springs<Breaking>{}, Xpbd{2, 2}, tearing}, 0.0 * joule, 0);
+    CHECK(held == 0);
+    CHECK(parted > 2);
+}
 
 TEST_CASE("A warm step with hinges and sails allocates nothing", "[soft_bodies][bending][wind]") {
     const Wind wind{metres_per_second(0, 0, 3)};

@@ -147,6 +147,12 @@ struct Motion {
         if constexpr (C::history) data.starts.forget(data.bodies.id(slot));
     }
 
+    template <class C>
+    static void on(hook::Divided, WorldData<C>& data, [[maybe_unused]] std::uint32_t id,
+                   [[maybe_unused]] std::uint32_t part) {
+        if constexpr (C::history)
+            if (data.starts.waiting(id)) data.starts.wait(part);
+    }
     template <class C> static void on(hook::Added, WorldData<C>& data, std::uint32_t slot, const auto& row) {
         const auto kind = data.bodies.motion(slot);
         if constexpr (C::template stores<DrawnPosition>)

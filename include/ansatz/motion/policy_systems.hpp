@@ -19,6 +19,7 @@
 /// `set<Position>` mean the same whatever it keeps.
 
 #include <ansatz/motion/step.hpp>
+#include <ansatz/world/edited_elements.hpp>
 #include <ansatz/world/schedule.hpp>
 
 #include <concepts>
@@ -27,6 +28,49 @@
 #include <utility>
 
 namespace ansatz {
+
+namespace detail {
+/// Elements go or become others at the place where springs break.
+template <class StepT> void elements_will_change(StepT& step) {
+    using C = typename StepT::Composition_;
+    if constexpr (C::coupled) {
+        // The velocity now is what the forces made it, those of what goes, too; what is left is made good.
+        if constexpr (C::history)
+            if (!step.data.coupled.changed) {
+                derive_velocities(step.data, step.policies, step.context.dt());
+                step.data.coupled.current = false;
+                refresh_coupled(step.data, step.policies, step.after());
+                step.data.coupled.changed = true;
+            }
+        step.data.coupled.current = false;
+    }
+}
+/// Divides a body: a new one takes a share of its mass and of the forces on it, and has all else of it.
+/// \return its id
+template <class StepT>
+std::uint32_t divide_body(StepT& step, std::uint32_t id, const typename StepT::S::Scalar& share) {
+    using C = typename StepT::Composition_;
+    using Scalar = typename StepT::S::Scalar;
+    elements_will_change(step);
+    auto& data = step.data;
+    const auto part = data.divide(id);
+    const auto scale = [&](std::uint32_t of, const Scalar& by) {
+        const auto slot = data.bodies.slot_of_id(of);
+        if constexpr (C::has_mass) data.lanes.template lane<InverseMass>()[slot] /= by;
+        for (int k = 0; k < StepT::S::dimension; ++k) {
+            if constexpr (C::template stores<CoupledForce>) data.lanes.template lane<CoupledForce>(k)[slot] *= by;
+            if constexpr (C::template stores<AppliedForce>) data.lanes.template lane<AppliedForce>(k)[slot] *= by;
+        }
+    };
+    scale(part, share);
+    scale(id, Scalar(1) - share);
+    if constexpr (C::asked == LawsAsked::beforehand) data.own.value.known = false;
+    return part;
+}
+/// Whether a list of policies has a datum of the user's.
+template <class List> inline constexpr bool holds_datum = false;
+template <class... P> inline constexpr bool holds_datum<Types<P...>> = (is_datum<P> || ...);
+} // namespace detail
 
 /// What a table system or a driver of policy `P` works on.
 /// \tparam Y the system
@@ -58,6 +102,10 @@ public:
     Slot slot_of_id(std::uint32_t id) const { return step_.data.bodies.slot_of_id(id); }
     /// The id of the body in a slot.
     std::uint32_t id(std::size_t slot) const { return step_.data.bodies.id(slot); }
+    /// The handle of the body with this id.
+    Handle handle_of_id(std::uint32_t id) const { return step_.data.bodies.handle(step_.data.bodies.slot_of_id(id)); }
+    /// Awake, resting, moving or fixed.
+    Motion motion(std::size_t slot) const { return step_.data.bodies.motion(slot); }
     /// Calls `f(slot)` for every body by id, an order that sleeping, waking and removal do not change.
     template <class F> void for_each(F&& f) const {
         for (std::uint32_t id = 0; id < step_.data.bodies.ids(); ++id)
@@ -93,7 +141,45 @@ public:
     /// The parameters of the policy.
     const P& policy() const { return std::get<P>(step_.policies); }
 
+    /// \name What other policies keep, to change it (world/edited_elements.hpp)
+    /// @{
+
+    /// The elements of a type that the system says it `edits`, to look at; `detail::absent` where nobody keeps them.
+    template <class E> const auto& elements() const {
+        edited<E>();
+        return detail::elements_in<E>(std::as_const(step_.data));
+    }
+    /// The same, to remove and to change them.
+    template <class E> auto& edit() {
+        edited<E>();
+        static_assert(Y::phase >= phases::breaking && Y::phase < phases::sums,
+                      "Ansatz: a system changes elements of another policy where others walk over them; let its phase "
+                      "be one from phases::breaking on and before phases::sums");
+        detail::elements_will_change(step_);
+        return detail::elements_in<E>(step_.data);
+    }
+    /// Divides a body at its place, within a step: a new one takes a share of its mass and of the forces on it, and has
+    /// all else of it. At a phase as for `edit`. So that there is room for it, what the policy keeps says beforehand
+    /// how many may come, `std::size_t bodies_to_come(const Policy&) const`.
+    /// \param share of the mass, between 0 and 1; of nothing where it is infinite
+    /// \return the id of the new one
+    std::uint32_t divide(std::uint32_t id, typename S::Scalar share) {
+        static_assert(Y::phase >= phases::breaking && Y::phase < phases::sums,
+                      "Ansatz: a system divides bodies in the midst of others' loops; let its phase be one from "
+                      "phases::breaking on and before phases::sums");
+        static_assert(!detail::holds_datum<typename C::policies>,
+                      "Ansatz: a policy of this world divides bodies, and nobody can say what becomes of the Datum<T> "
+                      "of one; keep it beside the world, by handle");
+        return detail::divide_body(step_, id, share);
+    }
+    /// @}
+
 private:
+    template <class E> static constexpr void edited() {
+        static_assert(
+            detail::stands_in<E, detail::edits_of<Y>>,
+            "Ansatz: a system changes elements without saying so; add them to its `using edits = Types<...>;`");
+    }
     template <class Column, class List> static constexpr void declared() {
         static_assert(detail::contains<Column, List>,
                       "Ansatz: a system touches a column that it did not declare; add it to its `reads` or, to change "

@@ -22,6 +22,9 @@
 /// the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each area; across those diagonals a
 /// mesh of triangles is stiffer than that.
 ///
+/// In a world with `Springs<Breaking>` the springs of a kind have a limit, `.structural = {..., .breaks =
+/// breaks_at(0.3)}`; in one with `Tearing`, too, each triangle is one that tears where a spring along it breaks.
+///
 /// Pins are fixed bodies. Dragged vertices are `moving` ones, which go where `set_velocity` and `set_position` send
 /// them. A spring has its rest length from the places in which the bodies were put, in the scalar of the world: as
 /// built no spring has any tension, to the last bit.
@@ -31,6 +34,7 @@
 
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/plan.hpp>
+#include <ansatz/soft_bodies/tearable.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
 #include <ansatz/soft_bodies/wind.hpp>
 
@@ -60,8 +64,9 @@ struct ClothParts {
                                           ///< of another mesh by `edges()`
     std::vector<SpringHandle> shear;      ///< of a grid, cell by cell, the two from vertex (0, 0) and (1, 0) of each
     std::vector<SpringHandle> bend;       ///< of a grid as structural; of another mesh by `inner_edges()`
-    std::vector<ElementHandle<Hinge>> hinges; ///< of any mesh by `inner_edges()`
-    std::vector<ElementHandle<Sail>> sails;   ///< by `triangles()`
+    std::vector<ElementHandle<Hinge>> hinges;              ///< of any mesh by `inner_edges()`
+    std::vector<ElementHandle<Sail>> sails;                ///< by `triangles()`
+    std::vector<ElementHandle<TearableTriangle>> tearable; ///< by `triangles()`, in a world with Tearing
 };
 
 namespace detail {
@@ -155,6 +160,13 @@ template <class S, bool Kept> bool has_sails(std::string_view where, const Cloth
     return has;
 }
 
+/// Refuses triangles that may not tear: in the scalar of the world one may have no area.
+template <class S> void check_tearable(const SoftPlan& plan, const TriangleMesh& mesh) {
+    const auto bodies = plan.planned<S>();
+    for (const auto& [a, b, c] : mesh.triangles())
+        TearableRow<S>::from(bodies, TearableTriangle{{bodies.handles[a], bodies.handles[b], bodies.handles[c]}});
+}
+
 /// The bodies of a surface: where they are, and how heavy.
 inline void add_vertices(SoftPlan& plan, const TriangleMesh& mesh, const Quantity<unit::AreaDensity>& mass_per_area,
                          Lumping lumping) {
@@ -203,7 +215,9 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
     auto hinges = detail::hinges_of<typename World<P...>::S, kept>(plan.where, cloth);
     constexpr bool in_air = detail::keeps_sails<P...>;
     const bool sails = detail::has_sails<typename World<P...>::S, in_air>(plan.where, cloth);
+    constexpr bool tears = !std::is_void_v<typename detail::KeeperOf<TearableTriangle, P...>::type>;
     plan.template check<Spring>(world);
+    if constexpr (tears) detail::check_tearable<typename World<P...>::S>(plan, cloth.mesh);
     if constexpr (kept) detail::check_hinges<typename World<P...>::S>(plan, cloth.mesh, hinges);
     ClothParts parts;
     std::vector<SpringHandle> springs;
@@ -222,6 +236,9 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
             if (sails)
                 parts.sails.push_back(
                     world.add(Sail{{parts.bodies[a], parts.bodies[b], parts.bodies[c]}, cloth.drag, cloth.lift}));
+    if constexpr (tears)
+        for (const auto& [a, b, c] : cloth.mesh.triangles())
+            parts.tearable.push_back(world.add(TearableTriangle{{parts.bodies[a], parts.bodies[b], parts.bodies[c]}}));
     return parts;
 }
 

@@ -86,6 +86,8 @@ public:
 private:
     [[gnu::flatten]] void load() {
         const auto& lanes = step_.data.lanes;
+        // A step may have added bodies, in room that was made for them.
+        if (bodies_.capacity() < step_.data.bodies.size()) bodies_.reserve(step_.data.lanes.room());
         bodies_.resize(step_.data.bodies.size());
         for (std::size_t slot = 0; slot < bodies_.size(); ++slot)
             bodies_[slot] = {lanes.template get<Position>(slot).value(), lanes.template get<Velocity>(slot).value(),

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ namespace ansatz {
 struct SpringConstants {
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre;    ///< k, N/m, finite, not negative
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
+    BreakLimit breaks = {}; ///< where each of them breaks, e.g. `breaks_at(0.3)`; never, without it
     /// Whether such springs do anything; those that do not are not built.
     bool act() const { return stiffness.value() != 0 || damping.value() != 0; }
 };
@@ -116,6 +118,7 @@ struct SoftPlan {
                     detail::inverse_of_mass<S>(detail::joined({where, ", ", name}), bodies[i].mass);
             }
             for (const Link& link : links) {
+                check_limit<S, Keeper::breaks>(link);
                 S::convert("stiffness", link.constants.stiffness);
                 S::convert("damping", link.constants.damping);
                 if (!Keeper::damped && link.constants.damping.value() != 0)
@@ -162,13 +165,38 @@ struct SoftPlan {
                 else if (body.motion == Motion::moving) added.push_back(world.add(x, moving, each...));
                 else added.push_back(world.add(x, ansatz::velocity(v), mass(body.mass), each...));
             }
-            for (const Link& link : links)
-                springs.push_back(world.add(Element{.first = added[link.a],
-                                                    .second = added[link.b],
-                                                    .stiffness = link.constants.stiffness,
-                                                    .damping = link.constants.damping}));
+            for (const Link& link : links) {
+                const Element spring{.first = added[link.a],
+                                     .second = added[link.b],
+                                     .stiffness = link.constants.stiffness,
+                                     .damping = link.constants.damping};
+                if constexpr (detail::KeeperOf<Element, P...>::type::breaks)
+                    springs.push_back(world.add(spring, link.constants.breaks));
+                else springs.push_back(world.add(spring));
+            }
         }
     }
+
+private:
+    /// What World::add would refuse of a limit, before anything is added.
+    template <class S, bool Breaks> void check_limit(const Link& link) const {
+        const auto& [force, strain] = link.constants.breaks;
+        constexpr double never = std::numeric_limits<double>::infinity();
+        if (!(typename S::Scalar(force.value()) > 0))
+            refuse_value(where, "break force", force, "it is greater than 0 N in the world's scalar");
+        if (!(typename S::Scalar(strain) > 0))
+            refuse_value(where, "break strain", strain, "it is greater than 0 in the world's scalar");
+        if (!Breaks && force.value() < never) refuse_value(where, "break force", force, no_breaking);
+        if (!Breaks && strain < never) refuse_value(where, "break strain", strain, no_breaking);
+        S::convert("break force", force);
+        S::convert("break strain", Quantity<unit::Dimensionless>::from_value(strain));
+        if (strain < never && S::convert(bodies[link.a].place) == S::convert(bodies[link.b].place))
+            refuse_value(where, "break strain", strain,
+                         detail::joined({"the springs have a length, and ", vertex, " ", std::to_string(link.a),
+                                         " and ", std::to_string(link.b), " are in one place"}));
+    }
+    static constexpr const char* no_breaking =
+        "the springs of this world do not break; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies";
 };
 
 } // namespace ansatz

@@ -31,6 +31,8 @@ struct Status {
     bool ok() const { return !lost && unsolved == 0 && not_finite == 0; }
 };
 
+template <class C> struct WorldData;
+
 namespace detail {
 /// What the policies of a world keep beside the bodies.
 template <class S, class List> struct States;
@@ -61,6 +63,20 @@ inline constexpr bool states_make_room<S, Types<P...>> = all_make_room<std::tupl
 template <class T> void make_room_for(T& to, const T& from) {
     if constexpr (makes_room<T>) to.make_room_for(from);
 }
+
+/// Whether a policy adds bodies within a step.
+template <class P, class S>
+inline constexpr bool brings_bodies =
+    requires(state_of<P, S>& state, const P& policy) { state.bodies_to_come(policy); };
+template <class List, class S> inline constexpr bool any_brings_bodies = false;
+template <class... P, class S> inline constexpr bool any_brings_bodies<Types<P...>, S> = (brings_bodies<P, S> || ...);
+/// Whether a module can follow where a body is divided: it keeps nothing of a body that `add` was given, or answers.
+template <class M, class C> constexpr bool divides() {
+    if constexpr (requires { typename M::template AddFacts<C>; })
+        return requires(WorldData<C>& data) { M::on(hook::Divided{}, data, 0U, 0U); };
+    return true;
+}
+template <class C, class... M> constexpr bool all_divide(Types<M...>) { return (divides<M, C>() && ...); }
 
 template <class List> struct ControlOf { // nothing decides, or something that is refused with a sentence
     using type = Cache<Absent>;
@@ -156,6 +172,27 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
         reserve_notes(std::size_t(id) + 1 > bodies.ids() ? std::size_t(id) + 1 : bodies.ids());
         tell<hook::MakeRoom>(id, moves);
     }
+    /// Adds a body that is like another in every column, within a step; with room for it, it cannot fail. Its state of
+    /// motion, and what modules keep of it, are the other's.
+    /// \return its id
+    std::uint32_t divide(std::uint32_t id) {
+        static_assert(detail::all_divide<Composition_>(typename C::modules{}),
+                      "Ansatz: a policy of this world divides bodies, and a module of it keeps something of each body "
+                      "that cannot be divided yet: shapes, so that there are no collisions where vertices split");
+        const auto kind = bodies.motion(bodies.slot_of_id(id));
+        const auto last = Slot(bodies.size());
+        lanes.push_back();
+        const auto part = bodies.push_back();
+        for (std::size_t k = 0; k < lanes.width; ++k) lanes.lane_at(k)[last] = lanes.lane_at(k)[bodies.slot_of_id(id)];
+        move(last, kind);
+        tell<hook::Divided>(id, part.id);
+        return part.id;
+    }
+    /// How many bodies policies may add within a step: `state.bodies_to_come(policy)` of each that keeps something,
+    /// which makes room for what it notes of them.
+    template <class Policies> std::size_t bodies_to_come(const Policies& policies) {
+        return bodies_to_come(policies, typename C::keepers{});
+    }
     /// Removes a body; the others keep their order, but for one or a few.
     void erase(Slot slot) {
         tell<hook::Removed>(slot);
@@ -176,6 +213,15 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     }
 
 private:
+    template <class Policies, class... P>
+    std::size_t bodies_to_come([[maybe_unused]] const Policies& policies, Types<P...>) {
+        std::size_t all = 0;
+        [[maybe_unused]] const auto add = [&]<class One>(std::type_identity<One>) {
+            if constexpr (detail::brings_bodies<One, S>) all += state<One>().bodies_to_come(std::get<One>(policies));
+        };
+        (add(std::type_identity<P>()), ...);
+        return all;
+    }
     void swap(std::size_t i, std::size_t j) {
         lanes.swap(i, j);
         if constexpr (C::keepers::size > 0) ++states.layout;

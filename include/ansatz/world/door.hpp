@@ -115,6 +115,8 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
         }
         get_ready("World::step");
         data_.reserve_notes_of_step();
+        if constexpr (detail::any_brings_bodies<typename composition::keepers, S>)
+            make_room_to_come(data_.bodies_to_come(policies_));
         tell<hook::CheckStep>(h, dt);
         int parts = 1;
         if constexpr (composition::controlled) { // it may refuse the step, so that it is asked before anything changes

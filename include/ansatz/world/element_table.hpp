@@ -14,6 +14,9 @@
 /// body that is there, `asked.position(handle)` where it is, `asked.where` is the verb's name for a sentence. It may
 /// say `describe(handle_of)`, for `world.get(handle)`, and `check()`, which throws std::invalid_argument; it is called
 /// for rows that are added and for rows of a file.
+///
+/// A table that is derived from it and keeps a number beside its rows says so in `fields`, as a row does, and adds it
+/// to the hash in an `add_to` of its own.
 
 #include <ansatz/world/elements.hpp>
 #include <ansatz/world/fields.hpp>

@@ -30,6 +30,7 @@ struct MakeRoomFor {};  ///< `(data, other)`: room for what another world holds
 /// \name Bodies come and go
 /// @{
 struct Added {};   ///< `(data, slot, row)`: a body has been added with these values; must not fail
+struct Divided {}; ///< `(data, id, part)`: a body has been divided within a step, and `part` is like it; must not fail
 struct Removed {}; ///< `(data, slot)`: the body of this slot is about to go; must not fail
 struct Placed {};  ///< `(inside, id)`: a body was put somewhere from outside, or was added and does not fall asleep
 /// @}

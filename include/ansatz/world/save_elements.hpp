@@ -39,6 +39,8 @@ struct ElementArchive {
             else write_link<C>(element, state, id, one);
             list.push_back(std::move(element));
         });
+        if constexpr (detail::NamesFields<State>)
+            detail::write_fields<detail::Files>(file["beside"] = detail::Json::object(), state);
     }
     /// The same from a file, into a state that is empty.
     /// \throws std::invalid_argument naming the place in the file
@@ -69,6 +71,7 @@ struct ElementArchive {
         }
         for (std::size_t id = 0; id < ids; ++id)
             state.ids_.generation_[id] = std::uint32_t(generations.at(id).whole(0xffffffffu));
+        if constexpr (detail::NamesFields<State>) detail::read_fields(state, file.at("beside"));
     }
 
 private:

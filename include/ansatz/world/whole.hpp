@@ -44,6 +44,13 @@ template <class... P> void World<P...>::grow() {
     if (size() + 1 > capacity_) reserve(std::max<std::size_t>({8, 2 * std::size_t(capacity_), 2 * size()}));
 }
 
+/// Room for bodies that policies may add within a step: made before it, and only for the first that needs it.
+template <class... P> void World<P...>::make_room_to_come(std::size_t bodies) {
+    const std::size_t all = std::max(data_.bodies.ids(), size() + bodies);
+    if (all > capacity_) reserve(all);
+    else data_.reserve_notes(all);
+}
+
 /// Before a verb changes anything: what it may have to note has room.
 template <class... P> void World<P...>::get_ready(const char* where) {
     if (lost_) refuse_lost(where);
