@@ -54,3 +54,9 @@ add_executable(peers_paths EXCLUDE_FROM_ALL peers/paths/main.cpp)
 target_link_libraries(peers_paths PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
 target_include_directories(peers_paths PRIVATE ${PROJECT_SOURCE_DIR}/tools)
 set_target_properties(peers_paths PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+# Water is held against loops that are written by hand.
+add_executable(peers_water EXCLUDE_FROM_ALL peers/water/main.cpp)
+target_link_libraries(peers_water PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
+target_include_directories(peers_water PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+set_target_properties(peers_water PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)

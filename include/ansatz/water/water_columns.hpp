@@ -28,6 +28,7 @@
 
 #include <ansatz/water/surface.hpp>
 
+#include <array>
 #include <cstdint>
 
 namespace ansatz {
@@ -83,34 +84,49 @@ template <class Scalar> struct Pulls {
         }
     }
 };
-/// The pulls of a row whose columns are alike, and of one whose are not.
+/// What pulls along a row whose columns are alike, and along one whose are not, of the differences to both neighbours.
 template <class Scalar> struct EqualPulls {
-    Scalar pull;
-    Scalar before(std::size_t) const { return pull; }
-    Scalar after(std::size_t) const { return pull; }
+    Scalar pull; // c^2 dt / dx^2
+    [[gnu::always_inline]] Scalar operator()(std::size_t, const Scalar& east, const Scalar& west) const {
+        return pull * (east + west);
+    }
 };
 template <class Scalar> struct UnequalPulls {
+    Scalar strength; // c^2 dt
     const Scalar *to_before, *to_after;
-    Scalar before(std::size_t i) const { return to_before[i]; }
-    Scalar after(std::size_t i) const { return to_after[i]; }
+    [[gnu::always_inline]] Scalar operator()(std::size_t i, const Scalar& east, const Scalar& west) const {
+        return strength * (to_after[i] * east + to_before[i] * west);
+    }
 };
 
-/// One row of rates from the heights around it, and, in the same pass, the row of heights before it, which no rate
-/// needs any more. Nothing overlaps but what is only read: the compiler may take many columns at once.
-template <bool Raise, class Scalar> struct ColumnRow {
+/// One row of rates from the heights around it. Nothing overlaps but what is only read: the compiler may take many
+/// columns at once. Differences of heights are taken first: they are exact where waves are low.
+template <bool Damped, class Scalar> struct ColumnRow {
     std::size_t count;
-    Scalar strength, keep, dt; // c^2 dt, exp(-gamma dt), dt
-    Scalar to_south, to_north; // pulls along z
+    Scalar to_south, to_north, keep; // c^2 dt / dz^2, exp(-gamma dt)
     template <class PullsAlongX>
-    [[gnu::always_inline]] void operator()(const PullsAlongX& along_x, Scalar* __restrict south,
+    [[gnu::always_inline]] void operator()(const PullsAlongX& along_x, const Scalar* __restrict south,
                                            const Scalar* __restrict here, const Scalar* __restrict north,
-                                           Scalar* __restrict rate, const Scalar* __restrict rate_south) const {
+                                           Scalar* __restrict rate) const {
+        if (to_south == to_north)
+            each(
+                along_x, here, rate,
+                [ =, by = to_north ](std::size_t i, const Scalar& h)
+                    __attribute__((always_inline)) { return by * ((north[i] - h) + (south[i] - h)); });
+        else
+            each(
+                along_x, here, rate, [ =, this ](std::size_t i, const Scalar& h) __attribute__((always_inline)) {
+                    return to_north * (north[i] - h) + to_south * (south[i] - h);
+                });
+    }
+
+private:
+    template <class PullsAlongX, class Across>
+    [[gnu::always_inline]] void each(const PullsAlongX& along_x, const Scalar* __restrict here, Scalar* __restrict rate,
+                                     const Across& across) const {
         auto one = [&](std::size_t i, const Scalar& west, const Scalar& east) __attribute__((always_inline)) {
-            const Scalar h = here[i], s = south[i];
-            const Scalar pull = (along_x.after(i) * (east - h) + along_x.before(i) * (west - h)) +
-                                (to_north * (north[i] - h) + to_south * (s - h));
-            rate[i] = (rate[i] + strength * pull) * keep;
-            if constexpr (Raise) south[i] = s + dt * rate_south[i];
+            const Scalar h = here[i], v = rate[i] + (along_x(i, east - h, west - h) + across(i, h));
+            rate[i] = Damped ? v * keep : v;
         };
         one(0, here[0], here[1]);
         for (std::size_t i = 1; i + 1 < count; ++i) one(i, here[i - 1], here[i + 1]);
@@ -199,8 +215,9 @@ struct WaterColumns {
                 absorb(j, rates, [&](Scalar& v, const Scalar& a) { v *= Scalar(1) - step.way * a; });
                 hold(j, here, rates, step);
                 const Scalar* const north = j + 1 < nz ? here + nx : here;
-                if (j == 0) row<false>(j, step, here, here, north, rates, rates);
-                else row<true>(j, step, here - nx, here, north, rates, rates - nx);
+                if (damping_ > 0) row<true>(j, step, j == 0 ? here : here - nx, here, north, rates);
+                else row<false>(j, step, j == 0 ? here : here - nx, here, north, rates);
+                if (j > 0) raise(nx, h, here - nx, rates - nx);
                 absorb(j, rates, [&](Scalar& v, const Scalar& a) { v /= Scalar(1) + step.way * a; });
             }
             Scalar* const last = height.data() + (nz - 1) * nx;
@@ -215,27 +232,37 @@ struct WaterColumns {
             const std::size_t nx = width_x_.size(), nz = width_z_.size();
             Sum rise(0);
             for (std::size_t j = 0; j < nz; ++j) {
-                Sum row(0);
-                for (std::size_t i = 0; i < nx; ++i) row += Sum(rate[j * nx + i]) * Sum(width_x_[i]);
-                rise += row * Sum(width_z_[j]);
+                std::array<Sum, 16> part; // so many sums abreast, or each waits for the one before
+                part.fill(Sum(0));
+                const Scalar* const row = rate.data() + j * nx;
+                std::size_t i = 0;
+                for (; i + part.size() <= nx; i += part.size())
+                    for (std::size_t k = 0; k < part.size(); ++k) part[k] += Sum(row[i + k]) * Sum(width_x_[i + k]);
+                for (; i < nx; ++i) part[0] += Sum(row[i]) * Sum(width_x_[i]);
+                Sum all(0);
+                for (const Sum& one : part) all += one;
+                rise += all * Sum(width_z_[j]);
             }
             const Scalar mean(rise / Sum(area_));
             for (Scalar& v : rate) v -= mean;
         }
 
     private:
+        static void raise(std::size_t count, Scalar h, Scalar* __restrict height, const Scalar* __restrict rate) {
+            for (std::size_t i = 0; i < count; ++i) height[i] = height[i] + h * rate[i];
+        }
         struct Step {
             Scalar strength, keep, dt, way; // c^2 dt, exp(-gamma dt), dt, c dt / 2
         };
-        template <bool Raise>
-        void row(std::size_t j, const Step& step, Scalar* south, const Scalar* here, const Scalar* north, Scalar* rate,
-                 const Scalar* rate_south) const {
-            const detail::ColumnRow<Raise, Scalar> one{x_.before.size(), step.strength, step.keep,
-                                                       step.dt,          z_.before[j],  z_.after[j]};
-            if (uniform_) one(detail::EqualPulls<Scalar>{x_.before[1]}, south, here, north, rate, rate_south);
+        template <bool Damped>
+        void row(std::size_t j, const Step& step, const Scalar* south, const Scalar* here, const Scalar* north,
+                 Scalar* rate) const {
+            const detail::ColumnRow<Damped, Scalar> one{x_.before.size(), step.strength * z_.before[j],
+                                                        step.strength * z_.after[j], step.keep};
+            if (uniform_) one(detail::EqualPulls<Scalar>{step.strength * x_.before[1]}, south, here, north, rate);
             else
-                one(detail::UnequalPulls<Scalar>{x_.before.data(), x_.after.data()}, south, here, north, rate,
-                    rate_south);
+                one(detail::UnequalPulls<Scalar>{step.strength, x_.before.data(), x_.after.data()}, south, here, north,
+                    rate);
         }
         /// What walls that hold pull at the columns beside them.
         void hold(std::size_t j, const Scalar* here, Scalar* rate, const Step& step) const {
