@@ -84,6 +84,15 @@ public:
         return add(Style::reference, std::move(name), xs, ys);
     }
 
+    /// Filled squares around their centres, for the tiles of a map; the first ones are dark, others light. What comes
+    /// after them is drawn over them.
+    template <class Xs, class Ys, class Side> Plot& tiles(std::string name, const Xs& xs, const Ys& ys, Side side) {
+        take_unit<Side>(x_, name);
+        add(Style::tiles, std::move(name), xs, ys);
+        curves_.back().side = plain(side);
+        return *this;
+    }
+
     /// A dotted line across the picture at one value, with a word beside it; and a word at a point.
     template <class Value> Plot& vertical(Value at, std::string text) {
         take_unit<Value>(x_, text);
@@ -112,7 +121,7 @@ public:
     [[nodiscard]] std::string script() const;
 
 private:
-    enum class Style { line, points, linked_points, reference };
+    enum class Style { line, points, linked_points, reference, tiles };
     struct Axis {
         std::string what;
         std::optional<std::string> unit;
@@ -123,6 +132,7 @@ private:
         Style style;
         std::string name;
         std::vector<std::pair<double, double>> points;
+        double side = 0; ///< of a tile
     };
     struct Mark {
         enum Kind { vertical, horizontal, note } kind;
@@ -132,7 +142,7 @@ private:
 
     template <class Xs, class Ys> Plot& add(Style style, std::string name, const Xs& xs, const Ys& ys) {
         using X = std::decay_t<decltype(*std::begin(xs))>;
-        Curve curve{style, std::move(name), {}};
+        Curve curve{style, std::move(name), {}, 0};
         if constexpr (std::is_invocable_v<const Ys&, const X&>) {
             using Y = std::decay_t<std::invoke_result_t<const Ys&, const X&>>;
             take_unit<Y>(y_, curve.name);

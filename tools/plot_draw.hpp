@@ -50,11 +50,16 @@ inline std::pair<double, double> Plot::extent(char letter) const {
     return {low, high};
 }
 
-/// References are dark grey and do not use up a colour.
+/// References are dark grey and tiles have colours of their own, so that they do not use up one.
 inline std::string Plot::colour_of(std::size_t curve) const {
     if (curves_[curve].style == Style::reference) return "#444444";
-    std::size_t coloured = 0;
-    for (std::size_t i = 0; i < curve; ++i) coloured += curves_[i].style != Style::reference;
+    std::size_t coloured = 0, tiles = 0;
+    for (std::size_t i = 0; i < curve; ++i) {
+        tiles += curves_[i].style == Style::tiles;
+        coloured += curves_[i].style != Style::reference && curves_[i].style != Style::tiles;
+    }
+    static constexpr std::array<std::string_view, 3> of_tiles{"#59616b", "#c8d9ea", "#f0d9bf"};
+    if (curves_[curve].style == Style::tiles) return std::string(of_tiles[std::min<std::size_t>(tiles, 2)]);
     return colour(coloured);
 }
 
@@ -113,8 +118,9 @@ inline void Plot::axes(std::ostream& s) const {
     one('x', x_);
     one('y', y_);
     if (!x_.range && !x_.logarithmic) s << "set autoscale xfix\n"; // curves begin and end at the frame
-    if (equal_axes_)
-        s << "set size ratio -1\nset autoscale\nset offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04\n";
+    if (equal_axes_) s << "set size ratio -1\n";
+    if (equal_axes_ && !x_.range && !y_.range)
+        s << "set autoscale\nset offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04\n";
 }
 
 /// One row of samples under the title, left-aligned, wrapped where the picture ends. gnuplot's own key
@@ -134,7 +140,10 @@ inline void Plot::legend(std::ostream& s, double width, double height) const {
         const auto at = [&](double px) {
             return "screen " + number(px / width) + ", screen " + number(1 - y / height);
         };
-        if (curve.style != Style::points)
+        if (curve.style == Style::tiles)
+            s << "set label '' at " << at(x + sample / 2) << " front point pt 5 ps 1.6 lc rgb '" << colour_of(i)
+              << "'\n";
+        else if (curve.style != Style::points)
             s << "set arrow from " << at(x) << " to " << at(x + sample) << " nohead front lw 2.5 lc rgb '"
               << colour_of(i) << "'" << (curve.style == Style::reference ? " dt (8,6)\n" : "\n");
         if (curve.style == Style::points || curve.style == Style::linked_points)
@@ -179,7 +188,9 @@ inline void Plot::marks(std::ostream& s) const {
 inline void Plot::data(std::ostream& s, std::size_t most) const {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         s << "$curve" << i << " << END\n";
-        for (const auto& [x, y] : thinned(curves_[i].points, most)) s << number(x) << ' ' << number(y) << '\n';
+        const bool all = curves_[i].style == Style::tiles; // a wall without some of its tiles is another wall
+        for (const auto& [x, y] : thinned(curves_[i].points, all ? curves_[i].points.size() : most))
+            s << number(x) << ' ' << number(y) << '\n';
         s << "END\n";
     }
 }
@@ -203,11 +214,15 @@ inline std::string Plot::script() const {
     s << "set bmargin 4\nset rmargin 4\n";
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         const Curve& curve = curves_[i];
-        s << (i == 0 ? "plot " : ", ") << "$curve" << i << " using 1:2 with ";
+        s << (i == 0 ? "plot " : ", ") << "$curve" << i << " using 1:2";
+        const std::string half = "(" + number(curve.side / 2) + ")";
+        if (curve.style == Style::tiles) s << ':' << half << ':' << half;
+        s << " with ";
         switch (curve.style) {
         case Style::line: s << "lines lw 2.5"; break;
         case Style::reference: s << "lines lw 2 dt (8,6)"; break;
         case Style::points: s << "points pt " << point_shape(i) << " ps 0.7"; break;
+        case Style::tiles: s << "boxxyerror fs solid 1 noborder"; break;
         case Style::linked_points: s << "linespoints lw 2 pt " << point_shape(i) << " ps 0.7"; break;
         }
         s << " lc rgb '" << colour_of(i) << "'";
@@ -239,7 +254,8 @@ inline bool Plot::terminal() const {
     data(s, 400);
     for (std::size_t i = 0; i < curves_.size(); ++i)
         s << (i == 0 ? "plot " : ", ") << "$curve" << i << " using 1:2 with "
-          << (curves_[i].style == Style::points ? "points" : "lines") << " title " << in_quotes(curves_[i].name);
+          << (curves_[i].style == Style::points || curves_[i].style == Style::tiles ? "points" : "lines") << " title "
+          << in_quotes(curves_[i].name);
     s << '\n';
     // Letters only: gnuplot begins a page with a form feed and fills its lines with spaces.
     return run_gnuplot(s.str(), "gnuplot | tr -d '\\f' | sed 's/ *$//' | sed '/./,$!d'");

@@ -107,5 +107,16 @@ template <class Map> ansatz::workbook::Plot& on_map(ansatz::workbook::Plot& plot
         .x_range(none, double(map.width()) * map.tile())
         .y_range(none, double(map.height()) * map.tile());
 }
+/// A map as a map: its walls as filled tiles, and over them a path from its start to its goal.
+template <class Map, class Cells>
+ansatz::workbook::Plot& with_walls_and_path(ansatz::workbook::Plot& plot, const Map& map, const Cells& path) {
+    const auto black = walls(map), way = places(map, path), start = places(map, std::vector<Cell>{path.front()}),
+               goal = places(map, std::vector<Cell>{path.back()});
+    return on_map(plot, map)
+        .tiles("wall", black.east, black.north, map.tile())
+        .line("path", way.east, way.north)
+        .points("start", start.east, start.north)
+        .points("goal", goal.east, goal.north);
+}
 
 } // namespace drawing

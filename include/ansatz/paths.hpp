@@ -10,6 +10,8 @@
 #include <ansatz/paths/any_angle.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
+#include <ansatz/paths/cluster_graph.hpp>
+#include <ansatz/paths/clusters.hpp>
 #include <ansatz/paths/conflict_based.hpp>
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/paths/dimacs.hpp>
@@ -27,6 +29,7 @@
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/hierarchy.hpp>
 #include <ansatz/paths/lazy_theta.hpp>
 #include <ansatz/paths/moving_ai.hpp>
 #include <ansatz/paths/nodes.hpp>

@@ -11,7 +11,9 @@
 
 #include <ansatz/units.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -60,6 +62,27 @@ TEST_CASE("an axis carries the unit of its quantities", "[plot]") {
     CHECK(contains(script, "set xlabel 'time (s)'"));
     CHECK(contains(script, "set ylabel 'height (m)'"));
     CHECK(contains(script, "1 3\n"));
+}
+
+TEST_CASE("tiles are squares of their size, all of them, in a colour that curves do not use", "[plot]") {
+    std::vector<ansatz::Quantity<ansatz::unit::Length>> east, north;
+    for (int i = 0; i < 4000; ++i) east.push_back(i * metre), north.push_back(i % 7 * metre);
+    const std::string script = Plot{"6.1", "A map"}
+                                   .equal_axes()
+                                   .x_range(0.0 * metre, 4000.0 * metre)
+                                   .tiles("wall", east, north, 0.5 * metre)
+                                   .line("path", east, north)
+                                   .script();
+    CHECK(contains(script, "$curve0 using 1:2:(0.25):(0.25) with boxxyerror fs solid 1 noborder lc rgb '#59616b'"));
+    CHECK(contains(script, "set xrange [0:4000]"));
+    CHECK(!contains(script, "autoscale")); // which would undo the range
+    const auto begin = script.find("$curve0 << END"), end = script.find("$curve1 << END");
+    CHECK(std::count(script.begin() + std::ptrdiff_t(begin), script.begin() + std::ptrdiff_t(end), '\n') == 4002);
+    const std::string alone = Plot{"6.1", "A map"}.line("path", east, north).script();
+    const auto colour = alone.substr(alone.rfind("lc rgb"));
+    CHECK(script.substr(script.rfind("lc rgb")) == colour);
+    Plot plot{"6.1", "A map"};
+    CHECK_THROWS_AS(plot.tiles("wall", east, north, 1.0 * second), std::invalid_argument);
 }
 
 TEST_CASE("a second unit on one axis is refused", "[plot]") {
