@@ -86,12 +86,10 @@ public:
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
     /// Says so.
     void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
-    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may be walking over
-    /// them.
+    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may walk over them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
-        if (id < pulls_.size())
-            pulls_[id] = S::template zero_vector<unit::Acceleration>(); // who takes the id has not slept
+        if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for who takes the id
         somebody_removed_ = true;
     }
     /// Whether both bodies of a contact are still there.
@@ -218,8 +216,7 @@ private:
         (data.template state<R>().take(data, all), ...);
     }
 
-    /// How far a body comes in the next step if it goes on as it does: speed, and slack for what pulls at it and for a
-    /// push by another.
+    /// How far a body comes in the next step if it goes on as it does: by its speed, and slack for pulls and pushes.
     struct Ahead {
         Vector<Scalar, S::dimension> way; // m
         Scalar slack{}, margin{};         // m; both together
@@ -248,16 +245,14 @@ private:
 
     template <class Data> void gather(const Data& data) {
         auto& w = working_.value;
-        w.boxes.resize(data.bodies.size()); // room for all: the loop need not ask for more
-        w.ids.resize(data.bodies.size());
+        const auto resize = [&](std::size_t size) { w.boxes.resize(size), w.ids.resize(size); };
+        resize(data.bodies.size()); // room for all: the loop need not ask for more
         std::size_t n = 0;
         for (const auto motion : {Motion::awake, Motion::moving}) n = gather_range(data, motion, n);
         w.boxes.set_active(n);
         for (const auto motion : {Motion::resting, Motion::fixed}) n = gather_range(data, motion, n);
-        w.boxes.resize(n);
-        w.ids.resize(n);
+        resize(n);
     }
-    /// \returns how many boxes there are now, of which `n` were there before
     template <class Data>
     [[gnu::flatten, gnu::noinline]] std::size_t gather_range(const Data& data, Motion motion, std::size_t n) {
         auto& w = working_.value;
@@ -275,7 +270,7 @@ private:
                 }
             });
         }
-        return n;
+        return n; // boxes so far
     }
 
     template <class Data> static bool moves(const Data& data, std::size_t slot) {
@@ -307,8 +302,7 @@ private:
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
-    /// The narrowphase of two bodies that come to touch in the next step, if they go on as they do. A pair that falls
-    /// side by side does not.
+    /// The narrowphase of two bodies that will touch in the next step, if they go on so: not of two that fall abreast.
     template <class Data>
     [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
                                           std::size_t slot_b, Contact<S>& contact) const {
