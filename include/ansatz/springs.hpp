@@ -8,6 +8,7 @@
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/springs/constraint.hpp>
 #include <ansatz/springs/hooke.hpp>
+#include <ansatz/springs/measured_stiffness.hpp>
 #include <ansatz/springs/network.hpp>
 #include <ansatz/springs/spring.hpp>
 #include <ansatz/springs/springs.hpp>

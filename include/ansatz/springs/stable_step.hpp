@@ -20,6 +20,7 @@
 /// E. I. Jury, Theory and Application of the z-Transform Method (1964), for the conditions.
 
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/springs/measured_stiffness.hpp>
 #include <ansatz/units/requirements.hpp>
 #include <ansatz/world/world.hpp>
 
@@ -121,17 +122,6 @@ Quantity<unit::Time> stable_step(const Quantity<unit::FrequencySquared>& stiffne
     return below / rate * second;
 }
 
-namespace detail {
-/// Calls `f<Q>()` for each force between bodies that says how stiff it is. `Attraction` does not, as no force of one
-/// body does.
-template <class W, class F> void for_each_stiff(F&& f) {
-    auto one = [&]<class Q>() {
-        if constexpr (DifferentiableCouplingIn<Q, typename W::S>) f.template operator()<Q>();
-    };
-    [&]<class... Q>(Types<Q...>) { (one.template operator()<Q>(), ...); }(typename W::composition::couplings{});
-}
-} // namespace detail
-
 /// What is known of the springs of a world: how stiff and how damped they are for the masses that they hold.
 struct Stiffness {
     Quantity<unit::FrequencySquared>
@@ -197,67 +187,6 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
 template <class... P> Stiffness stiffness_of(const World<P...>& world) {
     StiffnessScratch scratch;
     return stiffness_of(world, scratch);
-}
-
-/// The stiffness of a world's springs as they are stretched now, by power iteration: never above the bound, and as
-/// close to the truth as `iterations` allow. It tells how much the bound is on the safe side.
-template <class... P>
-Quantity<unit::FrequencySquared> measured_stiffness(const World<P...>& world, int iterations = 1000) {
-    using W = World<P...>;
-    using S = typename W::S;
-    using C = typename W::composition;
-    using Column = Eigen::VectorXd;
-    if constexpr (!C::coupled) return {};
-    else {
-        constexpr int n = S::dimension;
-        const auto weight = world.template lane<InverseMass>();
-        const Eigen::Index rows = Eigen::Index(world.size()) * n;
-        auto apply = [&](const Column& x) { // M^-1 K x
-            Column y = Column::Zero(rows);
-            auto one = [&]<class Q>() {
-                detail::Bound<Q, S>(world.template get<Q>())
-                    .jacobian(world.template view<Q>(), world.context().template restricted<detail::reads_clock<Q>>(),
-                              [&](std::size_t a, std::size_t b, const auto& by_x, const auto&) {
-                                  using Vec = Eigen::Matrix<double, n, 1>;
-                                  const Eigen::Matrix<double, n, n> block = -by_x.template cast<double>();
-                                  const Vec xa = x.segment<n>(Eigen::Index(a) * n);
-                                  const Vec xb =
-                                      b < world.size() ? Vec(x.segment<n>(Eigen::Index(b) * n)) : Vec(Vec::Zero());
-                                  y.segment<n>(Eigen::Index(a) * n) +=
-                                      static_cast<double>(weight[a]) * (block * (xa - xb));
-                                  if (b < world.size()) // the transpose, where a block is not symmetric
-                                      y.segment<n>(Eigen::Index(b) * n) +=
-                                          static_cast<double>(weight[b]) * (block * xb - block.transpose() * xa);
-                              });
-            };
-            detail::for_each_stiff<W>(one);
-            return y;
-        };
-        Column x(rows);
-        for (Eigen::Index i = 0; i < rows; ++i) {
-            const double w = static_cast<double>(weight[std::size_t(i / n)]);
-            x[i] = w > 0 ? (i / n % 2 == 0 ? 1.0 : -1.0) + 0.01 * std::sin(double(i))
-                         : 0.0; // neighbours against each other swing fastest
-        }
-        double largest = 0;
-        for (int i = 0; i < iterations && x.size() > 0; ++i) {
-            const double size = x.norm();
-            if (!(size > 0)) break;
-            x /= size;
-            Column y = apply(x);
-            double above = 0, below = 0; // Rayleigh's quotient, in the measure of the masses
-            for (Eigen::Index row = 0; row < rows; ++row) {
-                const double w = static_cast<double>(weight[std::size_t(row / n)]);
-                if (!(w > 0)) continue;
-                above += x[row] * y[row] / w;
-                below += x[row] * x[row] / w;
-            }
-            if (!(below > 0)) break;
-            largest = std::max(largest, above / below);
-            x = y;
-        }
-        return largest / (second * second);
-    }
 }
 
 /// The largest time step that integrator `I` takes without growing, whatever such springs do, s.

@@ -10,13 +10,20 @@
 /// springs change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never
 /// grows.
 ///
-/// The limit is that of stable_step.hpp, on the safe side. Each part counts as a tick and is followed by all that
-/// follows a step; what broke, fell asleep or woke in any of them is among the events of the step. `Interpolation`
-/// draws the whole step.
+/// The limit is that of stable_step.hpp, on the safe side, which for cloth is 1.4 to 1.6 times too careful. With
+/// `.measured = 20` the springs' stiffness is measured instead, as they are stretched now, by at most so many power
+/// iterations before each step (measured_stiffness.hpp), and 0.95 of the step that follows from it is the limit. Where
+/// that has not converged, or is shorter, the certain limit holds. An iteration costs about two looks at every spring,
+/// 12 to 16 are made, so that it pays where a step is divided into many parts. Not where ropes are slack, or a sheet
+/// folds within a step: what is not felt now is not measured.
+///
+/// Each part counts as a tick and is followed by all that follows a step; what broke, fell asleep or woke in any of
+/// them is among the events of the step. `Interpolation` draws the whole step.
 
 #include <ansatz/springs/stable_step.hpp>
 #include <ansatz/world/world.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -39,20 +46,24 @@ template <class Beyond = void> struct StepLimit {
     double part = 1;
     /// Into how many parts a step is divided at most; where more are needed, it is refused
     int most_parts = 1000;
+    /// How many power iterations measure the springs before a step, at most; 0 for the certain bound
+    int measured = 0;
 
     static constexpr std::string_view name = "StepLimit";
     static void parameters(auto&, auto&&) {}
     void check() const {
         if (!(part > 0) || !(part <= 1)) refuse_value("StepLimit", "part", part, "it is greater than 0 and at most 1");
         if (most_parts < 1) refuse_value("StepLimit", "most_parts", most_parts, "it is at least 1");
+        if (measured < 0) refuse_value("StepLimit", "measured", measured, "it is at least 0, which measures nothing");
     }
 
     /// What it keeps between steps, so that a step that is warm allocates nothing.
     struct Kept {
-        StiffnessScratch scratch;     ///< room for the sums at each body
-        Stiffness of{};               ///< for which the limit was found
-        Quantity<unit::Time> limit{}; ///< s
-        bool found = false;           ///< whether there is a limit yet
+        StiffnessScratch scratch;           ///< room for the sums at each body
+        MeasuredStiffnessScratch measuring; ///< room for power iteration
+        Stiffness of{};                     ///< for which the limit was found
+        Quantity<unit::Time> limit{};       ///< s
+        bool found = false;                 ///< whether there is a limit yet
     };
 
     /// How many parts a step is taken in.
@@ -66,7 +77,9 @@ template <class Beyond = void> struct StepLimit {
             kept.of = now;
             kept.found = true;
         }
-        const auto limit = part * kept.limit;
+        auto limit = part * kept.limit;
+        if (dt <= limit) return 1;
+        if (measured > 0) limit = std::max(limit, part * measured_limit<I>(world, now, kept));
         if (dt <= limit) return 1;
         const double needed = limit.value() > 0 ? std::ceil(dt / limit) : HUGE_VAL;
         if (std::same_as<Beyond, Divide> && needed <= most_parts) return int(needed);
@@ -74,6 +87,14 @@ template <class Beyond = void> struct StepLimit {
     }
 
 private:
+    /// 0.95 of what the springs allow as they are now; zero where they could not be measured.
+    template <class I, class World_>
+    Quantity<unit::Time> measured_limit(const World_& world, Stiffness springs, Kept& kept) const {
+        const auto found = measured_stiffness(world, measured, kept.measuring);
+        if (!found.converged) return 0.0 * second;
+        springs.largest = std::min(springs.largest, found.largest);
+        return 0.95 * stable_step<I>(springs, world.template get<I>());
+    }
     /// To four digits, for a person to read and to type.
     static Quantity<unit::Time> rounded_down(const Quantity<unit::Time>& t) {
         const double scale = std::pow(10.0, 3 - std::floor(std::log10(t.value())));

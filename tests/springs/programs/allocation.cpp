@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #define eigen_assert(ok) ((ok) ? (void)0 : (std::puts("Eigen allocated: " #ok), std::exit(1)))
+#include <ansatz/motion/integrators/matrix_free.hpp>
 #include <ansatz/motion/integrators/odeint.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
@@ -59,5 +60,7 @@ int main() {
     hang<RungeKutta4>("RungeKutta4");
     hang<Odeint<boost::numeric::odeint::runge_kutta4<std::array<double, 6>>>>("Odeint<runge_kutta4>");
     hang<ImplicitEuler>("ImplicitEuler");
+    hang<ImplicitEulerBy<MatrixFree>>("ImplicitEulerBy<MatrixFree>");
     hang<SemiImplicitEuler>("SemiImplicitEuler in divided steps", StepLimit<Divide>{.part = 0.02});
+    hang<SemiImplicitEuler>("SemiImplicitEuler in measured steps", StepLimit<Divide>{.part = 0.02, .measured = 5});
 }
