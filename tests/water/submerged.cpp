@@ -7,6 +7,7 @@
 #include "tests/refusal.hpp"
 
 #include <limits>
+#include <random>
 #include <vector>
 
 using namespace ansatz;
@@ -92,4 +93,79 @@ TEST_CASE("what has no size, or no depth, is refused", "[water]") {
     CHECK(refusal([] { submerged(Box{metres(1, 0, 1)}, 1.0 * metre); }).find("half") != std::string::npos);
     CHECK(refusal([&] { submerged(Sphere{1.0 * metre}, nan * metre); }).find("depth") != std::string::npos);
     CHECK(refusal([&] { submerged(Box{metres(1, 1, 1)}, nan * metre); }).find("depth") != std::string::npos);
+}
+namespace {
+/// The volume of a box under a plane by inclusion and exclusion of its corners (R. Scardovelli, S. Zaleski, 2000), for
+/// a normal without a zero, and the centroid by the same of the next power.
+std::pair<double, Vector<double, 3>> by_corners(const Vector<double, 3>& half, Vector<double, 3> n, double d) {
+    n /= n.norm();
+    const double product = std::abs(n[0] * n[1] * n[2]);
+    double volume = 0;
+    Vector<double, 3> moment(0, 0, 0);
+    for (int corner = 0; corner < 8; ++corner) {
+        Vector<double, 3> at, inwards;
+        double sign = 1;
+        for (int k = 0; k < 3; ++k) {
+            const bool far = (corner >> k & 1) != 0; // the lowest corner is none of them far
+            inwards[k] = n[k] > 0 ? 1 : -1;
+            at[k] = (far ? 1 : -1) * inwards[k] * half[k];
+            sign *= far ? -1 : 1;
+        }
+        const double depth = std::max(0.0, d - n.dot(at)), cone = sign * depth * depth * depth / (6 * product);
+        volume += cone;
+        for (int k = 0; k < 3; ++k) moment[k] += cone * (at[k] + inwards[k] * depth / std::abs(n[k]) / 4);
+    }
+    return {volume, moment / volume};
+}
+} // namespace
+
+TEST_CASE("a box under a tilted surface: exact volume and centroid (hard case B8)", "[water]") {
+    // A box of 1, 2, 3 m, scaled by 2, -3 and 4: it is its own mirror image, of 1152 m^3.
+    const Box box{metres(2, 6, 12)};
+    const Vector<double, 3> half(2, 6, 12);
+    const auto all = submerged(box, {0, 1, 0}, 7.0 * metre);
+    CHECK(all.volume.value() == Approx(1152).epsilon(1e-14));
+    CHECK(all.centre.value().norm() < 1e-12);
+    const auto lower = submerged(box, {0, 1, 0}, 0.0 * metre);
+    CHECK(lower.volume.value() == Approx(576).epsilon(1e-14));
+    CHECK(lower.centre.value().isApprox(Vector<double, 3>(0, -3, 0), 1e-14));
+    CHECK(submerged(box, {0, -1, 0}, 0.0 * metre).centre.value().isApprox(Vector<double, 3>(0, 3, 0), 1e-14));
+    CHECK(submerged(box, {0.3, 1, 0.2}, -9.0 * metre).volume.value() == Approx(0).margin(1e-12));
+    // Along each axis and between each two, upwards and downwards, through the middle: half of it, and both halves
+    // balance.
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z) {
+                if (std::abs(x) + std::abs(y) + std::abs(z) == 0 || std::abs(x) + std::abs(y) + std::abs(z) == 3)
+                    continue;
+                const Vector<double, 3> n(x, y, z);
+                const auto one = submerged(box, n, 0.0 * metre),
+                           other = submerged(box, Vector<double, 3>(-n), 0.0 * metre);
+                CHECK(one.volume.value() == Approx(576).epsilon(1e-12));
+                CHECK((one.centre.value() + other.centre.value()).norm() < 1e-12);
+                CHECK(n.dot(one.centre.value()) < 0);
+            }
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> part(-1, 1);
+    for (int trial = 0; trial < 2000; ++trial) {
+        Vector<double, 3> n(part(random), part(random), part(random));
+        if (n.cwiseAbs().minCoeff() < 0.05) continue; // the formula of corners divides by it, and loses its digits
+        const double d = 8 * part(random);
+        const auto now = submerged(box, n, d * metre);
+        const auto [volume, centre] = by_corners(half, n, d);
+        if (volume < 1) continue;
+        REQUIRE(now.volume.value() == Approx(volume).epsilon(1e-9));
+        REQUIRE((now.centre.value() - centre).norm() < 1e-7);
+        const auto above = submerged(box, Vector<double, 3>(-n), -d * metre); // what is not under is above
+        REQUIRE(now.volume.value() + above.volume.value() == Approx(1152).epsilon(1e-12));
+        REQUIRE((now.volume.value() * now.centre.value() + above.volume.value() * above.centre.value()).norm() < 1e-9);
+    }
+    // Level, it is the upright box's.
+    const auto upright = submerged(box, 4.5 * metre);
+    const auto level = submerged(box, {0, 3, 0}, -1.5 * metre);
+    CHECK(level.volume.value() == Approx(upright.volume.value()).epsilon(1e-14));
+    CHECK(level.centre.value()[1] + 6 == Approx(upright.centre.value()));
+    auto said = [&](const Vector<double, 3>& n, double d) { return refusal([&] { submerged(box, n, d * metre); }); };
+    CHECK(said({0, 0, 0}, 1).find("length of the normal is 0") != std::string::npos);
+    CHECK(said({0, 1, 0}, std::numeric_limits<double>::quiet_NaN()).find("height is nan") != std::string::npos);
 }

@@ -7,7 +7,8 @@
 ///
 /// Use it for Archimedes' force, \f$ \rho g V \f$, with water of your own; in a world `Buoyancy` does that. The formulas are
 /// exact, so that the force has no step where a body touches the water or goes under, and no sampled points stand for a
-/// shape. Bodies do not turn yet: a box is upright, and a tilted surface is taken level over the width of the body.
+/// shape. Under a level surface a box is upright; `submerged(box, normal, height)` is that of a box under a tilted one,
+/// or of a tilted box: turn the normal into its frame. Bodies of a world do not turn yet, and Buoyancy takes the first.
 ///
 /// | symbol | meaning                                                | unit |
 /// |--------|--------------------------------------------------------|------|
@@ -25,6 +26,10 @@
 #include <ansatz/units/requirements.hpp>
 #include <ansatz/world/space.hpp>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -90,6 +95,60 @@ inline Submerged submerged(const Box& box, const Quantity<unit::Length>& depth) 
     if (std::isnan(depth.value())) refuse_value("submerged", "depth", depth, "it must be a number");
     const auto half = in.half.value();
     return detail::submerged_of(detail::sunk_box(4 * half[0] * half[2], 2 * half[1], depth.value()));
+}
+
+/// The part of a box that is under a tilted surface.
+struct SubmergedBox {
+    Quantity<unit::Volume> volume;       ///< V, m^3
+    VectorQuantity<unit::Length> centre; ///< of its centroid, from the middle of the box, m; zero where V is
+};
+/// Of a box under any plane, exactly: the pyramids from a point of the surface over what of each face is under it. That
+/// of the surface itself has no height.
+/// \param box    three half lengths, finite and positive
+/// \param normal of the surface, in the frame of the box, towards the air; of any length but 0, finite
+/// \param height of the surface above the middle of the box, along the normal, m; not NaN
+/// \throws std::invalid_argument for other values
+inline SubmergedBox submerged(const Box& box, const Vector<double, 3>& normal, const Quantity<unit::Length>& height) {
+    using Point = Vector<double, 3>;
+    const Point half = Box::In<Space<double, 3>>(box).half.value();
+    const double length = normal.norm();
+    if (!(length > 0) || !is_finite(length))
+        refuse_value("submerged", "the length of the normal", length, "it must be finite and greater than zero");
+    if (std::isnan(height.value())) refuse_value("submerged", "height", height, "it must be a number");
+    const Point n = normal / length;
+    const double reach = n.cwiseAbs().dot(half), d = std::max(-reach, std::min(reach, height.value()));
+    const Point apex = d * n;
+    double volume = 0;
+    Point moment = Point::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            std::array<Point, 8> cut; // four corners, cut by one plane: five
+            std::size_t count = 0;
+            auto corner = [&](int k) {
+                Point at;
+                at[axis] = side * half[axis];
+                at[u] = (k == 1 || k == 2 ? 1 : -1) * side * half[u]; // anticlockwise, seen from outside
+                at[v] = (k >= 2 ? 1 : -1) * half[v];
+                return at;
+            };
+            for (int k = 0; k < 4; ++k) {
+                const Point here = corner(k), next = corner((k + 1) % 4);
+                const double over = n.dot(here) - d, over_next = n.dot(next) - d;
+                if (over <= 0) cut[count++] = here;
+                if ((over < 0 && over_next > 0) || (over > 0 && over_next < 0))
+                    cut[count++] = here + over / (over - over_next) * (next - here);
+            }
+            for (std::size_t k = 2; k < count; ++k) {
+                const Point a = cut[0] - apex, b = cut[k - 1] - apex, c = cut[k] - apex;
+                const double part = a.dot(b.cross(c)) / 6;
+                volume += part;
+                moment += part * (apex + (a + b + c) / 4);
+            }
+        }
+    SubmergedBox all{volume * cubic_metre, metres(0, 0, 0)};
+    if (volume > 0) all.centre = VectorQuantity<unit::Length>::from_value(Point(moment / volume));
+    return all;
 }
 
 } // namespace ansatz
