@@ -118,6 +118,8 @@ template <std::size_t W> struct NamesFromFile {
     }
 };
 
+template <std::size_t W> NamesFromFile(const Domain<W>&) -> NamesFromFile<W>;
+
 } // namespace detail
 
 /// What a runner consists of, for `save` and `load`; a friend of it.
