@@ -32,6 +32,20 @@ int main() {
     claim("and point and depth are the same, to the bit", touch->point == other->point && touch->depth == other->depth);
     claim("spheres that only touch do not intersect", !contact(ball, metres(0, 0, 0), ball, metres(1, 0, 0)));
 
+    // The contact point of the notes, S1 - N (r1 - p), from either side.
+    //! [their point]
+    const auto point_of_the_notes = [&](double s1, double s2) { // along x, m
+        const double n = (s1 - s2) / std::abs(s1 - s2), p = 0.5 + 0.5 - std::abs(s1 - s2);
+        return s1 - n * (0.5 - p);
+    };
+    //! [their point]
+    const double first = point_of_the_notes(0, 0.6), second = point_of_the_notes(0.6, 0);
+    std::cout << "With S1 - N (r1 - p) the point is at " << first << " m or at " << second
+              << " m, as one or the other sphere comes first\n";
+    claim("the notes' two points are a depth apart, and the middle between them is the symmetric one",
+          std::abs(second - first - 0.4) < 1e-12 &&
+              std::abs(0.5 * (first + second) - in(x(touch->point), metre)) < 1e-12);
+
     // Move the first by p along each form of the normal: they should end one diameter apart.
     std::vector<double> distances;
     std::vector<Quantity<unit::Length>> unit_normal, difference;

@@ -59,14 +59,21 @@ int main() {
     claim("together they hold both", both.heights.back() > 0.098 * metre && std::abs(both.last_speed) < 0.05);
     claim("a penalty lets it lie mg/k deep", std::abs(in(pushed.heights.back(), metre) - (0.1 - 9.81 / 5000)) < 1e-3);
 
+    //! [shared]
     World pair{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Projection{}};
     const auto light = pair.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto heavy = pair.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)), mass(9.0 * kilogram));
     pair.step(1e-9 * second);
     const auto centre = (x(pair.position(light)) + 9.0 * x(pair.position(heavy))) / 10.0;
+    //! [shared]
     std::cout << "Two that overlap by 0.1 m, of 1 kg and 9 kg, are moved by " << x(pair.position(light)) << " and "
               << x(pair.position(heavy)) - 0.9 * metre << '\n';
     claim("shared by inverse mass, the centre of mass stays", std::abs(in(centre, metre) - 0.81) < 1e-15);
+    //! [halves]
+    const double half_and_half = (1 * (0 - 0.05) + 9 * (0.9 + 0.05)) / 10; // m: each is moved by half of the depth
+    //! [halves]
+    std::cout << "Half and half, their centre of mass goes from " << 0.81 << " m to " << half_and_half << " m\n";
+    claim("half and half, it moves by 4 cm", std::abs(half_and_half - 0.81 - 0.04) < 1e-12);
 
     workbook::Plot plot("2.2", "What each response makes of a ball that is dropped");
     plot.x("time").y("height of the centre");

@@ -4,7 +4,9 @@
 // J = -(1 + e) v_N / (1/m_a + 1/m_b) along N. The notes take v_ab = v_a + v_b: the relative velocity is the difference.
 // With a sum two bodies that fly side by side push each other, and gain energy from nowhere. They also say that an
 // elastic collision conserves all momentum and an inelastic one dissipates it: momentum is conserved by both, because
-// the impulses are opposite; what is lost is kinetic energy, mu (1 - e^2) v_N^2 / 2.
+// the impulses are opposite; what is lost is kinetic energy, mu (1 - e^2) v_N^2 / 2. Two conditions are missing. The
+// impulse is for bodies that approach: applied to two that part already, it holds them together. And restitution needs
+// a threshold, or a ball that lies on the ground keeps bouncing off what gravity gives it in a single step.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -57,6 +59,44 @@ template <class Integrator> std::vector<double> heights() {
     return tops;
 }
 
+//! [formula alone]
+/// The impulse on a along N by the formula alone, whether they approach or part: N s, for two bodies of 1 kg.
+double impulse_without_condition(double v_n, double e) { return -(1 + e) * v_n / (1.0 + 1.0); }
+//! [formula alone]
+
+struct Settled {
+    double came_to_rest; // s: after it the ball is slower than 0.05 m/s
+    double way;          // m: up and down, all together
+    double trembles;     // m/s: the highest speed in the last half second
+};
+//! [zeno]
+/// A ball with e = 0.5 is dropped from 1 m, and has three seconds to come to rest.
+Settled settle(Quantity<unit::Velocity> threshold) {
+    World world{SemiImplicitEuler{},
+                Gravity{},
+                BoundingBoxes{},
+                Narrowphase<Sphere, Plane>{},
+                Impulse<>{.threshold = threshold},
+                Projection{0.0001 * metre}};
+    world.add(Plane::ground(), fixed);
+    const auto ball =
+        world.add(Sphere{0.1 * metre}, position(metres(0, 1.1, 0)), mass(1.0 * kilogram), restitution(0.5));
+    //! [zeno]
+    Settled all{};
+    double before = 1.1;
+    while (world.time() < 3.0 * second) {
+        world.step(1.0 / 240 * second);
+        const double speed = std::abs(in(y(world.velocity(ball)), metre_per_second));
+        const double height = in(y(world.position(ball)), metre);
+        all.way += std::abs(height - before);
+        before = height;
+        // The top of a flight is slow, too: only near the ground a low speed may be rest.
+        if (speed > 0.05 || height > 0.1 + 0.001) all.came_to_rest = in(world.time(), second);
+        if (world.time() > 2.5 * second) all.trembles = std::max(all.trembles, speed);
+    }
+    return all;
+}
+
 } // namespace
 
 int main() {
@@ -71,14 +111,47 @@ int main() {
     claim("e = 0 loses mu v^2 / 2 of it, 3.375 J", std::abs(3.5 - meet(0).energy - 3.375) < 1e-12);
 
     //! [side by side]
-    const auto v = metres_per_second(5, 0, 0);
+    const auto both = metres_per_second(5, 0, 0);
     const auto w = 1.0 / (1.0 * kilogram);
-    const auto j = collision_impulse(v, v, w, w, Eigen::Vector3d(-1, 0, 0), 1.0);
+    const auto j = collision_impulse(both, both, w, w, Eigen::Vector3d(-1, 0, 0), 1.0);
     //! [side by side]
     const double of_the_sum = -2 * (5 + 5) * -1.0 / 2; // J with v_a + v_b
     std::cout << "Side by side at 5 m/s: J = " << j << "; with the sum of the velocities it would be " << of_the_sum
               << " N s\n";
     claim("bodies that move together do not push each other", j.value() == 0);
+
+    // Two bodies of 1 kg that overlap by 0.1 m and part at 1 m/s each: v_N = 2 m/s.
+    //! [parting]
+    World parting{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Impulse<>{}};
+    const auto left = parting.add(Sphere{0.5 * metre}, velocity(metres_per_second(-1, 0, 0)), mass(1.0 * kilogram));
+    const auto right = parting.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)),
+                                   velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    for (int step = 0; step < 60; ++step) parting.step(1.0 / 60 * second);
+    const auto apart = x(parting.position(right)) - x(parting.position(left));
+    //! [parting]
+    const double stopped = 2 + 2 * impulse_without_condition(2, 0), turned = 2 + 2 * impulse_without_condition(2, 1);
+    std::cout << "Two that part at 2 m/s are " << apart
+              << " apart after 1 s; the formula alone would leave them v_N = " << stopped << " m/s (e = 0) or "
+              << turned << " m/s (e = 1)\n";
+    claim("bodies that part get no impulse", std::abs(in(apart, metre) - 2.9) < 1e-12);
+    claim("the formula alone would glue them together, or drive them back into each other",
+          stopped == 0 && turned == -2);
+
+    const auto bouncing = settle(0.0 * metre_per_second), resting = settle(0.25 * metre_per_second);
+    const double one_fall = std::sqrt(2 / 9.81);
+    std::cout << "Dropped from 1 m with e = 0.5: at rest after " << resting.came_to_rest << " s and " << resting.way
+              << " m, by the series " << 3 * one_fall << " s and " << 5.0 / 3 << " m\n"
+              << "In the last half second it moves at " << resting.trembles << " m/s; with a threshold of zero at "
+              << bouncing.trembles << " m/s\n";
+    // What is slower than the threshold does not bounce any more: of the series up to 2 e v / (g (1 - e)) is left out.
+    const double v = 0.25, left_out = 2 * v / 9.81, way_left_out = v * v * 0.25 / (9.81 * 0.75);
+    claim("with a threshold it rests when the series ends, but for the bounces below the threshold",
+          resting.came_to_rest < 3 * one_fall + 1.0 / 240 &&
+              resting.came_to_rest > 3 * one_fall - left_out - 1.0 / 240);
+    claim("and has gone the way of the series",
+          resting.way < 5.0 / 3 && resting.way > 5.0 / 3 - way_left_out && resting.trembles < 1e-9);
+    claim("without one it keeps what gravity gives in a step, times e",
+          std::abs(bouncing.trembles - 0.5 * 9.81 / 240) < 1e-9);
 
     const auto euler = heights<ExplicitEuler>(), half = heights<SemiImplicitEuler>(),
                verlet = heights<VelocityVerlet>();

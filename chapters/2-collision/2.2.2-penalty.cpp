@@ -44,10 +44,52 @@ Met meet(double k, double zeta) {
     return {(vb - va) / 2, deepest, va + vb};
 }
 
+struct Freed {
+    double distance, momentum; // m, kg m/s
+};
+/// A way to write the force: the sign of k p, the sign of F on the second body, and whether N takes part.
+struct Form {
+    double of_kp = 1, on_second = -1;
+    bool along_normal = true;
+};
+//! [signs]
+/// Two spheres of 1 kg, 1 m across, begin at rest and 0.1 m deep in each other: where are they after 0.1 s?
+Freed let_go(const Form& form) {
+    const double k = 1e4, dt = 1e-5;
+    double a = 0, b = 0.9, va = 0, vb = 0; // a is on the left
+    for (int step = 0; step < 10000; ++step) {
+        const double normal = a < b ? -1 : 1, p = 1 - std::abs(b - a); // N points from b to a
+        const double f = p > 0 ? form.of_kp * k * p * (form.along_normal ? normal : 1) : 0;
+        va += f * dt, vb += form.on_second * f * dt;
+        a += va * dt, b += vb * dt;
+    }
+    return {b - a, va + vb};
+}
+//! [signs]
+
 } // namespace
 
 int main() {
     workbook::Claims claim;
+    const auto apart = let_go({}), second_plus = let_go({.on_second = 1}), minus_kp = let_go({.of_kp = -1}),
+               no_normal = let_go({.along_normal = false});
+    std::cout << "From rest, b 0.9 m to the right of a and 0.1 m deep in it, after 0.1 s:\n"
+              << "  +kp N and its opposite: b - a = " << apart.distance << " m, momentum " << apart.momentum
+              << " kg m/s\n"
+              << "  +F on both: b - a = " << second_plus.distance << " m, momentum " << second_plus.momentum
+              << " kg m/s\n"
+              << "  -kp N and its opposite: b - a = " << minus_kp.distance << " m, momentum " << minus_kp.momentum
+              << " kg m/s\n"
+              << "  kp without N: b - a = " << no_normal.distance << " m, momentum " << no_normal.momentum
+              << " kg m/s\n";
+    claim("with +kp N and its opposite they part, and momentum stays zero",
+          apart.distance > 1 && std::abs(apart.momentum) < 1e-12);
+    claim("+F on both parts nobody and gives 2 k p t of momentum",
+          std::abs(std::abs(second_plus.momentum) - 2 * 1e4 * 0.1 * 0.1) < 1e-6 &&
+              std::abs(second_plus.distance - 0.9) < 1e-9);
+    claim("-kp N pulls them into each other and never lets go", std::abs(minus_kp.distance) < 0.9);
+    claim("kp without N drives them through each other, if the first is on the left", no_normal.distance < -1);
+
     std::vector<double> ratios, measured, formula;
     for (double zeta = 0; zeta < 0.95; zeta += 0.05) {
         ratios.push_back(zeta);
