@@ -69,7 +69,7 @@ std::vector<int> dijkstra(const Roads& g, std::size_t start) {
 
 } // namespace
 
-TEST_CASE("the notes' workflow: both lists and all four values, step by step", "[paths]") {
+TEST_CASE("the notes' workflow: both lists and all four values, step by step", "[paths][P5]") {
     Roads g(5); // 0 -1- 1 -1- 3, 0 -5- 2 -1- 3, 4 alone
     boost::add_edge(0, 1, 1, g), boost::add_edge(0, 2, 5, g), boost::add_edge(1, 3, 1, g), boost::add_edge(2, 3, 1, g);
     const int h[] = {2, 1, 1, 0, 0};
@@ -275,7 +275,7 @@ TEST_CASE("the stamps begin again without a fault, and a graph may grow between 
     CHECK(search.cost() == 1999);
 }
 
-TEST_CASE("what a search is given wrongly it says, and never throws once it has begun", "[paths]") {
+TEST_CASE("what a search is given wrongly it says, and never throws once it has begun", "[paths][P5][P10]") {
     Roads g(3);
     boost::add_edge(0, 1, 1, g);
     const auto bad = boost::add_edge(1, 2, -4, g).first;

@@ -220,7 +220,7 @@ TEST_CASE("heuristics: their values, which are never too much, and the node wher
     CHECK(halved.least_weight() == 1); // it rises again when nothing light is left
 }
 
-TEST_CASE("hard case P3: a weighted search stays within its weight on grids", "[paths][grid]") {
+TEST_CASE("hard case P3: a weighted search stays within its weight on grids", "[paths][grid][P4]") {
     std::mt19937 random(8);
     int queries = 0;
     for (int k = 0; k < 1000; ++k) {

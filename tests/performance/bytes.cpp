@@ -104,7 +104,7 @@ TEST_CASE("The order of the policies does not change what a body costs") {
                    World<SemiImplicitEuler, Gravity, QuadraticDrag, Rest>::bytes_per_body);
 }
 
-TEST_CASE("What is not in a world is not in its size either") {
+TEST_CASE("What is not in a world is not in its size either", "[performance][N2]") {
     // A policy without parameters has no byte (hard case N2).
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity, Idle>) == sizeof(World<SemiImplicitEuler, Gravity>));
     STATIC_REQUIRE(sizeof(World<SemiImplicitEuler, Gravity, Keep<Position>>) ==

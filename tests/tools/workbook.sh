@@ -62,6 +62,17 @@ expect 2 "./workbook section 1.6 shows one section" tour 1.6
 expect 0 "build the documentation site" help docs
 expect 2 "docs takes no 'now'" docs now
 
+# The hard cases: from a list alone, without a test, a build or a run.
+mkdir -p "$tree/tools/workshop" "$tree/tests" || exit 1
+cp "$project/tools/workshop/cases.py" "$tree/tools/workshop/" || exit 1
+printf '== C Contact\nC1 Two bodies part.\nC28 Convex shapes.\n    does not apply yet: there are none\n' > "$tree/tests/hard_cases.txt"
+expect 0 "./workbook cases --last" help cases
+expect 0 "2 rows: 1 not run, 1 does not apply yet" cases --last
+expect 0 "there are none" cases --last c28
+expect 1 "./workbook test builds the tests" cases
+expect 2 "there is no row and no group 'Q9'" cases q9
+expect 2 "cases knows no option '--lst'" cases --lst
+
 # Too many arguments are not silently left out, and nothing is built to find that out.
 expect 2 "what is '2'?" list 1.6 2
 expect 2 "what is '1.7'?" section 1.6 1.7

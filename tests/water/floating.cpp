@@ -188,7 +188,7 @@ TEST_CASE("what bobs by more than v_s / omega does not fall asleep; what lies st
     for (int i = 0; i < 60; ++i) world.step(1.0 / 60 * second);
     CHECK(world.motion(both[0]) == Motion::awake);
 }
-TEST_CASE("drag is against the water: what floats goes with the flow, and rides a wave", "[water]") {
+TEST_CASE("drag is against the water: what floats goes with the flow, and rides a wave", "[water][T19]") {
     auto carried = [](const auto& policy, bool flows) {
         using Policy = std::decay_t<decltype(policy)>;
         World world{SemiImplicitEuler{}, Gravity{}, Pools<Policy>{}, Buoyancy{}};
