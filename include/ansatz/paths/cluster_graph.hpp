@@ -11,8 +11,8 @@
 #include <ansatz/paths/clusters.hpp>
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/grid/graph.hpp>
+#include <ansatz/paths/implicit_graph.hpp>
 
-#include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -132,21 +132,9 @@ template <class M> std::string name_of(Cell c, const ClusterGraph<M>&) { return 
 } // namespace ansatz::paths
 
 namespace boost {
-template <class M> struct graph_traits<ansatz::paths::ClusterGraph<M>> {
-    using vertex_descriptor = ansatz::paths::Cell;
-    using edge_descriptor = ansatz::paths::GateEdge;
-    using out_edge_iterator = ansatz::paths::GateEdges;
-    using directed_category = directed_tag;
-    using edge_parallel_category = allow_parallel_edge_tag;
-    using traversal_category = incidence_graph_tag;
-    using degree_size_type = std::size_t;
-    using vertices_size_type = std::size_t;
-    using edges_size_type = std::size_t;
-    using adjacency_iterator = void;
-    using in_edge_iterator = void;
-    using vertex_iterator = void;
-    using edge_iterator = void;
-};
+template <class M>
+struct graph_traits<ansatz::paths::ClusterGraph<M>>
+    : ansatz::paths::ImplicitGraphTraits<ansatz::paths::Cell, ansatz::paths::GateEdge, ansatz::paths::GateEdges> {};
 template <class M> struct property_map<ansatz::paths::ClusterGraph<M>, vertex_index_t> {
     using type = ansatz::paths::GridIndex;
     using const_type = type;

@@ -13,6 +13,7 @@
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/grid.hpp>
+#include <ansatz/paths/implicit_graph.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -227,21 +228,10 @@ template <class M, class T> std::string name_of(const Timed& v, const TimedGrid<
 } // namespace ansatz::paths
 
 namespace boost {
-template <class M, class T> struct graph_traits<ansatz::paths::TimedGrid<M, T>> {
-    using vertex_descriptor = ansatz::paths::Timed;
-    using edge_descriptor = ansatz::paths::TimedEdge;
-    using out_edge_iterator = ansatz::paths::TimedEdges<M, T>;
-    using directed_category = directed_tag;
-    using edge_parallel_category = disallow_parallel_edge_tag;
-    using traversal_category = incidence_graph_tag;
-    using degree_size_type = std::size_t;
-    using vertices_size_type = std::size_t;
-    using edges_size_type = std::size_t;
-    using adjacency_iterator = void;
-    using in_edge_iterator = void;
-    using vertex_iterator = void;
-    using edge_iterator = void;
-};
+template <class M, class T>
+struct graph_traits<ansatz::paths::TimedGrid<M, T>>
+    : ansatz::paths::ImplicitGraphTraits<ansatz::paths::Timed, ansatz::paths::TimedEdge,
+                                         ansatz::paths::TimedEdges<M, T>, disallow_parallel_edge_tag> {};
 template <class M, class T> struct property_map<ansatz::paths::TimedGrid<M, T>, edge_weight_t> {
     using type = ansatz::paths::TimedWeights<double>;
     using const_type = type;

@@ -7,6 +7,7 @@
 /// that it comes to.
 
 #include <ansatz/paths/goap/domain.hpp>
+#include <ansatz/paths/implicit_graph.hpp>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -113,21 +114,9 @@ template <std::size_t W> std::string name_of(const State<W>& s, const StateGraph
 } // namespace ansatz::goap
 
 namespace boost {
-template <std::size_t W> struct graph_traits<ansatz::goap::StateGraph<W>> {
-    using vertex_descriptor = ansatz::goap::State<W>;
-    using edge_descriptor = ansatz::goap::Change<W>;
-    using out_edge_iterator = ansatz::goap::Changes<W>;
-    using directed_category = directed_tag;
-    using edge_parallel_category = allow_parallel_edge_tag;
-    using traversal_category = incidence_graph_tag;
-    using degree_size_type = std::size_t;
-    using vertices_size_type = std::size_t;
-    using edges_size_type = std::size_t;
-    using adjacency_iterator = void;
-    using in_edge_iterator = void;
-    using vertex_iterator = void;
-    using edge_iterator = void;
-};
+template <std::size_t W>
+struct graph_traits<ansatz::goap::StateGraph<W>>
+    : ansatz::paths::ImplicitGraphTraits<ansatz::goap::State<W>, ansatz::goap::Change<W>, ansatz::goap::Changes<W>> {};
 template <std::size_t W> struct property_map<ansatz::goap::StateGraph<W>, edge_weight_t> {
     using type = ansatz::goap::ChangeCosts<W>;
     using const_type = type;

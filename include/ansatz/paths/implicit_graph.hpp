@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `ImplicitGraphTraits`: what Boost.Graph asks of a graph whose edges are made while one looks at them: states of a
+/// world, tiles and times, gates between squares. Such a graph has out edges and nothing else: no list of vertices, no
+/// edges inwards.
+///
+/// Use it for a graph of your own that `AStar` searches: `template <> struct boost::graph_traits<Mine> :
+/// ansatz::paths::ImplicitGraphTraits<Vertex, Edge, OutEdges> {};` beside `out_edges`, `out_degree` and `target`. A
+/// graph that stores its edges takes `boost::adjacency_list`.
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+
+namespace ansatz::paths {
+
+/// A base of `boost::graph_traits`: a directed graph with out edges (Boost.Graph's IncidenceGraph).
+/// \tparam Vertex   a place in the graph, a value
+/// \tparam Edge     a step, a value that knows where it leads
+/// \tparam OutEdges a forward iterator over the steps out of a place
+/// \tparam Parallel whether two steps may lead from one place to the same other one
+template <class Vertex, class Edge, class OutEdges, class Parallel = boost::allow_parallel_edge_tag>
+struct ImplicitGraphTraits {
+    using vertex_descriptor = Vertex;
+    using edge_descriptor = Edge;
+    using out_edge_iterator = OutEdges;
+    using directed_category = boost::directed_tag;
+    using edge_parallel_category = Parallel;
+    using traversal_category = boost::incidence_graph_tag;
+    using degree_size_type = std::size_t;
+    using vertices_size_type = std::size_t;
+    using edges_size_type = std::size_t;
+    using adjacency_iterator = void;
+    using in_edge_iterator = void;
+    using vertex_iterator = void;
+    using edge_iterator = void;
+};
+
+} // namespace ansatz::paths
