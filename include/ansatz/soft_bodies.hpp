@@ -22,6 +22,7 @@
 #include <ansatz/soft_bodies/soft_rope.hpp>
 #include <ansatz/soft_bodies/strain_limit.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
+#include <ansatz/soft_bodies/unjoined.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 #include <ansatz/soft_bodies/wind.hpp>
 #include <ansatz/soft_bodies/xpbd.hpp>
