@@ -25,6 +25,7 @@
 #include <ansatz/soft_bodies/tearable.hpp>
 #include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/soft_bodies/triangle_mesh.hpp>
+#include <ansatz/soft_bodies/unjoined.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 #include <ansatz/soft_bodies/wind.hpp>
 #include <ansatz/soft_bodies/xpbd.hpp>

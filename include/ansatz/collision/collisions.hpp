@@ -339,9 +339,7 @@ private:
 
     template <class Data, class Policies, class F>
     static bool passes(const Data& data, const Policies& policies, std::size_t a, std::size_t b, Types<F>) {
-        const reads_of<F> looked_at{};
-        return typename F::template In<S>(std::get<F>(policies))
-            .passes(data.lanes.get(looked_at, a), data.lanes.get(looked_at, b));
+        return detail::passes<S>(std::get<F>(policies), data, a, b);
     }
 
     /// Planes and their like meet everything that has a box.

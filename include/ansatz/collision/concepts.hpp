@@ -116,8 +116,25 @@ concept SolvesContactsIn = Binds<R, S> && KeepsContactsIn<R, S> &&
                                contacts.all;
                            };
 
+/// A filter that looks at tables beside the columns of two bodies.
+template <class F, class S> constexpr bool passes_by_tables() {
+    return requires(const Bound<F, S>& filter, const ObserverView<S, F>& view, std::size_t slot) {
+        { filter.passes(view, slot, slot) } -> std::convertible_to<bool>;
+    };
+}
+/// Whether the bodies in two slots are looked at.
+template <class S, class F, class Data>
+[[gnu::always_inline]] inline bool passes(const F& policy, const Data& data, std::size_t a, std::size_t b) {
+    const Bound<F, S> filter(policy);
+    if constexpr (sees_of<F>::size > 0) return filter.passes(ObserverView<S, F>(data), a, b);
+    else {
+        const reads_of<F> looked_at{};
+        return filter.passes(data.lanes.get(looked_at, a), data.lanes.get(looked_at, b));
+    }
+}
 template <class F, class S> constexpr bool passes_in() {
-    if constexpr (Binds<F, S>)
+    if constexpr (Binds<F, S> && sees_of<F>::size > 0) return passes_by_tables<F, S>();
+    else if constexpr (Binds<F, S>)
         return requires(const Bound<F, S>& filter, const FilterRow<F, S>& a, const FilterRow<F, S>& b) {
             { filter.passes(a, b) } -> std::convertible_to<bool>;
         };
@@ -128,9 +145,10 @@ template <class F, class S> constexpr bool passes_in() {
 
 /// A filter in space `S`: declares `reads`, and `In<S>`, made from the policy, answers `passes(a, b)`, whether two
 /// bodies are looked at, from the declared columns of both: `a.template get<Column>()`. It must answer the same for
-/// `(b, a)`.
+/// `(b, a)`. One that sees tables (`using sees = Types<Springs<>>;`) answers `passes(view, a, b)`, by slots, in steps;
+/// what asks from outside (`world.query()`) is no body, and passes it.
 ///
-/// `Layers` is one (notes 2.1).
+/// `Layers` is one, `Unjoined` one that sees tables (notes 2.1).
 template <class F, class S>
 concept FilterIn = PlaysRole<F, roles::Filter> && detail::DeclaresReads<F> && detail::passes_in<F, S>();
 

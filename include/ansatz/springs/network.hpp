@@ -237,6 +237,20 @@ public:
             if (links_[id].a != no_body && (links_[id].a == body || links_[id].b == body)) f(id);
         });
     }
+    /// Whether one of them holds both bodies. What this asks of the network is found when it is first asked, and kept
+    /// while springs are added and removed.
+    bool joins(std::uint32_t a, std::uint32_t b) const {
+        if (!named_by_.known()) {
+            std::uint32_t most = 0;
+            for_each([&](std::uint32_t id, const Link&) {
+                for_each_body(id, [&](std::uint32_t body) { most = std::max(most, body); });
+            });
+            named_by_.find(*this, std::size_t(most) + 1);
+        }
+        bool found = false;
+        for_each_naming(a, [&](std::uint32_t id) { found = found || links_[id].a == b || links_[id].b == b; });
+        return found;
+    }
     /// Removes all that hold this body.
     void body_removed(std::uint32_t body) {
         for_each_naming(body, [&](std::uint32_t id) { erase(id); });
@@ -351,7 +365,7 @@ private:
     [[no_unique_address]] std::conditional_t<Breaks, std::vector<Broken<E>>, detail::Absent> broken_;
     std::vector<Link> pairs_;
     std::vector<Hung> hung_;
-    detail::NamedBy named_by_;
+    mutable detail::NamedBy named_by_;
     bool arranged_ = false;
     std::uint64_t layout_ = 0;
 };

@@ -1,0 +1,16 @@
+// expect: Unjoined names the springs that it looks at; write e.g. Unjoined<Springs<>>{}
+// SPDX-License-Identifier: BSL-1.0
+// A filter that reads springs says which.
+
+#include <ansatz/soft_bodies/unjoined.hpp>
+
+using namespace ansatz;
+
+int main() {
+#ifdef ANSATZ_MISTAKE
+    const Unjoined<> filter{};
+#else
+    const Unjoined<Springs<>> filter{};
+#endif
+    return sizeof filter > 0 ? 0 : 1;
+}
