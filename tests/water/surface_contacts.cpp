@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What lies on a soft surface: it sinks, floats or bounces; forces against their energy, against closed forms, as a
 // part of a world's value, and what is refused.
+// Runs long with the sanitizers.
 
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/springs.hpp>
@@ -115,7 +116,7 @@ TEST_CASE(
         CHECK(all.least_gap > 1.0);
         CHECK(all.least_gap > 2 * pi * std::sqrt(10.0 / 300)); // the law of the header
     };
-    const auto coarse = minute<VelocityVerlet>(60), fine = minute<VelocityVerlet>(240);
+    const auto coarse = minute<VelocityVerlet>(60), fine = minute<VelocityVerlet>(120);
     held(coarse);
     held(fine);
     held(minute<SemiImplicitEuler>(60));

@@ -262,12 +262,14 @@ struct SurfaceContacts {
 
     /// Behind each step: what is too deep breaks, and contacts begin and end.
     template <class S> struct Note {
-        static constexpr Phase phase = phases::breaking;
+        static constexpr Phase phase = phases::breaking; ///< where springs break, too
         static constexpr std::string_view name = "surface contacts";
         using reads = Columns<Position, Velocity>;
-        typename S::Scalar skin;
+        typename S::Scalar skin; ///< m
+        /// Of the policy.
         explicit Note(const SurfaceContacts& policy)
             : skin(S::convert("SurfaceContacts::skin", Quantity<unit::Length>(policy.skin)).value()) {}
+        /// All contacts, by id.
         void run(auto& view, const auto&) const {
             using Scalar = typename S::Scalar;
             view.state().for_each([&](std::uint32_t, auto& row) {
@@ -286,6 +288,7 @@ struct SurfaceContacts {
             });
         }
     };
+    /// What it does behind each step.
     template <class S> using systems = Types<Note<S>>;
 
     /// Bound to a space.
