@@ -45,6 +45,7 @@ struct Oracle {
         for (std::size_t i = path.size(); i < way.size(); ++i) {
             if (is_history(o.states[way[i]].kind)) {
                 const auto kept = remembered.find(way[i]);
+                if (kept != remembered.end() && kept->second.empty()) return; // its parent was active alone
                 go(kept == remembered.end()                      ? find(o.states[way[i]].initial.at(0))
                    : o.states[way[i]].kind == Kind::deep_history ? kept->second.back()
                                                                  : kept->second.front());
@@ -52,6 +53,7 @@ struct Oracle {
             }
             enter(way[i]);
         }
+        if (o.states[target].childless) return;
         if (!o.states[target].initial.empty()) return go(find(o.states[target].initial[0]));
         for (std::size_t s = target + 1; s < o.states.size(); ++s)
             if (o.states[s].parent == target && !is_history(o.states[s].kind)) return go(s);

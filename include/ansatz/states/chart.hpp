@@ -27,6 +27,7 @@ struct ChartState {
     std::uint16_t done = 0xffff;                       // the event "done.state.<name>", if anybody listens
     std::uint16_t behaviour = 0xffff;
     bool acts = false;
+    bool childless = false;
 };
 /// A transition, made ready.
 struct ChartTransition {
@@ -55,6 +56,7 @@ template <class Context> class Chart {
 public:
     const Outline& outline() const { return outline_; }            ///< its structure and names
     bool parallel() const { return parallel_; }                    ///< several states can be active beside each other
+    bool childless() const { return childless_; }                  ///< a state can be active without those in it
     std::size_t state_count() const { return states_.size(); }     ///< with the root
     std::size_t event_count() const { return events_.size() + 1; } ///< names that it mentions, and one for all others
 
@@ -92,7 +94,7 @@ private:
     using Action = states::detail::BoundAction<Context>;
 
     Outline outline_;
-    bool parallel_ = false, acts_ = false, raises_ = false, automatic_ = false;
+    bool parallel_ = false, childless_ = false, acts_ = false, raises_ = false, automatic_ = false;
     std::vector<states::detail::ChartState> states_;
     std::vector<states::detail::ChartTransition> transitions_;
     std::vector<std::uint16_t> ids_;          // the lists of states
@@ -111,6 +113,21 @@ private:
     std::vector<std::uint16_t> candidates_; // transitions; 0xffff ends a list
     std::size_t columns_ = 0;
 };
+
+namespace states {
+/// Throws std::invalid_argument: a state is entered without any of the states in it, and the machine does not allow
+/// that.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_childless(const Outline& outline) {
+    std::string name;
+    long line = 0;
+    for (const auto& s : outline.states)
+        if (s.childless && name.empty()) name = s.name, line = s.line;
+    refuse(Refusal::invalid_argument,
+           outline.origin + (line > 0 ? ":" + std::to_string(line) : "") + ": the state \"" + name +
+               "\" begins in none of the states in it; name one, or allow that with the option AllowChildless, e.g. "
+               "Machine<InFile<Npc>, Interpreted, AllowChildless>");
+}
+} // namespace states
 
 /// A chart that machines share.
 template <class Context> using SharedChart = std::shared_ptr<const Chart<Context>>;

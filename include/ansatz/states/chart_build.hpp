@@ -161,7 +161,12 @@ private:
                 wrong(from.line, who + " begins in the history " + shown(name));
             c_.ids_.push_back(id);
         }
-        if (from.initial.empty() && to.kind == Kind::state && first != nowhere) c_.ids_.push_back(first);
+        if (from.childless && (s == 0 || to.kind != Kind::state || first == nowhere || !from.initial.empty()))
+            wrong(from.line,
+                  who + " is to begin in none of the states in it, which is for a state with states inside and "
+                        "without an initial one");
+        if (from.childless) to.childless = c_.childless_ = true;
+        else if (from.initial.empty() && to.kind == Kind::state && first != nowhere) c_.ids_.push_back(first);
         to.initial.count = std::uint32_t(c_.ids_.size()) - to.initial.first;
         check_together(to.initial, from.line, who);
     }
@@ -291,7 +296,7 @@ public:
         columns_of_transitions();
         c_.cells_.assign(c_.columns_ * c_.state_count(), no_candidate);
         for (std::size_t s = 1; s < c_.state_count(); ++s)
-            if (c_.states_[s].end == s + 1 && !is_history(c_.states_[s].kind)) leaf(s);
+            if (c_.states_[s].childless || (c_.states_[s].end == s + 1 && !is_history(c_.states_[s].kind))) leaf(s);
         if (!c_.parallel_)
             for (auto& t : c_.transitions_)
                 if (!t.stays) plain(t);

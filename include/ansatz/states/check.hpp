@@ -77,7 +77,7 @@ private:
         bool first = true;
         for (const auto child : children_[s]) {
             if (is_history(outline_.states[child].kind)) continue;
-            if (state.kind == Kind::parallel || (first && state.initial.empty())) reach(child);
+            if (state.kind == Kind::parallel || (first && state.initial.empty() && !state.childless)) reach(child);
             first = false;
         }
     }
@@ -102,7 +102,8 @@ inline void check_exits(const Outline& outline, const Reach& reached, std::vecto
         if (!is_history(outline.states[s].kind)) compound[outline.states[s].parent] = 1;
     for (std::size_t s = 1; s < outline.states.size(); ++s) {
         const auto& state = outline.states[s];
-        if (compound[s] || state.kind == Kind::final || is_history(state.kind) || !reached(s)) continue;
+        if ((compound[s] && !state.childless) || state.kind == Kind::final || is_history(state.kind) || !reached(s))
+            continue;
         bool leaves = false;
         for (std::size_t up = s; up != 0; up = outline.states[up].parent) leaves = leaves || out[up] != 0;
         if (!leaves)

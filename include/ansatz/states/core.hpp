@@ -241,6 +241,7 @@ template <class M> struct Shape {
                     ? M::is_leaf(s)
                     : M::parent(s) == M::parent(H) && !is_history(M::rows.states[s].kind))
                 found.add(s);
+        if (M::is_leaf(M::parent(H))) found.add(M::parent(H)); // it was there alone
         return found;
     }();
     // done.state.S

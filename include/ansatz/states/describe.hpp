@@ -43,6 +43,8 @@ struct To {
 struct Initial {
     std::string_view state; ///< its name
 };
+/// A state that is entered without any of the states in it.
+struct NoInitial {};
 /// A transition that does not leave its source when it goes to a state inside it.
 struct Internal {};
 /// The guard of a transition.
@@ -98,6 +100,9 @@ constexpr On on(std::string_view events) { return {events}; }
 constexpr To to(std::string_view state) { return {state}; }
 /// The state inside this one that is entered with it; the first one by default.
 constexpr Initial initial(std::string_view state) { return {state}; }
+/// The state is entered alone, and is the innermost one until a transition goes to a state in it. Only where the
+/// machine allows that, with the option AllowChildless.
+constexpr NoInitial no_initial() { return {}; }
 /// A transition to a state inside its source leaves the source and enters it again, unless this is among its parts.
 constexpr Internal internal() { return {}; }
 
@@ -205,6 +210,10 @@ template <class... P> struct PartTraits<State<P...>> {
     static constexpr int what = 12;
 };
 
+template <> struct PartTraits<NoInitial> {
+    static constexpr int what = 13;
+};
+
 enum Part {
     part_on = 1,
     part_to,
@@ -217,7 +226,8 @@ enum Part {
     part_each,
     part_behaves,
     part_transition,
-    part_state
+    part_state,
+    part_no_initial
 };
 
 template <class P> inline constexpr int part_of = PartTraits<std::remove_cvref_t<P>>::what;
@@ -260,7 +270,7 @@ template <class... P> constexpr void check_transition(const Transition<P...>&) {
 template <class... P> constexpr void check_state(const State<P...>&) {
     static_assert((((part_of<P> >= part_entry || part_of<P> == part_initial || part_of<P> == part_to)) && ...),
                   "Ansatz: the parts of a state are transition(...), state(...), on_entry, on_exit, each_update, "
-                  "behaves and initial; on, when and then stand in a transition");
+                  "behaves, initial and no_initial; on, when and then stand in a transition");
     static_assert((std::size_t(part_of<P> == part_behaves) + ... + 0) <= 1,
                   "Ansatz: a state has one class, behaves<Patrol>()");
 }

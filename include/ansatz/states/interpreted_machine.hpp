@@ -145,9 +145,8 @@ public:
     /// The innermost active states: one, or one of each parallel part.
     std::vector<StateId> leaves() const {
         std::vector<StateId> found;
-        for (std::size_t s = 1; s < chart_->state_count(); ++s)
-            if (is_in(StateId(s)) && (chart_->states_[s].end == s + 1 || only_histories(s)))
-                found.push_back(StateId(s));
+        if (!chart_->parallel_ && started()) found.push_back(active());
+        for (const auto s : regions_.leaves()) found.push_back(StateId(s));
         return found;
     }
     /// In a final state of the machine itself.
@@ -211,13 +210,10 @@ private:
         if constexpr (sizeof...(O) > 0) return Opts(options...);
         else return {};
     }
-    bool only_histories(std::size_t s) const {
-        return chart_->states_[s].kind != states::Kind::parallel && chart_->states_[s].initial.count == 0 &&
-               !states::is_history(chart_->states_[s].kind);
-    }
 
     void adopt(SharedChart<Context> chart) {
         if (chart == nullptr) refuse(Refusal::invalid_argument, "Machine: there is no chart");
+        if (chart->childless() && !Opts::childless) states::refuse_childless(chart->outline());
         fit_chart(std::move(chart));
         const auto& c = *chart_;
         leaf_ = 0;

@@ -28,10 +28,20 @@ template <class D, class R, class... O> struct MachineOf {
         !std::is_same_v<R, Interpreted> && requires { R::owns_behaviours; },
         "Ansatz: the representations of a Machine are Switch, StatePattern, Table and Interpreted, e.g. "
         "Machine<GuardNpc, Switch>");
+    static_assert(!Model<D>::rows.childless || Options<O...>::childless,
+                  "Ansatz: a state of this machine begins in none of the states in it, no_initial(); name one, "
+                  "initial(\"...\"), or allow it: Machine<Description, Switch, AllowChildless>");
     using type = StaticMachine<D, R, O...>; ///< decided while it is compiled
 };
 /// The machine of Interpreted.
 template <class D, class... O> struct MachineOf<D, Interpreted, O...> {
+    static constexpr bool begins_in_none = [] {
+        if constexpr (requires { D::machine; }) return Model<D>::rows.childless;
+        else return false; // from a file: refused when it is made
+    }();
+    static_assert(!begins_in_none || Options<O...>::childless,
+                  "Ansatz: a state of this machine begins in none of the states in it, no_initial(); name one, "
+                  "initial(\"...\"), or allow it: Machine<Description, Interpreted, AllowChildless>");
     using type = InterpretedMachine<D, typename D::Context, O...>; ///< that walks a chart
 };
 } // namespace states

@@ -128,7 +128,8 @@ struct MachineArchive {
                         return M::rows.contains(M::parent(h), std::uint16_t(s)) &&
                                (M::rows.states[h].kind == Kind::deep_history
                                     ? M::is_leaf(s)
-                                    : M::parent(s) == M::parent(h) && !is_history(M::rows.states[s].kind));
+                                    : (M::parent(s) == M::parent(h) && !is_history(M::rows.states[s].kind)) ||
+                                          (s == M::parent(h) && M::is_leaf(s)));
                     });
             a.close();
         }
@@ -169,6 +170,7 @@ struct MachineArchive {
                 if (is_history(c.states_[h].kind))
                     history(m, h, m.history_[h], a, [&](std::size_t s) {
                         const std::size_t parent = c.states_[h].parent;
+                        if (s == parent) return c.states_[s].childless; // it was there alone
                         return s > parent && s < c.states_[parent].end && !is_history(c.states_[s].kind) &&
                                (c.states_[h].kind == Kind::deep_history ? c.states_[s].initial.count == 0
                                                                         : c.states_[s].parent == parent);
@@ -248,9 +250,7 @@ private:
             }
             if (!active.empty())
                 for (std::size_t s = 0; s < c.state_count(); ++s) require_children(c, r, s, a);
-            for (std::size_t s = 1; s < c.state_count(); ++s)
-                if (r.active_[s] && c.states_[s].initial.count == 0 && c.states_[s].kind != Kind::parallel)
-                    r.leaves_.push_back(std::uint16_t(s));
+            r.find_leaves(c);
         }
         a.open("histories");
         for (std::size_t h = 1; h < c.state_count(); ++h) {
@@ -260,11 +260,14 @@ private:
             std::vector<std::string> kept;
             for (std::size_t d = parent + 1; d < c.states_[parent].end; ++d)
                 if (flags[0] && flags[d - parent]) kept.emplace_back(c.name(StateId(d)));
+            const bool alone = c.states_[parent].childless;
+            if (alone && flags[0] && kept.empty()) kept.emplace_back(c.name(StateId(parent)));
             detail::archive_field(a, c.name(StateId(h)), kept);
             if (!a.reads()) continue;
             flags[0] = char(!kept.empty());
             for (const auto& name : kept) {
                 const auto s = c.find(name);
+                if (alone && index(s) == parent) continue;
                 if (s == StateId::none || index(s) <= parent || index(s) >= c.states_[parent].end ||
                     is_history(m.kind_of(s)))
                     a.refuse_here(c.name(StateId(h)), "names of states that this history can remember");
@@ -280,7 +283,7 @@ private:
         for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end)
             if (!is_history(c.states_[child].kind)) ++all, inside += std::size_t(r.active_[child] != 0);
         const std::size_t wanted = !active ? 0 : c.states_[s].kind == Kind::parallel ? all : all > 0 ? 1 : 0;
-        if (inside != wanted)
+        if (inside != wanted && (inside != 0 || !active || !c.states_[s].childless))
             a.refuse_here("active", "states that can be active together; " +
                                         (s == 0 ? std::string("the machine") : detail::shown(c.name(StateId(s)))) +
                                         " has " + std::to_string(inside) + " active parts and needs " +

@@ -22,6 +22,7 @@ struct StateRow {
         0xffff; ///< what is entered with it; of a history, where it goes the first time; none: it has no states
     std::string_view initial_name; ///< as the description names it; empty: the first state in it
     bool acts = false;             ///< whether something is done in it
+    bool childless = false;        ///< it is entered without any of the states in it
 };
 /// A transition as a row.
 struct TransitionRow {
@@ -55,7 +56,8 @@ enum class Fault {
     history_alone,
     history_target,
     final_left,
-    initial_outside
+    initial_outside,
+    childless
 };
 
 namespace detail {
@@ -88,7 +90,7 @@ template <std::size_t NS, std::size_t NT> struct Rows {
     std::array<TransitionRow, NT> transitions{};
     Fault fault = Fault::none;
     std::uint16_t culprit = 0;
-    bool parallel = false, history = false, acts = false;
+    bool parallel = false, history = false, acts = false, childless = false;
 
     constexpr std::uint16_t find(std::string_view name) const {
         for (std::size_t i = 1; i < NS; ++i)
@@ -114,6 +116,7 @@ constexpr void fill_states(const Node& node, R& rows, std::uint16_t parent, std:
     if (is_history(node.kind)) rows.history = true;
     each_part<part_initial>(node, [&](const Initial& i) { row.initial_name = i.state; });
     each_part<part_to>(node, [&](const To& t) { row.initial_name = t.state; });
+    each_part<part_no_initial>(node, [&](const NoInitial&) { rows.childless = row.childless = true; });
     constexpr auto acting = []<class... P>(const std::tuple<P...>*) {
         return ((part_of<P> >= part_entry && part_of<P> <= part_behaves) || ...);
     };
@@ -151,6 +154,11 @@ template <class R> constexpr void resolve_states(R& rows, std::uint16_t count) {
             if (!is_history(rows.states[c].kind) && first == nowhere) first = c;
         if (row.end > i + 1 && first == nowhere) rows.wrong(Fault::history_alone, i);
         row.initial = row.initial_name.empty() ? first : rows.find(row.initial_name);
+        if (row.childless) {
+            if (i == 0 || row.kind != Kind::state || first == nowhere || !row.initial_name.empty())
+                rows.wrong(Fault::childless, i);
+            row.initial = nowhere;
+        }
         if (!row.initial_name.empty() && row.initial == nowhere) rows.wrong(Fault::unknown_initial, i);
         if (row.initial != nowhere && (!rows.contains(i, row.initial) || row.initial == i))
             rows.wrong(Fault::initial_outside, i);
@@ -231,6 +239,10 @@ template <class D> struct Model {
                   "Ansatz: initial(\"...\") names a state that the machine does not have");
     static_assert(rows.fault != Fault::initial_outside,
                   "Ansatz: initial(\"...\") names a state that is not inside the state where it stands");
+    static_assert(
+        rows.fault != Fault::childless,
+        "Ansatz: no_initial() stands in a state with states inside, without initial(\"...\") beside it, and not in "
+        "the machine itself");
     static_assert(rows.fault != Fault::duplicate,
                   "Ansatz: two states of a machine have the same name, or one has none");
     static_assert(rows.fault != Fault::no_states && rows.fault != Fault::history_alone,
@@ -286,7 +298,7 @@ template <class D> struct Model {
     }
 
     // ---------------------------------------------------------------- the tree
-    /// Whether nothing is inside a state: one in which the machine can rest.
+    /// Whether a state can be the innermost one: nothing is inside it, or it may be entered alone.
     static constexpr bool is_leaf(std::size_t s) {
         return s > 0 && rows.states[s].initial == nowhere && !is_history(rows.states[s].kind);
     }

@@ -49,10 +49,19 @@ namespace states {
 /// Whether T is an option that says what happens to unhandled events.
 template <class T>
 concept UnhandledPolicy = requires { T::unhandled_policy; };
+/// Whether T is an option that says what happens to compound states without an active child.
+template <class T>
+concept ChildlessPolicy = requires { T::childless_policy; };
 /// Whether T watches a machine.
 template <class T>
 concept Watcher = requires(T& watcher, const Happening& happening) { watcher(happening); };
 } // namespace states
+
+/// A state may be active without any of the states in it, where it says `no_initial()`. Without this option, such a
+/// machine is refused: a compound state without an active child is most often one whose author forgot where it begins.
+struct AllowChildless {
+    static constexpr bool childless_policy = true; ///< it says what happens to compound states without an active child
+};
 
 /// Events that nobody handles are forgotten.
 struct IgnoreUnhandled {
@@ -105,12 +114,13 @@ namespace states {
 
 /// The options of one machine, as its members.
 template <class... O> struct Options : O... {
-    static_assert(((UnhandledPolicy<O> || Watcher<O>)&&...),
+    static_assert(((UnhandledPolicy<O> || Watcher<O> || ChildlessPolicy<O>)&&...),
                   "Ansatz: the options of a Machine are IgnoreUnhandled, CountUnhandled, LogUnhandled<>, "
-                  "RefuseUnhandled, and watchers: structs with void operator()(const Happening&)");
+                  "RefuseUnhandled, AllowChildless, and watchers: structs with void operator()(const Happening&)");
     static_assert((std::size_t(UnhandledPolicy<O>) + ... + 0) <= 1,
                   "Ansatz: a machine has one way to treat unhandled events");
-    static constexpr bool watched = (Watcher<O> || ...);                         ///< whether anyone wants to be told
+    static constexpr bool watched = (Watcher<O> || ...);           ///< whether anyone wants to be told
+    static constexpr bool childless = (ChildlessPolicy<O> || ...); ///< whether a compound state may be active alone
     static constexpr bool refuses = (std::is_same_v<O, RefuseUnhandled> || ...); ///< whether an unhandled event throws
 
     constexpr Options() = default; ///< each as it is by default

@@ -37,12 +37,13 @@ struct Outline {
             exit,                             ///< done when it is left
             each;                             ///< done at every update
         std::string behaviour;                ///< the name of its class
+        bool childless = false;               ///< it is entered without any of the states in it
         long line = 0;                        ///< in its file
         /// The same, in whatever line.
         friend bool operator==(const State& a, const State& b) {
             return a.name == b.name && a.kind == b.kind && a.parent == b.parent && a.initial == b.initial &&
                    a.initial_content == b.initial_content && a.entry == b.entry && a.exit == b.exit &&
-                   a.each == b.each && a.behaviour == b.behaviour;
+                   a.each == b.each && a.behaviour == b.behaviour && a.childless == b.childless;
         }
     };
     /// A transition. They are in the order of their sources.
@@ -123,6 +124,7 @@ template <class Node> void outline_state(Outline& outline, const Node& node, std
     std::size_t entries = 0, exits = 0, updates = 0;
     each_part<part_initial>(node, [&](const Initial& i) { state.initial = {std::string(i.state)}; });
     each_part<part_to>(node, [&](const To& t) { state.initial = {std::string(t.state)}; });
+    each_part<part_no_initial>(node, [&](const NoInitial&) { state.childless = true; });
     state.entry = contents_of<part_entry>(node, node.name, "entry", entries, namer);
     state.exit = contents_of<part_exit>(node, node.name, "exit", exits, namer);
     state.each = contents_of<part_each>(node, node.name, "update", updates, namer);

@@ -36,6 +36,7 @@ public:
         std::fill(recorded_.begin(), recorded_.end(), char(0));
         leaves_.clear();
     }
+    const auto& leaves() const { return leaves_; }
     bool started() const { return !leaves_.empty(); }
     bool has(std::size_t s) const { return s == 0 ? started() : active_[s] != 0; }
     std::size_t first_leaf(const Chart<Context>&) const { return leaves_.empty() ? 0 : leaves_.front(); }
@@ -56,11 +57,12 @@ public:
         for (const auto t : targets) descend(c, t);
         for (const auto t : targets) ascend(c, t, 0);
         for (std::size_t s = 0; s < c.state_count(); ++s)
-            if ((s == 0 || enters_[s]) && c.states_[s].kind == Kind::state && c.states_[s].initial.count > 0) {
+            if ((s == 0 || enters_[s]) && c.states_[s].kind == Kind::state &&
+                (c.states_[s].initial.count > 0 || c.states_[s].childless)) {
                 std::size_t inside = 0;
                 for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end)
                     inside += std::size_t(enters_[child]);
-                if (inside != 1) return false;
+                if (inside != 1 && (inside != 0 || !c.states_[s].childless)) return false;
             }
         for (std::size_t s = 1; s < c.state_count(); ++s)
             if (enters_[s] && stays(s)) active_[s] = 1, enters_[s] = 0;
@@ -206,12 +208,20 @@ private:
             if (restored_[s] != nowhere) machine.perform(context, c.states_[restored_[s]].initial_content);
             if (c.states_[s].kind == Kind::final) ended(machine, s);
         }
+        find_leaves(c);
+    }
+    // The innermost active states.
+    void find_leaves(const Chart<Context>& c) {
         leaves_.clear();
-        for (std::size_t s = 1; s < c.state_count(); ++s)
-            if (active_[s] && c.states_[s].initial.count == 0 && c.states_[s].kind != Kind::parallel)
-                leaves_.push_back(std::uint16_t(s));
-            else if (active_[s] && c.states_[s].kind == Kind::parallel && c.states_[s].end == s + 1)
-                leaves_.push_back(std::uint16_t(s));
+        for (std::size_t s = 1; s < c.state_count(); ++s) {
+            const auto& state = c.states_[s];
+            if (!active_[s] || state.initial.count > 0 || (state.kind == Kind::parallel && state.end != s + 1))
+                continue;
+            bool inside = false;
+            for (std::size_t child = s + 1; state.childless && child < state.end; child = c.states_[child].end)
+                inside = inside || active_[child] != 0;
+            if (!inside) leaves_.push_back(std::uint16_t(s));
+        }
     }
     void ended(auto& machine, std::size_t s) {
         const auto& c = *machine.chart_;

@@ -125,6 +125,7 @@ struct Identity {
         for (const auto& s : outline.states) {
             states.push_back(s.name);
             add(s.name), add(std::size_t(s.kind)), add(s.parent), add(s.behaviour);
+            if (s.childless) add(std::size_t(1) << 32);
             names(s.initial), contents(s.initial_content), contents(s.entry), contents(s.exit), contents(s.each);
         }
         for (const auto& t : outline.transitions) {

@@ -172,7 +172,7 @@ private:
         if (depth > most_depth) wrong(node, "it is nested more than 256 deep");
         if (outline_.states.size() >= 0xfff0) wrong(node, "it has more than 65519 states");
         if (what == "history") return history(node, parent);
-        auto a = what == "state" ? attributes(node, {"id", "initial", "ansatz:class"})
+        auto a = what == "state" ? attributes(node, {"id", "initial", "ansatz:class", "ansatz:initial"})
                                  : attributes(node, {"id", "ansatz:class"});
         const std::size_t me = outline_.states.size();
         Outline::State state;
@@ -181,7 +181,10 @@ private:
         state.parent = parent;
         state.initial = words(a["initial"]);
         state.behaviour = a["ansatz:class"];
+        state.childless = a["ansatz:initial"] == "none";
         state.line = line_of(node);
+        if (!state.childless && !a["ansatz:initial"].empty())
+            wrong(node, "ansatz:initial is " + shown(a["ansatz:initial"]) + "; it can be \"none\"");
         if (state.name.empty()) wrong(node, tag(node) + " has no id");
         outline_.states.push_back(std::move(state));
         const auto inside = elements(node);

@@ -39,7 +39,7 @@ public:
     }
     std::string write() {
         bool own = false;
-        for (const auto& s : outline_.states) own = own || !s.each.empty() || !s.behaviour.empty();
+        for (const auto& s : outline_.states) own = own || !s.each.empty() || !s.behaviour.empty() || s.childless;
         text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<scxml xmlns=\"http://www.w3.org/2005/07/scxml\"";
         if (own) text_ += " xmlns:ansatz=\"urn:ansatz:states\"";
         text_ += " version=\"1.0\"";
@@ -112,6 +112,7 @@ private:
         if (is_history(s.kind)) attribute("type", s.kind == Kind::deep_history ? "deep" : "shallow");
         const bool element = !s.initial_content.empty();
         if (!is_history(s.kind) && !element) attribute("initial", joined(s.initial));
+        if (s.childless) attribute("ansatz:initial", "none");
         attribute("ansatz:class", s.behaviour);
         text_ += ">\n";
         if (is_history(s.kind)) begin(s, depth + 1);

@@ -283,7 +283,7 @@ private:
         tell(Happening::What::exited, S);
     }
     template <std::size_t Leaf, std::size_t S> void remember() {
-        static constexpr std::uint16_t child = M::child_towards(S, Leaf);
+        static constexpr std::uint16_t child = Leaf == S ? std::uint16_t(S) : M::child_towards(S, Leaf);
         for (std::size_t h = S + 1; h < M::rows.states[S].end; ++h)
             if (is_history(M::rows.states[h].kind) && M::parent(h) == S)
                 history_[h] = M::rows.states[h].kind == Kind::deep_history ? std::uint16_t(Leaf) : child;
@@ -303,7 +303,7 @@ private:
     // Enters all from below Domain to Target and on to a leaf.
     template <std::size_t Domain, std::size_t Target> void enter_from(Context& context) {
         constexpr auto in = M::entries(Domain, Target);
-        constexpr std::size_t last = in.at[in.size - 1];
+        constexpr std::size_t last = in.size == 0 ? Target : in.at[in.size - 1];
         constexpr bool restores = is_history(M::rows.states[last].kind);
         [&]<std::size_t... I>(std::index_sequence<I...>) {
             (enter<in.at[I]>(context), ...);
