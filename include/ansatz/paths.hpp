@@ -17,6 +17,7 @@
 #include <ansatz/paths/dimacs.hpp>
 #include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/formation.hpp>
+#include <ansatz/paths/gate_search.hpp>
 #include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/graph.hpp>
@@ -29,7 +30,6 @@
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
-#include <ansatz/paths/hierarchy.hpp>
 #include <ansatz/paths/lazy_theta.hpp>
 #include <ansatz/paths/moving_ai.hpp>
 #include <ansatz/paths/nodes.hpp>
