@@ -57,7 +57,7 @@ int main() {
     for (const std::size_t side : {96, 192, 384, 768}) {
         auto map = rooms(side, random);
         //! [find]
-        Hierarchy search{map}; // once for a map
+        GateSearch search{map}; // once for a map
         const Cell start{2, 2}, goal{std::uint16_t(side - 8), std::uint16_t(side - 8)};
         const bool found = search.find(start, goal) == Outcome::found;
         //! [find]
@@ -89,7 +89,7 @@ int main() {
         //! [change]
         claim("a change is local", search.remade() <= 4);
         claim("and the search as it would be with all made again", [&] {
-            Hierarchy anew{map};
+            GateSearch anew{map};
             anew.find(start, goal);
             return std::equal(anew.path().begin(), anew.path().end(), search.path().begin(), search.path().end());
         }());

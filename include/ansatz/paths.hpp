@@ -17,6 +17,7 @@
 #include <ansatz/paths/dimacs.hpp>
 #include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/formation.hpp>
+#include <ansatz/paths/gate_search.hpp>
 #include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/graph.hpp>

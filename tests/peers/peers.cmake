@@ -52,6 +52,7 @@ ansatz_peer(peer_ode_pile peers/collision/ode_pile.cpp ANSATZ_PEER_ODE "${ANSATZ
 # Path finding is held against Boost.Graph, which is there.
 add_executable(peers_paths EXCLUDE_FROM_ALL peers/paths/main.cpp)
 target_link_libraries(peers_paths PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
+target_compile_definitions(peers_paths PRIVATE "ANSATZ_PROJECT_FOLDER=\"${PROJECT_SOURCE_DIR}\"")
 target_include_directories(peers_paths PRIVATE ${PROJECT_SOURCE_DIR}/tools)
 set_target_properties(peers_paths PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 

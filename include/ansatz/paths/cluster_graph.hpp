@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `ClusterGraph`: the gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `Hierarchy` searches.
+/// `ClusterGraph`: the gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `GateSearch` searches.
 ///
 /// Its vertices are tiles, of which only gates, the start and the goal have edges; they have the numbers that the grid
 /// gives them. It has as much of Boost.Graph's IncidenceGraph as a search asks for; edges do not know where they begin.
@@ -24,7 +24,7 @@
 
 namespace ansatz::paths {
 
-/// The gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `Hierarchy` searches.
+/// The gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `GateSearch` searches.
 template <class Map> class ClusterGraph {
 public:
     using default_cost = std::uint32_t;                        ///< as on a grid

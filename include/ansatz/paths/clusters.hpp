@@ -3,7 +3,7 @@
 
 /// \file
 /// `Clusters`: a grid cut into squares, and the few tiles by which one gets from square to square, as a graph: what
-/// `Hierarchy` searches (HPA*, Botea, Mueller and Schaeffer 2004; notes 6.3: the cost of a search grows with what it
+/// `GateSearch` searches (HPA*, Botea, Mueller and Schaeffer 2004; notes 6.3: the cost of a search grows with what it
 /// looks at).
 ///
 /// Where two squares touch, tiles that are free on both sides make up an entrance. Of every entrance some pairs of

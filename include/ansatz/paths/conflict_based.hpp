@@ -134,7 +134,7 @@ public:
         if (cells.empty()) refuse_value("ConflictBased::at", "the outcome", std::string(name_of(outcome_)), why());
         return at_step(cells, step);
     }
-    Outcome outcome() const { return outcome_; }
+    Outcome outcome() const { return outcome_; } ///< of the last search
     /// What all plans cost together, 33461 a straight step and 47321 a diagonal one; 0 where none was found.
     std::uint64_t cost() const {
         std::uint64_t sum = 0;

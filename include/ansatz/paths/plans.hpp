@@ -42,10 +42,12 @@ struct Meeting {
         change_places, ///< each goes where the other was
         cross,         ///< their diagonal steps cross
     };
-    std::size_t first = 0, second = 0; ///< who, by their places in the list
-    std::uint32_t step = 0;            ///< in which step; for those who move, that in which their moves begin
-    Kind kind{};                       ///< how
-    Move one, other;                   ///< what the first and the second do in that step
+    std::size_t first = 0;  ///< who, by the place in the list
+    std::size_t second = 0; ///< and who else; behind the first
+    std::uint32_t step = 0; ///< in which step; for those who move, that in which their moves begin
+    Kind kind{};            ///< how
+    Move one;               ///< what the first does in that step
+    Move other;             ///< what the second does
 };
 
 /// Where an agent is in a step of its plan.

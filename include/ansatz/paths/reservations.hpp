@@ -202,6 +202,7 @@ template <class Cost> struct TimedWeights {
     }
 };
 
+/// The steps that are free, waiting among them.
 template <class M, class T>
 std::pair<TimedEdges<M, T>, TimedEdges<M, T>> out_edges(const Timed& v, const TimedGrid<M, T>& g) {
     return {TimedEdges<M, T>(g, v, 0), TimedEdges<M, T>(g, v, 9)};
@@ -213,6 +214,7 @@ template <class M, class T> std::size_t out_degree(const Timed& v, const TimedGr
 template <class M, class T> Timed source(const TimedEdge& e, const TimedGrid<M, T>&) { return e.from; }
 template <class M, class T> Timed target(const TimedEdge& e, const TimedGrid<M, T>&) { return e.to; }
 template <class M, class T> TimedWeights<double> get(boost::edge_weight_t, const TimedGrid<M, T>&) { return {}; }
+/// What steps cost in the number of a search.
 template <class M, class T, class Cost>
 TimedWeights<Cost> edge_weights(const TimedGrid<M, T>&, std::type_identity<Cost>) {
     return {};

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: BSL-1.0
-// `./workbook peers paths`: A* beside boost::astar_search and a loop written by hand, and a planner beside linear
-// scans.
+// `./workbook peers paths`: A* beside boost::astar_search and a loop written by hand, a planner beside linear scans,
+// and ways for groups and for long paths beside single searches.
 
 #include "tests/paths/data.hpp"
 #include "tests/peers/contest.hpp"
+#include "tests/peers/paths/groups.hpp"
 #include "tests/peers/paths/hand.hpp"
 #include "tests/peers/paths/soldier.hpp"
 #include "tests/peers/paths/textbook.hpp"
 
 #include <ansatz/paths.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
 #include <string>
 #include <vector>
+
+std::string project_folder() { return ANSATZ_PROJECT_FOLDER; } // tests/main.cpp, which has it else, is not in this
 
 using namespace ansatz;
 using namespace ansatz::paths;
@@ -214,9 +218,22 @@ int main(int argc, char** argv) {
                 far.push_back({s.start, s.goal});
             }
             on_a_map(contest, "game map " + name, map, far, random);
+            peers::gates(contest, "game map " + name, map, scenarios);
         }
     const auto map = rooms(random);
-    on_a_map(contest, "rooms", map, random_queries(map, random, 40, 0), random);
+    const auto far = random_queries(map, random, 40, 0);
+    on_a_map(contest, "rooms", map, far, random);
+    // The goal of the longest query: in the part of the map that is not cut off.
+    const auto goal = std::max_element(far.begin(), far.end(), [](const Query& a, const Query& b) {
+                          const auto apart = [](const Query& q) {
+                              return std::max(std::abs(q.start.x - q.goal.x), std::abs(q.start.y - q.goal.y));
+                          };
+                          return apart(a) < apart(b);
+                      })->goal;
+    peers::to_one_goal(contest, "rooms", map, goal, random);
+    peers::tick(contest, map, goal, random);
+    peers::weights(contest, "rooms", map, goal, random);
+    peers::inconsistent(contest);
     contest.write(folder);
     return 0;
 }

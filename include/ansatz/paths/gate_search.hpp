@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// `Hierarchy`: long paths on large grids, found from gate to gate and then step by step (HPA*, Botea, Mueller and
+/// `GateSearch`: long paths on large grids, found from gate to gate and then step by step (HPA*, Botea, Mueller and
 /// Schaeffer 2004; notes 6.3).
 ///
 /// ```
-/// Hierarchy search{map};                                           // once for a map
+/// GateSearch search{map};                                           // once for a map
 /// if (search.find(start, goal) == Outcome::found) walk(search.path());
 /// ```
 ///
@@ -37,17 +37,17 @@
 namespace ansatz::paths {
 
 /// \tparam Map a Grid
-template <class Map> class Hierarchy {
+template <class Map> class GateSearch {
 public:
     using Cost = std::uint32_t; ///< as on a grid
     /// \param map  looked at, never copied: it must live as long as this
     /// \param side of a square, in tiles
     /// \throws std::invalid_argument for a side that is not from 4 to 64
-    explicit Hierarchy(const Map& map, std::size_t side = 32)
+    explicit GateSearch(const Map& map, std::size_t side = 32)
         : clusters_(map, side), graph_(clusters_), gates_(graph_, Buckets{}), tiles_(map, Buckets{}) {}
-    explicit Hierarchy(const Map&&, std::size_t = 32) = delete; // a map that is gone after this line
-    Hierarchy(const Hierarchy&) = delete;                       // its searches look at its own gates
-    Hierarchy& operator=(const Hierarchy&) = delete;
+    explicit GateSearch(const Map&&, std::size_t = 32) = delete; // a map that is gone after this line
+    GateSearch(const GateSearch&) = delete;                      ///< its searches look at its own gates
+    GateSearch& operator=(const GateSearch&) = delete;           ///< the same
 
     /// Finds a path.
     /// \throws std::invalid_argument for a start or goal outside the map
@@ -56,8 +56,8 @@ public:
         remade_ = clusters_.update();
         path_.clear();
         looked_at_ = 0;
-        detail::require_vertex("Hierarchy::find", "start", map, start);
-        detail::require_vertex("Hierarchy::find", "goal", map, goal);
+        detail::require_vertex("GateSearch::find", "start", map, start);
+        detail::require_vertex("GateSearch::find", "goal", map, goal);
         const std::size_t near = 4 * clusters_.side() * clusters_.side();
         outcome_ = Outcome::gave_up;
         if (apart(start, goal) <= 2 * clusters_.side()) {
@@ -150,9 +150,9 @@ private:
     std::size_t looked_at_ = 0, remade_ = 0;
     Outcome outcome_ = Outcome::not_begun;
 };
-/// `Hierarchy{map}`.
-template <class Map> Hierarchy(const Map&) -> Hierarchy<Map>;
-/// `Hierarchy{map, 16}`.
-template <class Map> Hierarchy(const Map&, std::size_t) -> Hierarchy<Map>;
+/// `GateSearch{map}`.
+template <class Map> GateSearch(const Map&) -> GateSearch<Map>;
+/// `GateSearch{map, 16}`.
+template <class Map> GateSearch(const Map&, std::size_t) -> GateSearch<Map>;
 
 } // namespace ansatz::paths

@@ -3,7 +3,7 @@
 // less was looked at, on the maps of games; and changes of the map.
 // Runs long with the sanitizers.
 
-#include <ansatz/paths/hierarchy.hpp>
+#include <ansatz/paths/gate_search.hpp>
 
 #include <ansatz/paths/moving_ai.hpp>
 
@@ -30,7 +30,7 @@ TEMPLATE_TEST_CASE("there is a path by way of gates where there is one on the ti
             }
         if constexpr (!std::is_same_v<typename TestType::ground, Even>)
             for (int k = 0; k < 500; ++k) map.set_weight(random_cell(random, w, h), 1 + double(random() % 5));
-        Hierarchy search{map, 4 + random() % 6};
+        GateSearch search{map, 4 + random() % 6};
         AStar tiles{map};
         for (int k = 0; k < 30; ++k) {
             const Cell start = random_cell(random, w, h), goal = random_cell(random, w, h);
@@ -71,7 +71,7 @@ void on_the_map(const std::string& name, double most, double least_saved) {
     auto scenarios = read_moving_ai_scenarios(folder + "/movingai/" + name + ".map.scen");
     std::sort(scenarios.begin(), scenarios.end(), [](const auto& a, const auto& b) { return a.length < b.length; });
     const auto grid = map.grid();
-    Hierarchy search{grid};
+    GateSearch search{grid};
     AStar tiles{grid};
     const bool all = std::getenv("ANSATZ_ALL_SCENARIOS") != nullptr;
     const std::size_t step = all ? 1 : std::max<std::size_t>(1, scenarios.size() / 120);
@@ -119,7 +119,7 @@ TEST_CASE("paths by way of gates on MovingAI's maps: rooms, a maze, stones", "[h
 TEST_CASE("a search after a change is that of a hierarchy that is built anew", "[hierarchy]") {
     std::mt19937 random(163);
     auto map = random_map(random, 90, 70, 0.25);
-    Hierarchy search{map, 8};
+    GateSearch search{map, 8};
     std::size_t remade = 0, most = 0;
     int found = 0;
     for (int i = 0; i < 150; ++i) {
@@ -127,7 +127,7 @@ TEST_CASE("a search after a change is that of a hierarchy that is built anew", "
         const Cell start = random_cell(random, 90, 70), goal = random_cell(random, 90, 70);
         const auto outcome = search.find(start, goal);
         remade += search.remade(), most = std::max(most, search.remade());
-        Hierarchy anew{map, 8};
+        GateSearch anew{map, 8};
         REQUIRE(anew.find(start, goal) == outcome);
         REQUIRE(std::equal(search.path().begin(), search.path().end(), anew.path().begin(), anew.path().end()));
         CHECK(search.expanded() == anew.expanded());
@@ -140,6 +140,6 @@ TEST_CASE("a search after a change is that of a hierarchy that is built anew", "
     CHECK_THAT(refusal([&] {
                    search.find({0, 0}, {90, 3});
                }),
-               ContainsSubstring("Hierarchy::find: goal is (90, 3); the map has 90 x 70 tiles"));
-    CHECK_THAT(refusal([&] { search.find({90, 0}, {0, 3}); }), ContainsSubstring("Hierarchy::find: start is (90, 0)"));
+               ContainsSubstring("GateSearch::find: goal is (90, 3); the map has 90 x 70 tiles"));
+    CHECK_THAT(refusal([&] { search.find({90, 0}, {0, 3}); }), ContainsSubstring("GateSearch::find: start is (90, 0)"));
 }
