@@ -2,11 +2,12 @@
 // 1.6.4 Verlet: the velocity is in the history of positions, and time can be run backwards
 
 // Put v = (s_x - s_{x-1}) / dt into Euler's equations and the velocity disappears: s_{x+1} = s_x + (s_x - s_{x-1}) + a
-// dt^2. Three things that the notes leave out decide whether this is a good method:
+// dt^2. Four things that the notes leave out decide whether this is a good method:
 // - The start. There is no s_{-1}; it must be made as s_0 - v_0 dt + a_0 dt^2 / 2. Without the last term the method is
 // of
 //   first order, and with s_{-1} = s_0 it computes the path of a body that started at rest.
 // - The velocity (s_x - s_{x-1}) / dt belongs to half a step ago. World::velocity brings it to the present.
+// - A step that changes: s_x - s_{x-1} was the way of the old step, and must be carried to the new one.
 // - "Reversible" holds without damping, for a fixed step and forces of position.
 
 #include "claims.hpp"
@@ -36,6 +37,27 @@ Quantity<unit::Length> by_hand(int n, Quantity<unit::Length> before, Quantity<un
 }
 //! [recursion]
 
+/// Steps of h, 2h, h, 2h and so on, by hand, with omega = 1/s: the error after ten seconds, m, and two velocities
+/// there.
+struct Uneven {
+    double error, mean_velocity_error, velocity_error; // m, m/s, m/s
+};
+//! [uneven]
+Uneven uneven(int n, bool carried) {
+    const double h = 10.0 / (1.5 * n), x0 = 1, v0 = 0.5;
+    double x = x0, old_dt = h, t = 0, before = x0 - v0 * h - 0.5 * x0 * h * h; // a = -x
+    for (int i = 0; i < n; ++i) {
+        const double dt = i % 2 ? h : 2 * h;
+        const double next = carried ? x + (x - before) * dt / old_dt - x * dt * (dt + old_dt) / 2 // as it should be
+                                    : x + (x - before) - x * dt * dt;                             // the notes'
+        before = x, x = next, old_dt = dt, t += dt;
+    }
+    const double v = v0 * std::cos(t) - x0 * std::sin(t), mean = (x - before) / old_dt;
+    return {std::abs(x - x0 * std::cos(t) - v0 * std::sin(t)), std::abs(mean - v),
+            std::abs(mean - 0.5 * x * old_dt - v)}; // half a step of a brings it to the present
+}
+//! [uneven]
+
 int main() {
     workbook::Claims claim;
     std::vector<Quantity<unit::Time>> steps;
@@ -56,6 +78,22 @@ int main() {
     claim("started with s_0 - v_0 dt + a_0 dt^2 / 2, Verlet is of second order", std::abs(order(library) - 2) < 0.02);
     claim("without the last term it is of first order", std::abs(order(first_order) - 1) < 0.05);
     claim("started with s_{-1} = s_0 it does not converge at all", from_rest.back() > 0.2 * metre);
+
+    const auto log2 = [](double coarse, double fine) { return std::log2(coarse / fine); };
+    const auto coarse = uneven(800, true), fine = uneven(1600, true);
+    const double by_the_notes = uneven(1600, false).error;
+    std::cout << "Steps of h and 2h in turn: order " << log2(coarse.error, fine.error)
+              << " if the velocity is carried over, error " << by_the_notes << " m if not\n"
+              << "Order of the velocity: (s_x - s_{x-1}) / dt "
+              << log2(coarse.mean_velocity_error, fine.mean_velocity_error) << ", half a step later "
+              << log2(coarse.velocity_error, fine.velocity_error) << '\n';
+    claim("with steps that vary it is of second order, if the velocity is carried over",
+          std::abs(log2(coarse.error, fine.error) - 2) < 0.05);
+    claim("by the notes' formula it does not converge then",
+          by_the_notes > 0.1 && std::abs(log2(uneven(800, false).error, by_the_notes)) < 0.1);
+    claim("the difference of two positions is the velocity to first order, with half a step of a to second",
+          std::abs(log2(coarse.mean_velocity_error, fine.mean_velocity_error) - 1) < 0.05 &&
+              std::abs(log2(coarse.velocity_error, fine.velocity_error) - 2) < 0.05);
 
     workbook::Plot plot("1.6.4", "The start of the history decides the order");
     plot.x("time step").y("error after 10 s").log_x().log_y();

@@ -39,12 +39,12 @@ int main() {
         return s1 - n * (0.5 - p);
     };
     //! [their point]
-    const double first = point_of_the_notes(0, 0.6), second = point_of_the_notes(0.6, 0);
-    std::cout << "With S1 - N (r1 - p) the point is at " << first << " m or at " << second
+    const double from_one = point_of_the_notes(0, 0.6), from_other = point_of_the_notes(0.6, 0);
+    std::cout << "With S1 - N (r1 - p) the point is at " << from_one << " m or at " << from_other
               << " m, as one or the other sphere comes first\n";
     claim("the notes' two points are a depth apart, and the middle between them is the symmetric one",
-          std::abs(second - first - 0.4) < 1e-12 &&
-              std::abs(0.5 * (first + second) - in(x(touch->point), metre)) < 1e-12);
+          std::abs(from_other - from_one - 0.4) < 1e-12 &&
+              std::abs(0.5 * (from_one + from_other) - in(x(touch->point), metre)) < 1e-12);
 
     // Move the first by p along each form of the normal: they should end one diameter apart.
     std::vector<double> distances;
