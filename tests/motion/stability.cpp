@@ -2,6 +2,7 @@
 
 // Hard cases I2, I5 and I6: exact growth, sharp limits, and what damping does to them.
 
+#include "tests/measured.hpp"
 #include "tests/motion/support.hpp"
 
 using namespace motion_tests;
@@ -49,14 +50,17 @@ TEST_CASE("I2 exact growth: explicit and implicit Euler by (1 + omega^2 h^2)^(+-
     for_each_type(Types<Space<double, 2>, Space<double, 3>>{}, [&]<class S> {
         const double out = growth<S, ExplicitEuler>(), in = growth<S, ImplicitEuler>();
         INFO("explicit " << out << ", should be " << factor << "; implicit " << in << ", should be " << 1 / factor);
-        CHECK(std::abs(out / factor - 1) <= 1e-12);
-        CHECK(std::abs(in * factor - 1) <= 1e-12);
+        CHECK(
+            test::measured("I2", "error of ExplicitEuler's growth", std::abs(out / factor - 1), test::at_most(1e-12)));
+        CHECK(test::measured("I2", "error of ImplicitEuler's decay", std::abs(in * factor - 1), test::at_most(1e-12)));
     });
     for_each_type(Types<Space<float, 2>, Space<float, 3>>{}, [&]<class S> {
         const double out = growth<S, ExplicitEuler>(), in = growth<S, ImplicitEuler>();
         INFO("explicit " << out << ", should be " << factor << "; implicit " << in << ", should be " << 1 / factor);
-        CHECK(std::abs(out / factor - 1) <= 1e-4);
-        CHECK(std::abs(in * factor - 1) <= 1e-4);
+        CHECK(test::measured("I2", "error of ExplicitEuler's growth in float", std::abs(out / factor - 1),
+                             test::at_most(1e-4)));
+        CHECK(test::measured("I2", "error of ImplicitEuler's decay in float", std::abs(in * factor - 1),
+                             test::at_most(1e-4)));
     });
 }
 

@@ -14,6 +14,7 @@
 #include <ansatz/world.hpp>
 #include <ansatz/world/fixed_step.hpp>
 
+#include "tests/measured.hpp"
 #include "tests/states/support.hpp"
 
 #include <random>
@@ -171,9 +172,10 @@ TEST_CASE("hysteresis in noise: transitions against band width (hard case P6)", 
     for (int w = 0; w < 5; ++w) {
         const double expected = n * 0.5 * std::erfc(w / std::sqrt(2.0));
         INFO("half-width " << w << " sigma: " << found[w] << " transitions, the law says " << expected);
-        CHECK(std::abs(found[w] - expected) <= 5 * std::sqrt(expected));
+        CHECK(test::measured("P6", "transitions with a band of " + std::to_string(w) + " sigma", found[w],
+                             test::about(expected, 5 * std::sqrt(expected))));
     }
-    CHECK(found[5] <= 1);
+    CHECK(test::measured("P6", "transitions with a band of 5 sigma", found[5], test::at_most(1)));
     CHECK_THAT(refusal([&] { band(v, 1.0, -0.1); }), ContainsSubstring("half_width is -0.1"));
     CHECK_THAT(refusal([&] { band(v, 1.0, double(NAN)); }), ContainsSubstring("half_width is nan"));
 }
@@ -222,8 +224,8 @@ TEST_CASE("times are seconds: the same scenario at 30, 60 and 240 updates a seco
     };
     const int at60 = scenario(60);
     CHECK(at60 > 20);
-    CHECK(std::abs(scenario(30) - at60) <= 1);
-    CHECK(std::abs(scenario(240) - at60) <= 1);
+    CHECK(test::measured("P7", "transitions at 30 Hz", scenario(30), test::about(at60, 1)));
+    CHECK(test::measured("P7", "transitions at 240 Hz", scenario(240), test::about(at60, 1)));
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <ansatz/water/pipes.hpp>
 
+#include "tests/measured.hpp"
 #include "tests/water/support.hpp"
 
 using namespace water_tests;
@@ -98,8 +99,10 @@ TEST_CASE("a seiche has the period of shallow water, to second order (hard case 
         }
         errors.push_back(std::abs((last - first) / 4 / 6.385509 - 1));
     }
-    CHECK(errors[2] <= 1e-4);
-    CHECK(order(errors) >= 1.95);
+    //! [measured]
+    CHECK(test::measured("W5", "Pipes: error of the period, 64 columns", errors[2], test::at_most(1e-4)));
+    CHECK(test::measured("W5", "Pipes: order of convergence", order(errors), test::at_least(1.95)));
+    //! [measured]
 }
 
 TEST_CASE("low waves over level water are those of the columns", "[water]") {

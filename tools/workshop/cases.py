@@ -17,6 +17,7 @@ from __future__ import annotations
 import argparse
 import glob
 import html
+import itertools
 import json
 import os
 import re
@@ -183,7 +184,7 @@ def why_it_failed(output: str) -> str:
     lines = [line.strip() for line in output.split("\n")]
     for number, line in enumerate(lines):
         if line.endswith("FAILED:"):
-            told = [part for part in lines[number + 1:number + 9] if not re.fullmatch("[-=.]{9,}", part)]
+            told = list(itertools.takewhile(lambda part: not re.fullmatch("[-=.]{9,}", part), lines[number + 1:number + 9]))
             place = re.sub(r"^.*?(tests/\S+:[0-9]+).*$", r"\1", line.removesuffix("FAILED:").rstrip(": "))
             return f"{place}: " + " ".join(" ".join(told).split())[:300]
     said = [line for line in lines if line]
