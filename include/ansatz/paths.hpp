@@ -30,7 +30,6 @@
 #include <ansatz/paths/grid/neighbours.hpp>
 #include <ansatz/paths/heap.hpp>
 #include <ansatz/paths/heuristics.hpp>
-#include <ansatz/paths/hierarchy.hpp>
 #include <ansatz/paths/implicit_graph.hpp>
 #include <ansatz/paths/lazy_theta.hpp>
 #include <ansatz/paths/moving_ai.hpp>
