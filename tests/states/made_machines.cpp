@@ -108,7 +108,8 @@ template <class D> bool same_in_all(std::mt19937& random) {
     return without_numbers(trace) == oracle.trace && trace == text(b) && trace == text(c) && trace == text(d);
 }
 
-#ifdef ANSATZ_FEWER_TYPES // the sanitizers of .ci/run, for the time of compiling: four of each kind, with both histories
+#ifdef ANSATZ_FEWER_TYPES // the sanitizers of .ci/run, for the time of compiling: four of each kind, with both
+                          // histories
 constexpr std::uint32_t how_many = 8;
 #else
 constexpr std::uint32_t how_many = 50;

@@ -23,19 +23,19 @@ namespace ansatz::paths {
 /// \tparam Parallel whether two steps may lead from one place to the same other one
 template <class Vertex, class Edge, class OutEdges, class Parallel = boost::allow_parallel_edge_tag>
 struct ImplicitGraphTraits {
-    using vertex_descriptor = Vertex;
-    using edge_descriptor = Edge;
-    using out_edge_iterator = OutEdges;
-    using directed_category = boost::directed_tag;
-    using edge_parallel_category = Parallel;
-    using traversal_category = boost::incidence_graph_tag;
-    using degree_size_type = std::size_t;
-    using vertices_size_type = std::size_t;
-    using edges_size_type = std::size_t;
-    using adjacency_iterator = void;
-    using in_edge_iterator = void;
-    using vertex_iterator = void;
-    using edge_iterator = void;
+    using vertex_descriptor = Vertex;                      ///< a place
+    using edge_descriptor = Edge;                          ///< a step
+    using out_edge_iterator = OutEdges;                    ///< over the steps out of a place
+    using directed_category = boost::directed_tag;         ///< one way
+    using edge_parallel_category = Parallel;               ///< whether two steps may join the same places
+    using traversal_category = boost::incidence_graph_tag; ///< out edges, and nothing else
+    using degree_size_type = std::size_t;                  ///< of how many steps lead out
+    using vertices_size_type = std::size_t;                ///< of how many places there are
+    using edges_size_type = std::size_t;                   ///< of how many steps there are
+    using adjacency_iterator = void;                       ///< none
+    using in_edge_iterator = void;                         ///< none
+    using vertex_iterator = void;                          ///< none
+    using edge_iterator = void;                            ///< none
 };
 
 } // namespace ansatz::paths
