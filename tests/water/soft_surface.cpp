@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The net of bodies and springs by itself: how it swings, how it rests, what is built, and what is refused.
+// Runs long with the sanitizers.
 
 #include <ansatz/springs.hpp>
 #include <ansatz/water/soft_surface.hpp>
