@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// `ClusterGraph`: the gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `GateSearch` searches.
+/// `ClusterGraph`: the gates of a grid with a start and a goal, as a graph of Boost.Graph: what a `GateSearch`
+/// searches.
 ///
 /// Its vertices are tiles, of which only gates, the start and the goal have edges; they have the numbers that the grid
 /// gives them. It has as much of Boost.Graph's IncidenceGraph as a search asks for; edges do not know where they begin.
