@@ -18,6 +18,7 @@
 #include <ansatz/paths/cost.hpp>
 #include <ansatz/units/describe.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -59,7 +60,7 @@ struct Buckets {
         bool empty() const { return occupied_ == 0 && far_.empty() && late_.empty(); }
         /// No entry has a smaller f than this.
         Cost least_f() {
-            if (!late_.empty()) return least_late();
+            if (!late_.empty()) return late_.front().f;
             const std::uint64_t first = occupied_ == 0 ? far_least_ : first_bucket();
             if constexpr (std::is_integral_v<Cost>) return Cost(Cost(first) << shift_);
             else // a little less, since f was rounded on its way into the bucket
@@ -108,6 +109,7 @@ struct Buckets {
         struct Late {
             Cost f;
             Vertex vertex;
+            bool operator<(const Late& other) const { return other.f < f; } // the least on top
         };
         template <class Graph> void set_width(const Graph& g) {
             double span = chosen_;
@@ -146,14 +148,10 @@ struct Buckets {
             if (bucket.empty()) occupied_ &= ~(std::uint64_t(1) << place);
             return v;
         }
-        [[gnu::noinline, gnu::cold]] Cost least_late() const {
-            Cost least = late_.front().f;
-            for (const auto& entry : late_) least = entry.f < least ? entry.f : least;
-            return least;
-        }
         [[gnu::noinline]] void push_outside(std::uint64_t bucket, Cost f, const Vertex& v) {
             if (bucket < base_) { // an inconsistent heuristic: f fell
                 late_.push_back({f, v});
+                std::push_heap(late_.begin(), late_.end());
                 soon_ = 0;
                 return;
             }
@@ -163,7 +161,8 @@ struct Buckets {
         }
         [[gnu::noinline]] Vertex pop_outside() {
             if (!late_.empty()) {
-                const Vertex v = late_.back().vertex;
+                const Vertex v = late_.front().vertex;
+                std::pop_heap(late_.begin(), late_.end());
                 late_.pop_back();
                 if (late_.empty()) soon_ = far_least_;
                 return v;
@@ -190,7 +189,7 @@ struct Buckets {
         }
         std::vector<std::vector<Vertex>> ring_;
         std::vector<Far> far_;   ///< beyond the ring
-        std::vector<Late> late_; ///< before it
+        std::vector<Late> late_; ///< before it, a heap by f: in any other order nodes would be looked at far more often
         std::uint64_t occupied_ = 0, base_ = 0;
         std::uint64_t far_least_ = nothing_far; ///< the first bucket of those beyond
         std::uint64_t soon_ =
