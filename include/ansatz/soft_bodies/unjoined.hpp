@@ -27,7 +27,7 @@ template <class... Networks> struct Unjoined {
                   "Ansatz: Unjoined names the springs that it looks at; write e.g. Unjoined<Springs<>>{}");
     using role = roles::Filter;
     using reads = Columns<>;
-    using sees = Types<Networks...>;
+    using sees = Types<Networks...>;                     ///< the networks
     static constexpr std::string_view name = "Unjoined"; ///< in a saved file
     static void parameters(auto&, auto&&) {}
 

@@ -35,6 +35,7 @@ template <class D, class R, class... O> struct MachineOf {
 };
 /// The machine of Interpreted.
 template <class D, class... O> struct MachineOf<D, Interpreted, O...> {
+    /// Whether a state of it may be active without a child.
     static constexpr bool begins_in_none = [] {
         if constexpr (requires { D::machine; }) return Model<D>::rows.childless;
         else return false; // from a file: refused when it is made
