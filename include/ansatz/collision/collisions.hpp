@@ -10,6 +10,7 @@
 /// not looked at with each other; the contacts that a body had when it fell asleep are kept, and hold it.
 
 #include <ansatz/collision/boxes.hpp>
+#include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/facts.hpp>

@@ -145,7 +145,7 @@ SoftSurfaceParts add_soft_surface(World<P...>& world, const SoftSurface& surface
         if (S::dimension == 2 && surface.grid.columns_z() != 1)
             refuse_value(where, "the number of columns along z", std::to_string(surface.grid.columns_z()),
                          "in a world of two dimensions the surface is a channel: 1");
-        const double down = -static_cast<double>(S::convert(world.template get<Gravity>().acceleration).value()[1]);
+        const double down = 0 - static_cast<double>(S::convert(world.template get<Gravity>().acceleration).value()[1]);
         if (!(down > 0))
             refuse_value(where, "the downward part of Gravity", down * metre_per_second_squared,
                          "it must be greater than zero: nothing else holds the surface at its level");
