@@ -10,6 +10,8 @@
 /// ansatz::paths::ImplicitGraphTraits<Vertex, Edge, OutEdges> {};` beside `out_edges`, `out_degree` and `target`. A
 /// graph that stores its edges takes `boost::adjacency_list`.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>

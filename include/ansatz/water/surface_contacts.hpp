@@ -145,9 +145,9 @@ template <class S> struct SurfaceContactRow {
         require_positive(where, "breaks_at", in_si(std::type_identity<unit::Length>{}, breaks_at));
         require_not_negative(where, "radius", in_si(std::type_identity<unit::Length>{}, radius));
         for (std::size_t k = 0; k < 4; ++k) {
-            const auto length_ = in_si(std::type_identity<unit::Length>{}, grid[k]);
-            if (k < 2) require_finite(where, k == 0 ? "x" : "z", length_);
-            else require_positive(where, "width", length_);
+            const auto number = in_si(std::type_identity<unit::Length>{}, grid[k]);
+            if (k < 2) require_finite(where, k == 0 ? "x" : "z", number);
+            else require_positive(where, "width", number);
         }
         if (S::dimension == 2 && nz != 1)
             refuse_value(where, "the number of columns along z", std::to_string(nz),
