@@ -75,12 +75,13 @@ template <class Map> std::uint64_t least_together(const Map& map, const std::vec
 
 TEMPLATE_TEST_CASE("what the plans cost together is the least there is", "[conflict_based]", Grid<>, Grid<Four>,
                    Grid<Eight<NoneFree>>) {
-    std::mt19937 random(97);
+    std::mt19937 random(101);
     int compared = 0, without = 0, dearer_alone = 0, no_order = 0, given_up = 0;
-    for (int i = 0; i < 130; ++i) {
+    for (int i = 0; i < 260; ++i) {
         const bool three = i % 10 == 9;
-        const auto map = three ? random_map<TestType>(random, 3, 3, 0.15)
-                               : random_map<TestType>(random, 3 + random() % 3, 2 + random() % 3, 0.3);
+        const auto high = 2 + random() % 3, wide = 3 + random() % 3; // one after the other: arguments have no order
+        const auto map =
+            three ? random_map<TestType>(random, 3, 3, 0.15) : random_map<TestType>(random, wide, high, 0.3);
         const auto errands = crowd(map, random, three ? 3 : 2);
         if (errands.size() < 2) continue;
         const auto best = least_together(map, errands);

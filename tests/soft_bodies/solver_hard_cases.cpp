@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
+// Runs long with the sanitizers.
 // Hard cases K3 and K8 by solver: how far a hung sheet stretches under each, by its formula, and what each does to the
 // turning of a free one.
 
