@@ -15,9 +15,11 @@ find_package(nlohmann_json 3 CONFIG QUIET)
 find_package(benchmark CONFIG QUIET)
 find_package(pugixml CONFIG QUIET)
 find_package(Threads QUIET)
+find_package(TBB CONFIG QUIET)
 set(wanted
     "nlohmann-json|nlohmann-json3-dev|nlohmann_json::nlohmann_json|<nlohmann/,<ansatz/states/save.hpp>,<ansatz/paths/goap/save.hpp>,\"tools/costs.hpp,\"tools/costs/json.hpp"
     "Threads|libc6-dev|Threads::Threads|<thread>"
+    "oneTBB|libtbb-dev|TBB::tbb|<ansatz/execution.hpp>,<ansatz/execution/threads.hpp>,<ansatz/execution/on_threads.hpp>"
     "pugixml|libpugixml-dev|pugixml::pugixml|<ansatz/states/scxml.hpp>"
     "Google Benchmark|libbenchmark-dev|benchmark::benchmark|<benchmark/,\"tools/costs.hpp,\"tools/costs/measure.hpp")
 
