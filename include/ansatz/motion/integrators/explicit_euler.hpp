@@ -4,7 +4,7 @@
 /// \file
 /// `ExplicitEuler`: position and velocity both move with what was known at the beginning of the step (notes 1.6.1).
 ///
-/// Use it to see why nobody uses it: the energy of an undamped spring grows by the factor 1 + (omega dt)^2 in every
+/// Use it to see why it is not used: the energy of an undamped spring grows by the factor 1 + (omega dt)^2 in every
 /// step, at every dt. SemiImplicitEuler costs the same and does not.
 
 #include <ansatz/motion/concepts.hpp>
