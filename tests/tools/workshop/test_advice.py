@@ -142,6 +142,7 @@ class Claims(unittest.TestCase):
                 ("`SteadyPace` is faster.", 1), ("A steady pace costs less\nthan anything.", 1),
                 ("- `SlowMarch` takes twice as long.\n- Other.", 1), ("| `SlowMarch` | pays off late |", 1),
                 ("`SteadyPace` is faster." + row_of_it, 0), ("`SteadyPace`\nis faster." + row_of_it, 0),
+                ("Write `<!-- costs: a b: C < D -->`.", 0), ("Write <!-- costs: a b: C < D -->.", 1),
                 ("`SteadyPace` is faster.\n\nAnother." + row_of_it, 1), ("A ball is faster than `this`.", 0),
                 ("`SteadyPace` is faster: tests/a/b.perf.cpp.", 0), ("`SteadyPace` sees who is faster than the threshold.", 0),
                 ("`SteadyPace` is a word. A ball is faster.", 0),
