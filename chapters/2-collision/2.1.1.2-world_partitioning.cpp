@@ -43,7 +43,7 @@ void draw_cells() {
     scenes::Dice dice(11);
     Boxes<Space<double, 2>> boxes;
     std::vector<scenes::Point> centres;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 27; ++i) {
         const double x = dice.between(0.5, 9.5), y = dice.between(0.5, 5.5);
         centres.emplace_back(x, y);
         boxes.push_back(metres(x - 0.5, y - 0.5), metres(x + 0.5, y + 0.5));

@@ -59,11 +59,11 @@ void draw_cells() {
     std::vector<std::size_t> all;
     scenes::Strokes balls;
     for (int i = 0; i < 110; ++i) {
-        const double spread = i < 60 ? 5 : i < 100 ? 7 : 44;
+        const double spread = i < 60 ? 9 : i < 100 ? 12 : 44;
         const double middle_x = i < 60 ? 17 : i < 100 ? 74 : 50, middle_y = i < 60 ? 26 : i < 100 ? 66 : 50;
         const double x = middle_x + dice.between(-spread, spread), y = middle_y + dice.between(-spread, spread);
-        boxes.push_back(metres(x - 0.5, y - 0.5), metres(x + 0.5, y + 0.5));
-        balls.circle({x, y}, 0.5, 24);
+        boxes.push_back(metres(x - 1, y - 1), metres(x + 1, y + 1));
+        balls.circle({x, y}, 1, 24);
         all.push_back(std::size_t(i));
     }
     Quadtree tree{boxes, 8, {}};

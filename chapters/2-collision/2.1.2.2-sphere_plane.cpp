@@ -23,7 +23,7 @@ namespace {
 
 /// A sphere that is partly below a slope, and what the library says of it.
 void draw_contact() {
-    const scenes::Point normal = scenes::Point(-0.4, 1).normalized(), along(normal[1], -normal[0]), centre(0.25, 0.4);
+    const scenes::Point normal = scenes::Point(-0.4, 1).normalized(), along(normal[1], -normal[0]), centre(-0.25, 0.2);
     const Plane slope{Eigen::Vector3d(-0.4, 1, 0)}; // it makes a unit vector of it
     const auto touch = contact(Sphere{0.5 * metre}, metres(centre[0], centre[1]), slope, metres(0, 0));
     const scenes::Point point(in(x(touch->point), metre), in(y(touch->point), metre));

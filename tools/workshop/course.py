@@ -2,7 +2,8 @@
 """The course as one table: section, program, headers, exercise, tests, page. From the project's folder:
 
     course.py table              prints it, as a page of the site
-    course.py holes              prints a fault for each hole in it, and for each word that is used before it is explained
+    course.py holes              prints a fault for each hole in it, for each word that is used before it is explained,
+                                 and for each link whose text is broken over two lines
 
 A section is a program of chapters/; the rest follows from what its page says at its end ("- Library: ...",
 "- Exercise: ..."), and from the names of files. A section that teaches something to write and has no exercise yet is in
@@ -42,22 +43,25 @@ def in_order(number: str) -> list[int]:
 
 
 @functools.lru_cache(maxsize=None)
-def headers_of_names() -> dict[str, str]:
-    """The header of each type, concept and function: Rope is in springs/spring.hpp."""
-    found: dict[str, str] = {}
-    named = re.compile(r"^ *(?:template <.*> *)?(?:struct|class|concept|enum class|using) ([A-Z]\w+)|"
-                       r"^ *(?:\[\[nodiscard\]\] )?(?:constexpr |inline |template <.*> )*[\w:<>]+(?:<.*>)?&? ([a-z_]+)\(",
-                       re.MULTILINE)
+def headers_of_names() -> dict[str, list[str]]:
+    """The headers of each type, concept and function, by its whole name: ansatz::Rope is in springs/spring.hpp. That which
+    is named after it comes first."""
+    found: dict[str, list[str]] = {}
+    named = re.compile(r" *(?:template <.*> *)?(?:struct|class|concept|enum class|using) ([A-Z]\w+)|"
+                       r" *(?:\[\[nodiscard\]\] )?(?:constexpr |inline |template <.*> )*[\w:<>]+(?:<.*>)?&? ([a-z_]+)\(")
     for folder, _, files in sorted(os.walk("include/ansatz")):
         for file in sorted(files):
             if file in ("module.hpp", "roles.hpp"):
                 continue
-            path = f"{folder}/{file}"
+            path = f"{folder}/{file}".removeprefix("include/ansatz/")
             stem = "".join(word.capitalize() for word in file.removesuffix(".hpp").split("_"))
-            for match in named.finditer(text_of(path)):
-                name = match[1] or match[2]
-                if name == stem or name not in found:
-                    found[name] = path.removeprefix("include/ansatz/")
+            space = "ansatz"
+            for line in text_of(f"{folder}/{file}").split("\n"):
+                if opened := re.match(r"(?:inline )?namespace (ansatz(?:::\w+)*) \{", line):
+                    space = opened[1]
+                if (match := named.match(line)) and path not in (headers := found.setdefault(
+                        f"{space}::{match[1] or match[2]}", [])):
+                    headers.insert(0 if match[1] == stem else len(headers), path)
     return found
 
 
@@ -102,14 +106,14 @@ def bullet(text: str, *names: str) -> str:
     return found[1] if found else ""
 
 
-def headers_in(said: str) -> list[str]:
-    """Those that a bullet names: by path, by a type, or by a link to a function."""
+def headers_in(said: str, module: str) -> list[str]:
+    """Those that a bullet names: by path, by a type, or by a link to a function; of several that of the module."""
     found: list[str] = []
     names = headers_of_names()
-    for path, name in re.findall(r"([a-z_]+(?:/[a-z_0-9]+)+\.hpp)|(?:\\ref ansatz::(?:[a-z_]+::)*|`(?=[A-Z]))([A-Za-z_]+)", said):
-        header = path.removeprefix("ansatz/") or names.get(name, "")
-        if header and os.path.isfile(f"include/ansatz/{header}"):
-            found.append(header)
+    for path, name, short in re.findall(r"([a-z_]+(?:/[a-z_0-9]+)+\.hpp)|\\ref (ansatz(?:::\w+)+)|`([A-Z]\w+)", said):
+        headers = [path.removeprefix("ansatz/")] if path else names.get(name or f"ansatz::{short}", [])
+        own = [header for header in headers if header.startswith(f"{module}/")]
+        found += [header for header in (own or headers)[:1] if os.path.isfile(f"include/ansatz/{header}")]
     return list(dict.fromkeys(found))
 
 
@@ -124,7 +128,7 @@ def sections() -> list[Section]:
         title, text = text_of_sections(text_of(page)).get(label, ("", "")) if os.path.isfile(page) else ("", "")
         found.append(Section(
             number, title.removeprefix(number).strip(), program, chapter, label if title else "",
-            headers_in(bullet(text, "Library")),
+            headers_in(bullet(text, "Library"), chapter.partition("-")[2]),
             re.findall(r"exercise_[a-z0-9_]+", bullet(text, "Exercises?"))))
     return sorted(found, key=lambda section: in_order(section.number))
 
@@ -149,17 +153,18 @@ def row(section: Section) -> str:
     program = section.program.rpartition("/")[2]
     page = f"program_{section.module}_" + re.sub("[^A-Za-z0-9]", "_", program.removesuffix(".cpp"))
     tests = list(dict.fromkeys(test for header in section.headers for test in tests_of(header)))
-    return (f'| \\ref {section.label} "{section.number} {section.title}" | \\ref {page} "{program}" | '
-            + ", ".join(f'\\ref ansatz/{header} "{header}"' for header in section.headers) + " | "
+    said = program.removesuffix(".cpp").partition("-")[2].replace("_", " ")
+    return (f'| \\ref {section.label} "{section.number} {section.title}" | \\ref {page} "{said}" | '
+            + ", ".join(f'\\ref ansatz/{header} "{os.path.basename(header)}"' for header in section.headers) + " | "
             + ", ".join(f'\\ref {label} "{label.removeprefix(f"exercise_{section.module}_")}"'
                         for label in section.exercises) + " | "
-            + ", ".join(f"`{test.removeprefix('tests/')}`" for test in tests) + " |")
+            + ", ".join(os.path.basename(test) for test in tests) + " |")
 
 
 def table() -> str:
     """The page."""
     text = ("# The course in one table {#page_course}\n\nEach section of the notes, with its program, what the library "
-            "has of it, who asks for it, and the tests that hold\nit (`tests/`). `./workbook section 1.7` runs a program, "
+            "has of it, who asks for it, and the tests that hold\nit (in `tests/`). `./workbook section 1.7` runs a program, "
             "`./workbook exercise drag` an exercise.\n")
     chapter = ""
     for section in sections():
@@ -243,6 +248,12 @@ def used_too_early(file: str, page: str) -> list[str]:
     return faults
 
 
+def broken(file: str, page: str) -> list[str]:
+    """Links whose text goes on in the next line: Doxygen ends them there, and what follows is no Markdown any more."""
+    return [f"{file}:{number}: the text of a \\ref goes on in the next line; it stands in one"
+            for number, line in enumerate(page.split("\n"), start=1) if re.search(r'\\ref \S+ "[^"]*$', line)]
+
+
 def main(arguments: list[str]) -> int:
     """One of the two."""
     parser = argparse.ArgumentParser(prog="course.py", description="The course as one table.")
@@ -250,7 +261,7 @@ def main(arguments: list[str]) -> int:
     if parser.parse_args(arguments).asked == "table":
         sys.stdout.buffer.write(table().encode("utf-8", "surrogateescape"))
         return 0
-    faults = holes() + [fault for file in sorted(glob.glob("docs/*.md")) for fault in used_too_early(file, text_of(file))]
+    faults = holes() + [fault for file in sorted(glob.glob("docs/*.md")) for fault in used_too_early(file, text_of(file)) + broken(file, text_of(file))]
     for fault in faults:
         print(fault)
     return 0

@@ -44,6 +44,9 @@ FILES = {
     "include/ansatz/motion/drag.hpp": "struct Drag {\n", "include/ansatz/motion/frame_drag.hpp": "struct FrameDrag {\n",
     "include/ansatz/motion/decay.hpp": "", "include/ansatz/motion/rest.hpp": "inline Motion rest(int a) {\n",
     "tests/motion/drag.cpp": "#include <ansatz/motion/frame_drag.hpp>\n", "tests/motion/decay.cpp": "",
+    # Of another module, and of a namespace of its own: not what is meant.
+    "include/ansatz/collision/rest.hpp": "inline Motion rest(int a) {\n",
+    "include/ansatz/motion/body.hpp": "namespace ansatz::other {\nstruct Drag {\n",
     "tests/world/all.cpp": "#include <ansatz/motion/rest.hpp>\n",
 }
 
@@ -80,8 +83,9 @@ class Table(unittest.TestCase):
             self.assertEqual(rest.headers, ["motion/rest.hpp"])
             self.assertEqual(course.tests_of("motion/frame_drag.hpp"), ("tests/motion/drag.cpp",))
             self.assertEqual(course.tests_of("motion/rest.hpp"), ("tests/world/all.cpp",))
-            self.assertIn('| \\ref section_1_7 "1.7 Drag" | \\ref program_motion_1_7_drag "1.7-drag.cpp" |', course.table())
-            self.assertIn("`motion/drag.cpp`, `motion/decay.cpp` |", course.table())
+            self.assertIn('| \\ref section_1_7 "1.7 Drag" | \\ref program_motion_1_7_drag "drag" | \\ref ansatz/motion/drag.hpp "drag.hpp", ',
+                          course.table())
+            self.assertIn("| drag.cpp, decay.cpp |", course.table())
             self.assertEqual(course.holes(), [])
 
     def test_holes(self) -> None:
@@ -126,6 +130,15 @@ class Words(unittest.TestCase):
             self.assertIn("section_1_7 uses", faults[0])
         self.assertIn("does not use it", course.used_too_early("p", page.replace("*threshold*", "*limit*"))[0])
         self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
+
+
+class Links(unittest.TestCase):
+    """Of pages."""
+
+    def test_broken(self) -> None:
+        """Text in one line, and text that goes on."""
+        self.assertEqual(course.broken("p", 'See \\ref a "one text", and \\ref b "another".\nA "quote\nover" lines.'), [])
+        self.assertEqual(len(course.broken("p", 'See \\ref a "one", \\ref b "a\ntext".')), 1)
 
 
 if __name__ == "__main__":
