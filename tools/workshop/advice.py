@@ -112,7 +112,7 @@ def leaders(rows: list[Row]) -> list[tuple[float, str]]:
     curves = {choice: points for choice in cost_rows.different(row.choice for row in rows)
               if (points := cost_rows.curve(rows, choice))}
     low, high = min(p[0][0] for p in curves.values()), max(p[-1][0] for p in curves.values())
-    grid = [low + (high - low) * i / 400 for i in range(401)]
+    grid = [low + (high - low) * i / 400 for i in range(400)] + [high]
     found: list[tuple[float, str]] = []
     for x in grid:
         times = {choice: y for choice, points in curves.items() if (y := cost_rows.value_at(points, x)) is not None}
@@ -181,29 +181,20 @@ def errors_block(words: str) -> list[str]:
     place, _, errors = words.partition(": ")
     module, axis = place.split(" ", 1)
     table = table_of(module)
-    lines = ["| | error at most | the cheapest | the next | the dearest that gets there | who does not |",
-             "|---|---|---|---|---|---|"]
+    unit = cost_rows.different(row.time_unit for row in table.of(axis))[0]
+    lines = [f"| | error at most | the cheapest, {unit} | the next | the dearest that gets there |", "|---" * 5 + "|"]
     for problem in cost_rows.different(row.problem for row in table.of(axis)):
         here = [row for row in table.of(axis) if row.problem == problem]
-        choices = cost_rows.different(row.choice for row in here)
-        norm = here[0].error_norm
-        first = True
+        first = f"{problem}; {here[0].error_norm}".replace("|", "\\|")
         for error in errors.split():
-            times = sorted((time, choice) for choice in choices
+            times = sorted((time, choice) for choice in cost_rows.different(row.choice for row in here)
                            if (time := cost_rows.time_for(here, choice, float(error))) is not None)
-            if not times:
-                continue
-            without = [choice for choice in choices if choice not in {name for _, name in times}]
-            def told(i: int) -> str:
-                if i >= len(times):
-                    return ""
-                ratio = times[i][0] / times[0][0]
-                return f"`{times[i][1]}`" + (f", {rounded(ratio)} times as long" if i and ratio >= NOISE else
-                                             ", alike" if i else f", {time_text(times[i][0])} {here[0].time_unit}")
-            lines.append(f"| {problem + '; ' + norm if first else ''} | {error} | {told(0)} | {told(1)} | "
-                         f"{told(len(times) - 1) if len(times) > 2 else ''} | "
-                         + ", ".join(f"`{choice}`" for choice in without) + " |")
-            first = False
+            if times:
+                shown = [f"`{choice}`, " + (time_text(time) if i == 0 else "alike" if time < NOISE * times[0][0] else
+                                            f"{rounded(time / times[0][0])} times as long")
+                         for i, (time, choice) in enumerate(times[:2] + (times[-1:] if len(times) > 2 else []))]
+                lines.append(f"| {first} | {error} | " + " | ".join(shown + [""] * (3 - len(shown))) + " |")
+                first = ""
     return lines
 
 

@@ -5,8 +5,10 @@
 /// `UniformGrid`: the world divided into cells of one size, each body tested against those of its own and the next
 /// cells (notes 2.1.1, "World Partitioning").
 ///
-/// Use it where many bodies are of about one size: nothing here is faster. A cell is as wide as the largest of them, so
-/// that a body reaches at most into the next cell on each axis. The notes let a body "exist in multiple partitions";
+/// Use it where many bodies are of about one size: from a few hundred on nothing here is faster. <!-- costs: collision
+/// broadphase/uniform: UniformGrid < SortAndSweep from 256; collision broadphase/uniform: UniformGrid < Octree from
+/// 256; collision broadphase/uniform: UniformGrid < BinarySplit from 256 --> A cell is as wide as the largest of them,
+/// so that a body reaches at most into the next cell on each axis. The notes let a body "exist in multiple partitions";
 /// here it is written down once, in the cell of its lower corner, and looked for in the cells around: each two
 /// neighbours meet once, so no pair has to be remembered or told twice.
 ///
