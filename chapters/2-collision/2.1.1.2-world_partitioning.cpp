@@ -9,11 +9,13 @@
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 using namespace ansatz;
@@ -34,6 +36,34 @@ std::size_t pairs_inside_cells(const scenes::Balls& balls, double cell) {
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j) pairs += cell_of(i) == cell_of(j) && boxes.touch(i, j);
     return pairs;
+}
+
+/// A slice of a world: which pairs a look into each cell alone finds, and which it loses at the walls.
+void draw_cells() {
+    scenes::Dice dice(11);
+    Boxes<Space<double, 2>> boxes;
+    std::vector<scenes::Point> centres;
+    for (int i = 0; i < 27; ++i) {
+        const double x = dice.between(0.5, 9.5), y = dice.between(0.5, 5.5);
+        centres.emplace_back(x, y);
+        boxes.push_back(metres(x - 0.5, y - 0.5), metres(x + 0.5, y + 0.5));
+    }
+    boxes.set_active(boxes.size());
+    scenes::Strokes walls, balls, found, lost;
+    for (double at = 0; at <= 10; at += 2) walls.line({at, 0}, {at, 6});
+    for (double at = 0; at <= 6; at += 2) walls.line({0, at}, {10, at});
+    for (const auto& centre : centres) balls.circle(centre, 0.5);
+    const auto cell = [](const scenes::Point& x) { return std::pair(std::floor(x[0] / 2), std::floor(x[1] / 2)); };
+    for (const auto& [i, j] : find_pairs(UniformGrid{2.0 * metre}, boxes))
+        (cell(centres[i]) == cell(centres[j]) ? found : lost).line(centres[i], centres[j]);
+    workbook::Plot plot("2.1.1.2-cells",
+                        "Cells of 2 m: the pairs across walls are lost to a look into each cell alone");
+    plot.x("x", "m").y("y", "m").equal_axes();
+    balls.draw(plot, "balls");
+    lost.draw(plot, "pairs across a wall");
+    found.draw(plot, "pairs within a cell");
+    walls.draw(plot, "walls of the cells");
+    plot.write();
 }
 
 } // namespace
@@ -82,6 +112,7 @@ int main() {
     // The origin is a corner: the eight cells around it hold all, and each two of them are neighbours.
     claim("where all share one place it saves nothing: N (N - 1) / 2 again", crowded.back() == all.back());
 
+    draw_cells();
     workbook::Plot plot("2.1.1.2", "Cells make the tests grow with N, not with its square, if the bodies are spread");
     plot.x("bodies").y("box tests").log_x().log_y();
     plot.linked_points("every pair", numbers, all)

@@ -10,6 +10,7 @@
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -18,6 +19,63 @@
 using namespace ansatz;
 using scenes::Counting;
 using scenes::Work;
+
+namespace {
+
+/// A square with the boxes that reach into it, divided while it holds more than `threshold`, as Octree does in two
+/// dimensions.
+struct Quadtree {
+    const Boxes<Space<double, 2>>& boxes;
+    std::size_t threshold;
+    scenes::Strokes walls;
+    std::size_t members = 0; ///< bodies in the lists of cells, all lists together
+
+    void divide(const scenes::Point& low, double side, const std::vector<std::size_t>& inside) {
+        if (inside.size() <= threshold) {
+            members += inside.size();
+            walls.box(low, low + scenes::Point(side, side));
+            return;
+        }
+        for (const double right : {0.0, 0.5})
+            for (const double up : {0.0, 0.5}) {
+                const scenes::Point corner = low + side * scenes::Point(right, up);
+                std::vector<std::size_t> part;
+                for (const std::size_t i : inside) {
+                    bool reaches = true;
+                    for (int k = 0; k < 2; ++k)
+                        reaches =
+                            reaches && boxes.lower(k)[i] <= corner[k] + side / 2 && corner[k] <= boxes.upper(k)[i];
+                    if (reaches) part.push_back(i);
+                }
+                divide(corner, side / 2, part);
+            }
+    }
+};
+
+/// Two crowds and a few who stand alone.
+void draw_cells() {
+    scenes::Dice dice(8);
+    Boxes<Space<double, 2>> boxes;
+    std::vector<std::size_t> all;
+    scenes::Strokes balls;
+    for (int i = 0; i < 110; ++i) {
+        const double spread = i < 60 ? 9 : i < 100 ? 12 : 44;
+        const double middle_x = i < 60 ? 17 : i < 100 ? 74 : 50, middle_y = i < 60 ? 26 : i < 100 ? 66 : 50;
+        const double x = middle_x + dice.between(-spread, spread), y = middle_y + dice.between(-spread, spread);
+        boxes.push_back(metres(x - 1, y - 1), metres(x + 1, y + 1));
+        balls.circle({x, y}, 1, 24);
+        all.push_back(std::size_t(i));
+    }
+    Quadtree tree{boxes, 8, {}};
+    tree.divide({0, 0}, 100, all);
+    workbook::Plot plot("2.1.1.3-cells", "A quadtree: a square with more than 8 bodies is divided into four");
+    plot.x("x", "m").y("y", "m").equal_axes();
+    tree.walls.draw(plot, "squares");
+    balls.draw(plot, "bodies");
+    plot.write();
+}
+
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -62,6 +120,7 @@ int main() {
           members.front() > 1.4 * members[5] && tests.front() > 0.8 * tests[5]);
     claim("between 16 and 64 it hardly matters", tests[6] < 4 * tests[4] && members[4] < 2 * members[6]);
 
+    draw_cells();
     workbook::Plot plot("2.1.1.3", "The threshold of an octree: too low is sorting, too high is testing");
     plot.x("threshold").y("for each body").log_x().log_y();
     plot.linked_points("tests", thresholds, tests)

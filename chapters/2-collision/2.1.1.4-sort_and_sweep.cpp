@@ -10,6 +10,7 @@
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -42,6 +43,36 @@ double moves_of_insertion(std::vector<double>& kept) {
         for (std::size_t q = p; q > 0 && kept[q] < kept[q - 1]; --q, ++moves) std::swap(kept[q], kept[q - 1]);
     //! [insertion]
     return moves;
+}
+
+/// Boxes above, and below them their intervals in the order of their beginnings.
+void draw_intervals() {
+    scenes::Dice dice(21);
+    std::vector<scenes::Point> low, high;
+    for (int i = 0; i < 9; ++i) {
+        const double x = dice.between(0, 9), y = dice.between(0.3, 2.2), width = dice.between(0.8, 1.6);
+        low.emplace_back(x, y);
+        high.emplace_back(x + width, y + 0.8);
+    }
+    std::vector<std::size_t> order(low.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return low[a][0] < low[b][0]; });
+    scenes::Strokes boxes, intervals, overlaps;
+    for (std::size_t p = 0; p < order.size(); ++p) {
+        const std::size_t a = order[p];
+        const auto row = [](std::size_t place) { return -0.4 - 0.3 * double(place); };
+        boxes.box(low[a], high[a]);
+        intervals.line({low[a][0], row(p)}, {high[a][0], row(p)});
+        // Each that begins before this one ends: from its row down to theirs, where they begin.
+        for (std::size_t q = p + 1; q < order.size() && low[order[q]][0] <= high[a][0]; ++q)
+            overlaps.line({low[order[q]][0], row(p)}, {low[order[q]][0], row(q)});
+    }
+    workbook::Plot plot("2.1.1.4-intervals", "Sweep: from each interval down to those that begin before it ends");
+    plot.x("x", "m").y("", "").equal_axes();
+    boxes.draw(plot, "boxes");
+    intervals.draw(plot, "their intervals, sorted");
+    overlaps.draw(plot, "pairs that overlap on this axis");
+    plot.write();
 }
 
 } // namespace
@@ -100,6 +131,7 @@ int main() {
               << '\n';
     claim("it is the density times a third of the way", std::abs(moves[8] / expected - 1) < 0.2);
 
+    draw_intervals();
     workbook::Plot plot("2.1.1.4", "The less bodies move in a step, the cheaper it is to keep their order");
     plot.x("way in a step", "m").y("moves a body").log_x().log_y();
     plot.linked_points("insertion sort", ways, moves)

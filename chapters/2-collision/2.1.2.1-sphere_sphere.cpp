@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/units/print.hpp>
@@ -18,6 +19,31 @@
 #include <vector>
 
 using namespace ansatz;
+
+namespace {
+
+/// What the library says of two spheres in the plane: where, along what, how deep.
+void draw_contact() {
+    const scenes::Point s1(-0.55, 0.1), s2(0.35, -0.2);
+    const Sphere first{0.5 * metre}, second{0.7 * metre};
+    const auto touch = contact(first, metres(s1[0], s1[1]), second, metres(s2[0], s2[1]));
+    const scenes::Point normal = touch->normal, point(in(x(touch->point), metre), in(y(touch->point), metre));
+    const double depth = in(touch->depth, metre);
+    workbook::Plot plot("2.1.2.1-contact", "A contact of two spheres: its point, its normal, its depth");
+    plot.x("x", "m").y("y", "m").equal_axes();
+    scenes::Strokes().circle(s1, 0.5).circle(s2, 0.7).draw(plot, "the spheres");
+    scenes::Strokes().arrow(point, point + 0.3 * normal).draw(plot, "N, from the second to the first");
+    // Beside the line of the centres, or it would lie under the normal.
+    const scenes::Point beside = 0.09 * scenes::Point(-normal[1], normal[0]), half = 0.5 * depth * normal;
+    scenes::Strokes()
+        .line(point + beside - half, point + beside + half)
+        .line(point + 0.5 * beside - half, point + 1.5 * beside - half)
+        .line(point + 0.5 * beside + half, point + 1.5 * beside + half)
+        .draw(plot, "p, by which they are moved apart");
+    plot.note(s1[0], s1[1], "S1").note(s2[0], s2[1], "S2").note(point[0], point[1], "P").write();
+}
+
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -60,6 +86,7 @@ int main() {
     claim("a unit vector moves them exactly until they touch", std::abs(in(unit_normal.back(), metre)) < 1e-12);
     claim("a difference does so at a distance of 1 m only", off > 1.0 * metre);
 
+    draw_contact();
     workbook::Plot plot("2.1.2.1", "A normal that is no unit vector moves spheres by the wrong amount");
     plot.x("distance of the centres (m)").y("gap that is left");
     plot.line("N = (S1 - S2) / |S1 - S2|", distances, unit_normal).line("N = S1 - S2", distances, difference).write();

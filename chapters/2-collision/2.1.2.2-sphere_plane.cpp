@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/units/print.hpp>
@@ -17,6 +18,31 @@
 #include <vector>
 
 using namespace ansatz;
+
+namespace {
+
+/// A sphere that is partly below a slope, and what the library says of it.
+void draw_contact() {
+    const scenes::Point normal = scenes::Point(-0.4, 1).normalized(), along(normal[1], -normal[0]), centre(-0.25, 0.2);
+    const Plane slope{Eigen::Vector3d(-0.4, 1, 0)}; // it makes a unit vector of it
+    const auto touch = contact(Sphere{0.5 * metre}, metres(centre[0], centre[1]), slope, metres(0, 0));
+    const scenes::Point point(in(x(touch->point), metre), in(y(touch->point), metre));
+    const scenes::Point foot = centre - centre.dot(normal) * normal;
+    const scenes::Point lowest = foot - in(touch->depth, metre) * normal;
+    workbook::Plot plot("2.1.2.2-contact", "A contact of a sphere and a plane: s is how high the centre is above it");
+    plot.x("x", "m").y("y", "m").equal_axes();
+    scenes::Strokes().circle(centre, 0.5).draw(plot, "the sphere");
+    scenes::Strokes surface;
+    surface.line(-0.9 * along, 1.3 * along);
+    for (double at = -0.9; at < 1.25; at += 0.1) surface.line(at * along, (at - 0.06) * along - 0.08 * normal);
+    surface.draw(plot, "the plane");
+    scenes::Strokes().line(foot, centre).draw(plot, "s");
+    scenes::Strokes().line(lowest, foot).draw(plot, "p = r - s");
+    scenes::Strokes().arrow(0.9 * along, 0.9 * along + 0.4 * normal).draw(plot, "N");
+    plot.note(centre[0], centre[1], "S").note(point[0], point[1], "P").write();
+}
+
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -48,6 +74,7 @@ int main() {
     claim("a plane is a half-space: whoever is below is pushed out along N",
           below->depth == 3.5 * metre && below->normal[1] == 1);
 
+    draw_contact();
     workbook::Plot plot("2.1.2.2", "The depth does not depend on where the origin is");
     plot.x("height of the plane").y("depth");
     plot.line("s = N . S + d", heights, depths).line("d read as a distance", heights, misread).write();

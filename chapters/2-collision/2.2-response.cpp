@@ -8,12 +8,16 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "strokes.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <iostream>
+#include <map>
+#include <string>
 #include <vector>
 
 using namespace ansatz;
@@ -40,6 +44,38 @@ template <class... Response> Fall drop(Response... response) {
     }
     fall.last_speed = in(y(world.velocity(ball)), metre_per_second);
     return fall;
+}
+
+/// Two heaps and a ball in the air: who touches, and what hangs together by that.
+/// \return the number of islands
+std::size_t draw_islands() {
+    //! [islands]
+    std::vector<scenes::Point> centres{{6.2, 2.6}}; // in the air
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 4 - row; ++i) centres.emplace_back(1 + i + 0.5 * row, 0.49 + 0.86 * row);
+    for (int row = 0; row < 3; ++row)
+        for (int i = 0; i < 2; ++i) centres.emplace_back(7.5 + i + 0.1 * row, 0.49 + 0.98 * row);
+    const Sphere ball{0.505 * metre};
+    Islands islands;
+    islands.reset(centres.size());
+    scenes::Strokes links;
+    for (std::uint32_t i = 0; i < centres.size(); ++i)
+        for (std::uint32_t j = i + 1; j < centres.size(); ++j)
+            if (contact(ball, metres(centres[i][0], centres[i][1]), ball, metres(centres[j][0], centres[j][1]))) {
+                islands.unite(i, j);
+                links.line(centres[i], centres[j]);
+            }
+    //! [islands]
+    std::map<std::uint32_t, scenes::Strokes> balls;
+    for (std::uint32_t i = 0; i < centres.size(); ++i) balls[islands.of(i)].circle(centres[i], 0.49);
+    workbook::Plot plot("2.2-islands", "Contacts make a graph, and its parts are the islands; the ground joins nobody");
+    plot.x("x", "m").y("y", "m").equal_axes();
+    int number = 0;
+    for (const auto& [root, strokes] : balls) strokes.draw(plot, "island " + std::to_string(++number));
+    links.draw(plot, "contacts");
+    scenes::Strokes().line({0, 0}, {10, 0}).draw(plot, "ground");
+    plot.write();
+    return balls.size();
 }
 
 } // namespace
@@ -75,6 +111,7 @@ int main() {
     std::cout << "Half and half, their centre of mass goes from " << 0.81 << " m to " << half_and_half << " m\n";
     claim("half and half, it moves by 4 cm", std::abs(half_and_half - 0.81 - 0.04) < 1e-12);
 
+    claim("two heaps on one ground are two islands, and a ball in the air is one", draw_islands() == 3);
     workbook::Plot plot("2.2", "What each response makes of a ball that is dropped");
     plot.x("time").y("height of the centre");
     plot.line("Projection", projected.times, projected.heights).line("Impulse", stopped.times, stopped.heights);

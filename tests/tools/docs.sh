@@ -82,6 +82,26 @@ for section in "1.6.1 Explicit Euler" "1.6.2 Implicit Euler" "1.6.3 Semi-implici
 finds symplectic "1.6.3 Semi-implicit Euler"
 finds momentum "1.4 Law of conservation of momentum"
 finds 1_2e7 "1.7 Drag"
+# Words that a player of games would look for, and words of the glossary.
+finds friction "Beyond the notes"
+finds tunnelling "2.1.2.3 A step that is too large"
+finds restitution "2.2.1 Impulse"
+finds bounce "2.2.1 Impulse"
+finds aabb "2.1.1.1 Bounding box test"
+finds quadtree "2.1.1.3 Binary search partitioning"
+finds slop "2.2 Response"
+
+# ---------------------------------------------------------------- what leads on
+says() { # <page> <text>
+    grep -qF -e "$2" "$html/$1" || { echo "$1 should have: $2"; exit 1; }
+}
+says index.html 'class="front-way"'
+says chapter_collision.html 'rel="prev" href="chapter_motion.html"'
+says chapter_collision.html 'rel="next" href="chapter_springs.html"'
+says exercise_motion_drag.html '<details><summary>Task 1: a question</summary>'
+says exercise_motion_drag.html 'class="comment"'
+says page_course.html 'href="exercise_motion_drag.html"'
+says chapter_motion.html 'Boost Software License 1.0</a>'
 
 # ---------------------------------------------------------------- words are words
 # A link is for what is named, not for what only looks like it: a parameter x (a cell.x is a member, and so is what a
@@ -233,6 +253,24 @@ in_text '\image html nopic.svg "A picture"' 'docs/world.md shows nopic.svg, whic
 printf '\n- A list\n\n    goes on; and its second paragraph is no listing;\n\nIt costs $5, and `$x$` is code.\n' >> "$kept"
 "$tree/tools/docs/check" "$html" > /dev/null || { echo "The check takes a list for a listing, or a price for a formula"; exit 1; }
 cp "$project/docs/world.md" "$kept"
+
+# The course as one table, and its words.
+kept=$tree/docs/motion.md
+sed -i 's/^- Exercise: \\ref exercise_motion_drag.*$//' "$kept"
+reports "section 1.7 has no exercise behind '- Exercise:'"
+cp "$project/docs/motion.md" "$kept"
+kept=$tree/docs/collision.md
+sed -i 's/^## 2.1 Detection.*$/&\n\nWarm start is told of later./' "$kept"
+reports "docs/collision.md: section_2_1 uses 'warm start' before collision_beyond explains it"
+cp "$project/docs/collision.md" "$kept"
+# Advice without a row, and a table that is not the measured one.
+if [ -f "$tree/docs/costs/collision.json" ]; then
+    kept=$tree/docs/world.md
+    in_text 'SortAndSweep is the fastest of all.' "'fastest' has no row"
+    in_text 'SortAndSweep is the fastest of all. <!-- costs: collision broadphase/uniform: SortAndSweep < 0.001 AllPairs -->' "does not hold"
+    in_text $'<!-- from costs: run collision -->\nOn a fast machine.\n<!-- end of costs -->' "its tables are not those of docs/costs"
+fi
+kept=$tree/docs/world.md
 
 # An exercise of which nobody knows.
 mkdir -p "$tree/exercises/1-motion/nobody_knows"

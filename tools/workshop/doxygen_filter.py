@@ -293,6 +293,9 @@ class TextPage:
         out: list[str] = []
         if self.is_exercise:
             out += self.heading(lines.pop(0))
+        elif self.place[-1] == "README.md":
+            out.append("# At a glance {#page_readme}")    # a forge shows the text without a label
+            lines.pop(0)
         elif re.search(r"docs/[^/]*\.md$", "/".join(self.place)) and lines[0].startswith("# ") and is_long(lines):
             out += [lines.pop(0), "", "[TOC]"]
         for line in lines:
@@ -342,7 +345,7 @@ class TextPage:
         name = part[-1]
         module = re.sub("^[0-9]+-", "", part[1]) if len(part) > 1 else ""
         if path == "README.md" or re.match(r"include/.*\.hpp$", path):
-            return "index" if path == "README.md" else path.removeprefix("include/")
+            return "page_readme" if path == "README.md" else path.removeprefix("include/")
         if part[0] == "exercises":
             if len(part) < 3:
                 return "page_exercises"

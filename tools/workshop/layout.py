@@ -43,6 +43,14 @@ def chapter(lines: list[str]) -> list[str]:
     return tabs + ["    </tab>"] if page else []
 
 
+def in_order(pages: list[str]) -> list[str]:
+    """Chapters by their number; what is none stays behind them."""
+    def number(page: str) -> int:
+        found = re.search(r"^# Chapter ([0-9]+)", "\n".join(read(page)), re.MULTILINE)
+        return int(found[1]) if found else sys.maxsize
+    return sorted(pages, key=number)
+
+
 def programs(lines: list[str]) -> list[str]:
     """From the rows of their list."""
     rows = (re.match(r'\| \\ref (program_[a-z0-9_A-Z]+)[^"]*"([^"]*)', line) for line in lines)
@@ -66,7 +74,7 @@ def main(arguments: list[str]) -> int:
     out: list[str] = []
     for line in read(given.layout):
         if "<!-- chapters -->" in line:
-            out += [tab for page in given.pages for tab in chapter(read(page))]
+            out += [tab for page in in_order(given.pages) for tab in chapter(read(page))]
         elif "<!-- programs -->" in line:
             out += programs(read(given.programs))
         elif "<!-- exercises -->" in line:

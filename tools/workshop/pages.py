@@ -3,6 +3,13 @@
 
     pages.py exercises              prints the list of the exercises
     pages.py library                prints every header with its first sentence
+    pages.py front <version> <film>
+                                    prints the front page of docs/site/front.md, with the version, the film, the chapters, and
+                                    docs/site/demo.html where there is a live demo
+    pages.py order                  prints the pages that lead to each other, with their titles: chapters, exercises, programs
+    pages.py exercise <folder> <out>
+                                    prints what the page of an exercise shows behind its README.md: the skeleton, which it
+                                    writes into <out>/listing, and its hints, folded
     pages.py programs <out>         writes <out>/pages/programs.md, beside it a page for each program of the chapters,
                                     and into <out>/listing what that page shows: the program without marks of quotations
 """
@@ -11,10 +18,14 @@ from __future__ import annotations
 
 import argparse
 import glob
+import html
 import os
 import re
 import sys
 from typing import Union
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import skeleton  # noqa: E402  (it is run as a file)
 
 QUOTED = re.compile(r" *//! \[")
 
@@ -66,6 +77,68 @@ def exercises() -> str:
             "world beside\nthe library's own. `./workbook exercise` begins with the first that is not done, "
             "`./workbook hint` helps.\n\n| section | exercise | command |\n|---|---|---|\n"
             + "".join(row + "\n" for row in sorted(rows, key=lambda row: (in_order(row.split("|")[1]), row))))
+
+
+def hints_of(lines: list[str]) -> str:
+    """Each below its heading, and hidden until it is asked for."""
+    text = ""
+    for part in re.split(r"^## ", "\n".join(lines), flags=re.MULTILINE)[1:]:
+        heading, _, said = part.partition("\n")
+        text += (f"\\htmlonly[block]<details><summary>{html.escape(heading.strip())}</summary>\\endhtmlonly\n\n"
+                 f"{said.strip()}\n\n\\htmlonly[block]</details>\\endhtmlonly\n\n")
+    return text
+
+
+def exercise(folder: str, out: str) -> str:
+    """The skeleton as everybody begins with it, not as somebody has left it; and the hints."""
+    _, chapter, name = folder.rstrip("/").split("/")
+    place = f"{chapter}/{name}/exercise.hpp"
+    solution = "\n".join(read(f"{folder}/solution.hpp")) + "\n"
+    write(f"{out}/listing/exercises/{place}", skeleton.skeleton(solution))
+    text = f"\n## What you edit\n\n\\include listing/exercises/{place}\n"
+    if os.path.isfile(f"{folder}/hints.md"):
+        text += ("\n## Hints\n\nOne at a time: a question, the place, the shape, the key line. "
+                 f"`./workbook hint {name}` gives the next.\n\n" + hints_of(read(f"{folder}/hints.md")))
+    return text
+
+
+# ---------------------------------------------------------------- the front
+
+def first_words(page: list[str]) -> str:
+    """What a chapter says of itself first: up to the end of its first sentence."""
+    body = "\n".join(page[1:]).replace("[TOC]", "").strip().split("\n\n")[0]
+    return re.split(r"(?<=[.!?]) ", body.replace("\n", " "))[0]
+
+
+def front(version: str, film: str) -> str:
+    """The places in capitals are filled."""
+    rows = "".join(f'- \\ref {label} "{number}. {title}": {first_words(read(page))}\n' for number, label, title, page in chapters())
+    demo = "\\htmlinclude docs/site/demo.html\n" if os.path.isfile("docs/site/demo.html") else ""
+    text = "\n".join(read("docs/site/front.md")) + "\n"
+    for place, filled in (("VERSION", version), ("FILM", f"\\image html {film} width=760px"), ("DEMO\n", demo),
+                          ("CHAPTERS\n", rows)):
+        text = text.replace(place, filled, 1)
+    return text
+
+
+# ---------------------------------------------------------------- the order of reading
+
+def chapters() -> list[tuple[int, str, str, str]]:
+    """Number, label, title and file of each, by number."""
+    return sorted((int(found[1]), found[3], found[2], page) for page in glob.glob("docs/*.md") for line in read(page)[:1]
+                  if (found := re.match(r"# Chapter ([0-9]+): (.*?) *\{#(chapter_\w+)\}", line)))
+
+
+def order() -> str:
+    """A group for the chapters, one for the exercises, one for the programs."""
+    text = "".join(f"{label}\tChapter {number}: {title}\n" for number, label, title, _ in chapters()) + "\n"
+    rows = (re.match(r'\| ([0-9.]+) \| \\ref (\w+) "(.*?)" \|', row) for row in exercises().split("\n"))
+    text += "".join(f"{row[2]}\t{row[1]} {html.escape(row[3])}\n" for row in rows if row) + "\n"
+    numbered = sorted(glob.glob("chapters/*/[0-9]*-*.cpp"), key=lambda file: in_order(file.rpartition("/")[2]))
+    for file in numbered:
+        program = Program(file, frozenset())
+        text += f"{program.page}\t{program.name}\n"
+    return text
 
 
 # ---------------------------------------------------------------- the library
@@ -162,17 +235,28 @@ def programs(out: str) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """One of the three."""
+    """One of them."""
     parser = argparse.ArgumentParser(prog="pages.py", description="The pages of the site that follow from the tree.")
     kinds = parser.add_subparsers(dest="kind", required=True)
     kinds.add_parser("exercises", help="prints the list of the exercises")
     kinds.add_parser("library", help="prints every header with its first sentence")
     kinds.add_parser("programs", help="writes the pages of the programs").add_argument("out", help="the site's folder")
+    kinds.add_parser("order", help="prints the pages that lead to each other")
+    fronting = kinds.add_parser("front", help="prints the front page")
+    fronting.add_argument("version", help="of the library")
+    fronting.add_argument("film", help="the picture or film that it shows")
+    of_one = kinds.add_parser("exercise", help="prints the end of an exercise's page")
+    of_one.add_argument("folder", help="of the exercise")
+    of_one.add_argument("out", help="the site's folder")
     given = parser.parse_args(arguments)
     if given.kind == "programs":
         programs(given.out)
+    elif given.kind == "front":
+        sys.stdout.buffer.write(front(given.version, given.film).encode("utf-8", "surrogateescape"))
+    elif given.kind == "exercise":
+        sys.stdout.buffer.write(exercise(given.folder, given.out).encode("utf-8", "surrogateescape"))
     else:
-        text = exercises() if given.kind == "exercises" else library()
+        text = {"exercises": exercises, "library": library, "order": order}[given.kind]()
         sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
     return 0
 

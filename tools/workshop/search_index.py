@@ -5,7 +5,8 @@ Doxygen's own finds types and pages alone, and those by their first letters only
 
     search_index.py --search <site>/search --aliases docs/site/aliases.txt docs/*.md <the page of exercises>
 
-A line of the aliases is a section and the words that find it beside its title: "1.7 friction resistance".
+A line of the aliases is a section, or another heading's label, and the words that find it beside its title:
+"1.7 friction resistance", "collision_beyond piles". The words of a page's glossary find the section that explains them.
 """
 
 from __future__ import annotations
@@ -39,13 +40,19 @@ class Index:
     def add_page(self, text: str, aliases: dict[str, str]) -> None:
         """The sections of a chapter below its heading, and the rows of the list of exercises."""
         chapter = ""
+        titles: dict[str, str] = {}    # of the headings so far
         for line in text.split("\n"):
             if heading := re.match(r"# .*\{#(chapter_[^}]*)\}", line):
                 chapter = heading[1]
-            elif chapter and (heading := re.match(r"##+ .*\{#(section_[^}]*)\}", line)):
-                title = re.sub(r"^#+ *| *\{#.*|[`*\"\\]", "", line)
-                also = aliases.get(title.split(" ")[0], "")
-                self.add(f"{title} {also}", f"{chapter}.html#{heading[1]}", title)
+            elif chapter and (heading := re.match(r"##+ .*\{#([^}]*)\}", line)):
+                title = titles[heading[1]] = re.sub(r"^#+ *| *\{#.*|[`*\"\\]", "", line)
+                if heading[1].startswith("section_"):
+                    also = aliases.get(title.split(" ")[0], "")
+                    self.add(f"{title} {also}", f"{chapter}.html#{heading[1]}", title)
+                elif heading[1] in aliases:
+                    self.add(aliases[heading[1]], f"{chapter}.html#{heading[1]}", title)
+            elif chapter and (word := re.match(r"\| ([^|`\\]+) \|.*\\ref (\w+)[^|]*\|$", line)) and word[2] in titles:
+                self.add(word[1], f"{chapter}.html#{word[2]}", titles[word[2]])
             elif row := re.match(r'\| ([0-9.]+) \| \\ref (exercise_[a-z0-9_]+) "([^"]*)"', line):
                 number, label, title = row.groups()
                 self.add(f"exercise {number} {title}", f"{label}.html", f"Exercise {number}: {title}")

@@ -2,7 +2,11 @@
 """What is changed in the pages that Doxygen made.
 
     site_pages.py head <header> <lines>    prints a page's header with these lines before the end of its head
-    site_pages.py mend <html>              changes the pages of the site
+    site_pages.py foot <footer>            prints a page's footer with version and licence
+    site_pages.py mend <html> [<order>]    changes the pages of the site
+
+A line of the order is a page and its title, with a tab between; the pages of a group, which ends with an empty line, lead
+to the one before and the one behind them.
 
 What a concept asks for is said in words: where its definition is made of names of namespace detail, which nobody else
 uses, it stands in the header and not on the page. And x, y and z are components where they are called; a parameter of
@@ -55,14 +59,43 @@ def with_head(header: str, lines: str) -> str:
     return re.sub("^(?=.*</head>)", lambda _: lines, header, flags=re.MULTILINE)
 
 
-def mend(folder: str) -> None:
+def with_licence(footer: str) -> str:
+    """The footer of a page, which says what it is of."""
+    said = 'Ansatz $projectnumber &middot; <a href="$relpath^LICENSE.txt">Boost Software License 1.0</a> &middot; '
+    return footer.replace('<li class="footer">', f'<li class="footer">{said}')
+
+
+def neighbours(order: str) -> dict[str, str]:
+    """For each page the line that leads to those beside it."""
+    found: dict[str, str] = {}
+    for group in re.split(r"\n{2,}", order.strip("\n")):
+        pages = [line.split("\t", 1) for line in group.split("\n") if "\t" in line]
+        for i, (page, _) in enumerate(pages):
+            def leading(at: int, kind: str, arrow: str) -> str:
+                if not 0 <= at < len(pages):
+                    return "<span></span>"
+                return f'<a class="{kind}" rel="{kind}" href="{pages[at][0]}.html">{arrow.format(pages[at][1])}</a>'
+            found[page] = ('<div class="onward">' + leading(i - 1, "prev", "&larr; {}")
+                           + leading(i + 1, "next", "{} &rarr;") + "</div>\n")
+    return found
+
+
+def with_neighbours(page: str, line: str) -> str:
+    """At the end of its text."""
+    return page.replace("</div></div><!-- contents -->", f"{line}</div></div><!-- contents -->", 1)
+
+
+def mend(folder: str, order: str = "") -> None:
     """Writes the pages that change."""
+    onward = neighbours(order)
     for place, _, files in os.walk(folder):
         for file in (f"{place}/{name}" for name in files if name.endswith(".html")):
             page = read(file)
             mended = without_components(page)
             if place == folder and file.rpartition("/")[2].startswith("concept"):
                 mended = without_details(mended)
+            if place == folder and (name := file.rpartition("/")[2].removesuffix(".html")) in onward:
+                mended = with_neighbours(mended, onward[name])
             if mended != page:
                 with open(file, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
                     stream.write(mended)
@@ -75,13 +108,16 @@ def main(arguments: list[str]) -> int:
     head = kinds.add_parser("head", help="prints a page's header with more lines in its head")
     head.add_argument("header", help="Doxygen's own header of a page")
     head.add_argument("lines", help="the file of the lines")
-    kinds.add_parser("mend", help="changes the pages of the site").add_argument("html", help="its folder")
+    kinds.add_parser("foot", help="prints a page's footer").add_argument("footer", help="Doxygen's own")
+    mending = kinds.add_parser("mend", help="changes the pages of the site")
+    mending.add_argument("html", help="its folder")
+    mending.add_argument("order", nargs="?", help="the file of the pages that lead to each other")
     given = parser.parse_args(arguments)
-    if given.kind == "head":
-        text = with_head(read(given.header), read(given.lines))
+    if given.kind != "mend":
+        text = with_head(read(given.header), read(given.lines)) if given.kind == "head" else with_licence(read(given.footer))
         sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))
     else:
-        mend(given.html.rstrip("/"))
+        mend(given.html.rstrip("/"), read(given.order) if given.order else "")
     return 0
 
 

@@ -5,7 +5,7 @@
 /// `Box`: a box along the axes; a rectangle in two dimensions.
 ///
 /// Bodies are points without rotation here, so that a box never turns: use it for walls, crates on a grid, and areas
-/// that notice who enters. Two boxes touch along one axis only; a corner is never rounded off.
+/// that notice what enters. Two boxes touch along one axis only; a corner is never rounded off.
 
 #include <ansatz/core/error.hpp>
 #include <ansatz/units.hpp>

@@ -87,10 +87,11 @@ public:
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
     /// Says so.
     void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
-    /// A body that is gone takes its shape with it. Its contacts end in the next step: somebody may walk over them.
+    /// A removed body takes its shape with it. Its contacts end in the next step: a caller may be iterating over them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
-        if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for who takes the id
+        if (id < pulls_.size())
+            pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body of this id
         somebody_removed_ = true;
     }
     /// Whether both bodies of a contact are still there.
@@ -107,7 +108,7 @@ public:
     auto& before_solving() { return working_.value.before; }
     /// What contacts that are answered together are solved with.
     auto& pushes() { return working_.value.pushes; }
-    /// Who all but touches.
+    /// The pairs that all but touch.
     auto& near() { return working_.value.near; }
     /// The parameters of the broadphase have changed.
     void new_broadphase() { working_.value.finder.reset(); }
@@ -134,10 +135,10 @@ public:
             find(data, policies, pull);
             hand_over(data, NextStep{}, working_.value.found);
         }
-        stale_ = false; // last: whoever could not look has not looked
+        stale_ = false; // last: after an exception contacts are still stale
         return true;
     }
-    /// Who asks for forces between two steps gets those of the contacts that are there; the next step looks for itself.
+    /// Forces that are asked for between two steps are those of the present contacts; the next step finds its own.
     template <class Data, class Policies> void refresh_between_steps(Data& data, const Policies& policies) {
         if constexpr (C::acts_next)
             if (refresh(data, policies, [](Bodies::Slot) { return S::template zero_vector<unit::Acceleration>(); }))

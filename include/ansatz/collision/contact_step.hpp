@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What contacts do within a step: they are found, wake who sleeps, and are answered by the world's responses
+/// What contacts do within a step: they are found, wake sleeping bodies, and are answered by the world's responses
 /// (notes 2.2).
 ///
 /// A response answers one contact at a time, in the order of the bodies' ids: it is given where and how the two
@@ -105,7 +105,8 @@ private:
         pushes.clear(data_.bodies.size());
         for (const auto& contact : data_.collisions.contacts) add<R, true>(response, contact);
         if constexpr (C::holds_near) {
-            auto found = data_.collisions.contacts.cbegin(); // who was stopped on his way is in contact, and near, too
+            auto found =
+                data_.collisions.contacts.cbegin(); // a body that was stopped on its way is both in contact and near
             const auto ids = [](const auto& c) { return std::pair(c.first.id, c.second.id); };
             for (const auto& contact : data_.collisions.near().all) {
                 while (found != data_.collisions.contacts.cend() && ids(*found) < ids(contact)) ++found;

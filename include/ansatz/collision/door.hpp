@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `CollisionDoor`: the members of `World` that tell who touches whom, and answer questions about shapes.
+/// `CollisionDoor`: the members of `World` that tell which bodies touch, and answer questions about shapes.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/inside.hpp>

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// What follows from a list of policies for bodies that collide: who finds pairs and contacts, which responses act on
-/// what, and what has to be found for them.
+/// What follows from a list of policies for bodies that collide: which policies find pairs and contacts, which
+/// responses act on what, and what has to be found for them.
 
 #include <ansatz/collision/response/solver_rows.hpp>
 #include <ansatz/collision/roles.hpp>
@@ -47,7 +47,7 @@ template <class... P> struct CollisionFacts {
     static constexpr bool sweeps =
         requires { requires Narrowphase::sweeps; }; ///< whether bodies are followed through the step
     static constexpr bool parts = responses<Level::positions>::size > 0; ///< whether bodies that meet are moved apart
-    /// Who gives rows to the solver of the substeps: joints.
+    /// The policies that give rows to the solver of the substeps: joints.
     using row_givers =
         std::conditional_t<substeps, detail::filter<detail::GivesRowsIn<space_of<P...>>::template Is, P...>, Types<>>;
     /// Whether a response answers all contacts together.

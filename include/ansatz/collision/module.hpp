@@ -20,12 +20,12 @@
 namespace ansatz {
 
 namespace phases {
-inline constexpr Phase contacts = between(positions, fields); ///< who touches is found, and answered
+inline constexpr Phase contacts = between(positions, fields); ///< contacts are found, and answered
 }
 
 namespace detail {
 
-/// Where everybody is before they move: who moves far is followed.
+/// Where all bodies are before they move: those that move far are followed.
 struct RememberPlaces {
     static constexpr Phase phase = phases::begin;
     static constexpr std::string_view name = "places before the step";
@@ -37,7 +37,7 @@ struct Substeps {
     static constexpr std::string_view name = "substeps";
     static void run(auto& step, const auto& inside) { SubstepDriver(step).run(inside); }
 };
-/// Contacts are found, wake who sleeps, and are answered.
+/// Contacts are found, wake sleeping bodies, and are answered.
 struct Collide {
     static constexpr Phase phase = phases::contacts;
     static constexpr std::string_view name = "contacts";
@@ -121,7 +121,7 @@ struct Collision {
     static void on(hook::Removed, auto& data, std::uint32_t slot) {
         data.collisions.body_removed(data.bodies.id(slot));
     }
-    /// What moves wakes by itself whom it hits; what stands still and was put where somebody sleeps does so here.
+    /// A moving body wakes by itself what it hits; one that stands still and was put on a sleeping body wakes it here.
     template <class I> static void on(hook::Placed, const I& inside, std::uint32_t id) {
         if constexpr (I::Composition_::rests) {
             auto& data = inside.data;
@@ -134,7 +134,7 @@ struct Collision {
                 if (sleeper == id || data.collisions.is_sensor(sleeper) ||
                     !data.collisions.intersect(data, id, sleeper))
                     continue;
-                // The first of the sleepers, who was looked at, takes this place.
+                // The first sleeping body, which was looked at, takes this place.
                 inside.template tell<hook::Wake>(std::uint32_t(slot));
             }
         }
@@ -147,7 +147,7 @@ struct Collision {
         }
     }
 
-    // Changes from outside. Whom a body may meet in the next step is looked for again, whatever of it changes.
+    // Changes from outside. Whatever of a body changes, the pairs of the next step are found anew.
     template <class... Column> static void on(hook::BeforeChange<Column...>, const auto& inside) {
         inside.data.collisions.make_stale();
     }

@@ -2,10 +2,9 @@
 #pragma once
 
 /// \file
-/// `NearContacts`: who all but touches: pairs that are apart by less than what pulls at them, or their speed, takes
-/// them in a step. Where contacts are answered together, they are held, or a pile that was parted exactly would lie on
-/// its lowest bodies alone; and whoever is parted from one that he ran into, by as much as he moved in a step, would be
-/// pushed into the next.
+/// `NearContacts`: the pairs that all but touch: what pulls at them, or their speed, closes the gap within a step.
+/// Where contacts are answered together they are held as well. Otherwise a pile that was parted exactly would lie on
+/// its lowest bodies alone, and a body that is parted from one that it ran into would be pushed into the next.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/bodies.hpp>
@@ -34,13 +33,13 @@ public:
         for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot) {
             auto& reach = reach_[slot];
             reach.pulled = norm(pull(Bodies::Slot(slot))).value() * step * step;
-            // Twice its way: who is parted from one that came towards him is moved by both of their ways.
+            // Twice its way: a body that is parted from one that came towards it is moved by both of their ways.
             const Scalar way = norm(velocity(Bodies::Slot(slot))).value() * step;
             reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), way - reach.pulled);
         }
     }
-    /// A body's box, made as much larger. It is not taken farther than it is thick: who is faster goes through others
-    /// in a step, or is swept.
+    /// A body's box, made as much larger. It is not widened by more than it is thick: a faster body goes through
+    /// others in a step, or is swept.
     void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
         auto& reach = reach_[slot];
         const Scalar thick = (upper - lower).value().minCoeff() / Scalar(2);

@@ -5,8 +5,8 @@
 /// `Plane`: a half-space, solid below its surface: ground, walls, slopes (notes 2.1.2).
 ///
 /// The notes write ax + by + cz + d = 0 with N = (a, b, c). Here a plane is given by N and by how far its surface lies
-/// from the body's position along N, `offset` = -d: N . (x - position) = offset. It has no end and no box: every body
-/// is tested against it, so a few are cheap and a thousand are not. Solid is the side that N points away from; whatever
+/// from the body's position along N, `offset` = -d: N . (x - position) = offset. It has no end and no box, so that
+/// every body is tested against it: have a few, not a thousand. Solid is the side that N points away from; whatever
 /// is below the surface, however deep, is pushed out along N.
 
 #include <ansatz/core/error.hpp>

@@ -21,7 +21,7 @@ concept ShapeDescription = std::same_as<typename T::shape, T>;
 struct Sensor {
     using module = modules::Collision; ///< whose property it is
 };
-inline constexpr Sensor sensor{}; ///< notices who enters, and pushes nobody
+inline constexpr Sensor sensor{}; ///< reports what enters it, and pushes nothing
 
 namespace detail {
 template <ShapeDescription T> struct ModuleOfProperty<T> {

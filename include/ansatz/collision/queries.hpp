@@ -5,7 +5,7 @@
 /// `Ray` and `cast`: where a ray meets a shape, without a World. `World::query()` asks all bodies
 /// (queries_in_world.hpp).
 ///
-/// Use it for what somebody sees, for shots that hit at once, for the height of the ground. A shape is solid: a ray
+/// Use it for lines of sight, for shots that hit at once, for the height of the ground. A shape is solid: a ray
 /// that begins inside hits at distance zero, with the normal against its direction. A ray that only grazes a surface
 /// misses it.
 ///

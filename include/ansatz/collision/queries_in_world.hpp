@@ -38,7 +38,7 @@ inline constexpr WithSensors with_sensors{}; ///< an option of queries
 
 /// A body that a ray meets.
 template <class S> struct RayHit : RayTouch<S> {
-    Handle body;                  ///< whom
+    Handle body;                  ///< the body that was hit
     typename S::Position point{}; ///< where, m
 };
 
@@ -63,7 +63,7 @@ public:
             [&](const Hit& hit) {
                 if (best && !earlier(hit, *best)) return;
                 best = hit;
-                in.longest = hit.distance; // nobody behind it counts
+                in.longest = hit.distance; // what is behind it does not count
             },
             option...);
         return best;
@@ -78,7 +78,7 @@ public:
             in, [&](const Hit& hit) { hits.push_back(hit); }, option...);
         std::sort(hits.begin(), hits.end(), earlier);
     }
-    /// The bodies that a shape overlaps, by their ids; who only touches it is none of them. For any shape that the
+    /// The bodies that a shape overlaps, by their ids; one that only touches it is none of them. For any shape that the
     /// world's shapes collide with, e.g. a Sphere or a Box.
     /// \param x      where the shape is, m
     /// \param bodies in place of what was in it
@@ -160,7 +160,7 @@ private:
     }
     static bool passes(const auto&, std::size_t, Types<>) { return true; }
     template <class Filter> bool passes(const auto& asking, std::size_t slot, Types<Filter>) const {
-        if constexpr (detail::sees_of<Filter>::size > 0) return true; // who asks is no body, and in no table
+        if constexpr (detail::sees_of<Filter>::size > 0) return true; // a query is no body, and in no table
         else
             return typename Filter::template In<S>(std::get<Filter>(policies_))
                 .passes(asking, data_.lanes.get(filter_columns{}, slot));

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The roles of bodies that collide: who may touch, who does, and what comes of it (notes 2).
+/// The roles of bodies that collide: which may touch, which do, and what comes of it (notes 2).
 
 #include <ansatz/world/roles.hpp>
 

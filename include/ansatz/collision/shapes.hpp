@@ -141,7 +141,7 @@ private:
         void reserve(std::size_t n) {
             shapes.reserve(n);
             descriptions.reserve(n);
-            owners.reserve(n); // last: who has room here has room everywhere
+            owners.reserve(n); // last: room here means room everywhere
         }
     };
     template <class Kind> void erase_from(std::uint32_t id) {

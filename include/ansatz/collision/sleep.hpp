@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What contacts mean for sleep (motion/sleep.hpp): who touches is of one island, and who is held by a contact stays.
+/// What contacts mean for sleep (motion/sleep.hpp): bodies that touch are of one island, and a contact can hold a body.
 
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/motion/sleep.hpp>
@@ -12,7 +12,7 @@
 namespace ansatz {
 
 namespace detail {
-/// Who touches is of one island.
+/// Bodies that touch are of one island.
 template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
     using S = typename C::S;
     constexpr bool push_unknown = C::template responses<Level::velocities>::size > 0 || C::parts;

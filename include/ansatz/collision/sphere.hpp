@@ -4,7 +4,7 @@
 /// \file
 /// `Sphere`: a ball around a body's position; a disc in two dimensions (notes 2.1.2).
 ///
-/// The cheapest shape there is, and the one whose contacts are exact: use it for balls, and as a first approximation of
+/// The simplest shape there is, and the one whose contacts are exact: use it for balls, and as a first approximation of
 /// anything that is about as wide as it is high.
 
 #include <ansatz/units.hpp>

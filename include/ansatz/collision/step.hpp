@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// What a step does where bodies collide: contacts are found and handed to the responses, and who was hit wakes. What a
-/// response does that owns substeps is in substep_driver.hpp.
+/// What a step does where bodies collide: contacts are found and handed to the responses, and what was hit wakes. What
+/// a response does that owns substeps is in substep_driver.hpp.
 
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/motion/rest_step.hpp>
@@ -32,7 +32,7 @@ public:
     using typename Base::Slot;
     using typename Base::Transient;
 
-    /// Contacts are found where the bodies are now; they wake who sleeps, and the responses answer them.
+    /// Contacts are found where the bodies are now; they wake sleeping bodies, and the responses answer them.
     void collide() {
         if constexpr (C::sweeps) hold_back();
         const auto next = context_.later(1.0);
@@ -63,7 +63,7 @@ public:
         respond(typename C::template responses<Level::velocities>{});
         if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
         respond(typename C::template responses<Level::positions>{});
-        if constexpr (C::sweeps && C::parts) { // who was pushed far must not be pushed through somebody
+        if constexpr (C::sweeps && C::parts) { // a body that was pushed far must not be pushed through another
             data_.collisions.hold_back(
                 data_, policies_, true,
                 [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
@@ -74,7 +74,7 @@ public:
 
     /// Where everybody is before they move.
     void remember() { data_.collisions.remember(data_); }
-    /// Wakes who lies together with somebody that was woken between two steps.
+    /// Wakes the neighbours of bodies that were woken between two steps.
     void wake_touching() {
         const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
             return this->acceleration(slot, row);
@@ -103,9 +103,9 @@ protected:
     /// Whether the laws are asked once for the response and the integrator.
     static constexpr bool shares = C::asked == LawsAsked::beforehand;
 
-    /// Who may come to touch is looked for by velocities and forces. A change that waits to be made good is made good
-    /// before, and in the same way as for a world that is saved now: or the loaded one would look by others, and find
-    /// other last bits.
+    /// Bodies that may come to touch are found by velocities and forces. Pending changes are applied first, as they are
+    /// for a world that is saved now: otherwise the loaded world would search with other values and differ in the last
+    /// bits.
     void settle() {
         if constexpr (C::coupled)
             if (C::substeps || data_.coupled.changed)

@@ -86,7 +86,7 @@ private:
     typename S::ClockTime time_of(int part) const {
         return start_ + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h_));
     }
-    /// Who may come to touch in the whole step.
+    /// The pairs that may come to touch in the whole step.
     void look_ahead() {
         data_.collisions.expect(context_.dt());
         this->settle();
@@ -127,7 +127,7 @@ private:
         if constexpr (C::history) this->complete_starts();
         see_bodies();
     }
-    /// \return whether somebody met somebody within this part
+    /// \return whether any two met within this part
     bool bounce() {
         const bool struck = bounces_ && response_.bounce(contacts_, h_);
         if (struck) bodies_.scatter_late(contacts_.bodies, before_, contacts_.impacts, -1 / h_, last_);
@@ -203,9 +203,9 @@ private:
     }
 
     /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
-    /// sleep on: who will be hit in this part of the step wakes before, or behind the part in which another was pushed
-    /// into it.
-    /// \return whether somebody was woken
+    /// sleep on: a body that will be hit in this part of the step wakes before it, or behind the part in which another
+    /// was pushed into it.
+    /// \return whether any body was woken
     bool wake_the_hit() {
         if (data_.bodies.count(Motion::resting) == 0) return false;
         auto& hit = data_.sleep.value.sleepers;
@@ -214,7 +214,8 @@ private:
         contacts_.each_acting([&](const auto& c) {
             const bool a_rests = rests(Slot(c.slot_a));
             if (!a_rests && !rests(Slot(c.slot_b))) return;
-            const Scalar way = Scalar(1.25) * h_ * contacts_.along(c); // who is woken in vain lies on
+            const Scalar way =
+                Scalar(1.25) * h_ * contacts_.along(c); // a body that is woken in vain falls asleep again
             if (!(c.impulse > Scalar(0)) && !(contacts_.apart(c) + way < Scalar(0))) return;
             if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
         });

@@ -63,9 +63,9 @@ public:
             bodies[slot].u = velocity(Slot(slot), last).value();
         }
     }
-    /// What impacts have changed. Who was struck within the substep has moved, or will have, with his new velocity for
-    /// what was left of it, and not for all of it.
-    /// \param factor 1/s, of what he comes late
+    /// What impacts have changed. A body that was struck within the substep moves with its new velocity for the rest of
+    /// the substep only.
+    /// \param factor 1/s, of the part of the substep before the impact
     template <class Body>
     void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts,
                       const Scalar& factor, const Time& last) {

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `SweptCollisions`: the collisions of a world whose narrowphase is `Swept`: who is kept where in a step
+/// `SweptCollisions`: the collisions of a world whose narrowphase is `Swept`: which bodies are stopped, and where
 /// (notes 2.1.2).
 ///
 /// A body is *fast* where it moves by more than a quarter of its smallest extent. Boxes that hold the whole motion of
@@ -48,9 +48,9 @@ public:
             for (std::size_t slot = data.bodies.begin(motion); slot < data.bodies.end(motion); ++slot)
                 moved.push_back({data.bodies.id(slot), data.lanes.template get<Position>(slot)});
     }
-    /// Finds who has passed, or come too deep into, another since `remember`.
-    /// \param pushed whether they were moved by a response, which may put them into each other as long as nobody is
-    ///               passed
+    /// Finds the bodies that have passed another, or come too deep into it, since `remember`.
+    /// \param pushed whether they were moved by a response, which may put them into each other as long as none
+    ///               passes another
     /// \param place  called as `place(slot, to, where, lost)` for each body that is kept: it ends at `to`; it was
     ///               stopped at `where`, with the share `lost` of its motion left
     template <class Data, class Policies, class SetPlace>
@@ -267,7 +267,7 @@ private:
         t.at += (time - t.since) * t.rate;
         t.since = time;
         t.rate = rate;
-        t.fast = true; // whoever is taken along stops at the next
+        t.fast = true; // a body that is taken along stops at the next
         if (t.count++ == 0) t.stopped_at = t.at, t.lost = max(Scalar(1) - time, std::numeric_limits<Scalar>::min());
         ++t.version;
     }

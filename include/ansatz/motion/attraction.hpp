@@ -75,7 +75,7 @@ struct Attraction {
             return sqrt(squared_norm(to) + softening * softening);
         }
 
-        /// Pairs by id, so that the sums are the same to the bit whoever was removed before.
+        /// Pairs by id, so that the sums are the same to the bit whatever was removed before.
         static void for_each_pair(const auto& view, auto&& f) {
             view.for_each([&](std::size_t i) {
                 const auto wi = view.template get<InverseMass>(i);

@@ -64,8 +64,8 @@ public:
     }
     /// The laws as they are bound, for the same queries.
     const typename C::Laws& laws() const { return detail::Key::bound(self()).laws; }
-    /// Who slept and woke in the last step and between the step before and it; stays until the next. Some may be
-    /// removed by then.
+    /// The bodies that fell asleep and woke in the last step, or between it and the one before; kept until the next.
+    /// Some may be removed by then.
     std::span<const Event> events() const {
         if constexpr (C::rests) return inside().data.events.now();
         return {};
@@ -87,7 +87,7 @@ public:
         const auto kind = in.data.bodies.motion(slot);
         in.template tell<hook::BeforeChange<ansatz::Position>>();
         in.template tell<hook::Disturbed>(body.id);
-        slot = in.data.bodies.slot_of_id(body.id); // whom that woke changed places with others
+        slot = in.data.bodies.slot_of_id(body.id); // bodies that this woke changed places with others
         in.data.lanes.template set<ansatz::Position>(slot, where);
         if constexpr (C::history) {
             if (kind == Motion::fixed || kind == Motion::resting) in.data.stop(slot);

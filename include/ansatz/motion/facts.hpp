@@ -56,7 +56,7 @@ template <class... E> struct InTurn<Types<E...>> {
     using type = joined_types<filter<HasTurn<0>::Is, E...>, filter<HasTurn<1>::Is, E...>, filter<HasTurn<2>::Is, E...>>;
 };
 
-/// \tparam Late whether who falls asleep is asked behind what a module does after the integration
+/// \tparam Late whether bodies are put to sleep behind what a module does after the integration
 template <Place At, bool Late = false> struct EffectAt {
     template <class P> static constexpr bool here() {
         if constexpr (Late && puts_to_rest<P>) return false;
@@ -212,7 +212,7 @@ public:
     static constexpr bool rests = resters::size > 0;             ///< whether bodies can fall asleep
     /// Whether those that touch, or hang together, do so together.
     static constexpr bool islands = rests && (collides || detail::filter<detail::HasElements, P...>::size > 0);
-    /// Whether who falls asleep is asked behind what a module does to velocities after the integration.
+    /// Whether bodies are put to sleep behind what a module does to velocities after the integration.
     static constexpr bool rests_late = rests && late;
     /// The history of positions instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
@@ -222,7 +222,7 @@ public:
         detail::contains<Velocity,
                          union_of<std::conditional_t<PlaysRole<P, roles::Force> || detail::IsCoupling<P>::value,
                                                      reads_of<P>, Columns<>>...>>;
-    /// Who asks the laws of one body in a step: what they say is asked once, wherever it can be shared.
+    /// Which part of a step asks the laws of one body: once, wherever the answer can be shared.
     static constexpr LawsAsked asked = detail::how_asked<Integrator, Laws, Effects<Place::before_forces>, P...>();
     /// The scratch that the integrator really has use for.
     using scratch = union_of<std::conditional_t<velocity_read, detail::scratch_of<Integrator>,

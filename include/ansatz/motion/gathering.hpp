@@ -82,7 +82,7 @@ public:
              const std::array<Scalar*, std::size_t(S::dimension)>& sums) {
         constexpr std::size_t n = ends_of_element<Force, View>;
         const std::size_t elements = force.element_count(view), bodies = view.size();
-        // Who is where may have changed since, or been assigned from another world: each element is looked at anyway.
+        // Slots may have changed since, or been assigned from another world: each element is looked at anyway.
         std::atomic<bool> others = ends_.size() != elements * n || first_.size() != bodies + 2;
         ends_.resize(elements * n);
         forces_.resize(elements * n * dimension);

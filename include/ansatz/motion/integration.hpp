@@ -30,9 +30,9 @@ enum class Place {
 
 /// What a step does with `OwnAcceleration`, the acceleration of a body by the laws, in the first stage.
 enum class LawsAsked {
-    here,      ///< the laws are asked, and nobody else wants to know
-    and_left,  ///< the laws are asked, and what they said is left for who looks at it behind the integration
-    beforehand ///< who takes the step in parts has asked them already, for the same state
+    here,      ///< the laws are asked, for the integrator alone
+    and_left,  ///< the laws are asked, and their answers are kept for what follows the integration
+    beforehand ///< the driver of the parts has asked them already, for the same state
 };
 
 namespace detail {

@@ -41,7 +41,7 @@ template <class World_> auto interpolated_position(const World_& world, Handle b
                   "Ansatz: this world does not remember where its bodies were; add Interpolation{} to its policies");
     using Scalar = typename World_::Scalar;
     const auto now = world.position(body);
-    // The step copies what moves; whoever rests or is fixed is where it is.
+    // The step copies what moves; a body that rests or is fixed is where it is.
     const auto kind = world.motion(body);
     if (kind == Motion::resting || kind == Motion::fixed) return now;
     const auto before = world.template read<DrawnPosition>(body);

@@ -8,7 +8,7 @@
 /// A pile of which one body sleeps and the next does not would wake it again and again. What is fixed joins nothing:
 /// two piles on one ground are two islands.
 ///
-/// `SleepScratch` is what a world keeps to find out who falls asleep (sleep.hpp).
+/// `SleepScratch` is what a world keeps to find the bodies that fall asleep (sleep.hpp).
 ///
 /// R. E. Tarjan, Efficiency of a good but not linear set union algorithm (1975).
 
@@ -46,7 +46,7 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// What is kept, from step to step, for the question who falls asleep (sleep.hpp).
+/// What is kept from step to step to find the bodies that fall asleep (sleep.hpp).
 template <class S> struct SleepScratch {
     Islands islands; ///< of the awake bodies, by slot
     std::vector<typename S::Acceleration>
@@ -55,7 +55,7 @@ template <class S> struct SleepScratch {
         trembles;                         ///< by slot: how much of it may remain where contacts carry
     std::vector<std::uint8_t> held;       ///< by slot: whether something holds the body
     std::vector<std::uint8_t> goes_along; ///< by slot: whether it touches a platform that moves, or hangs on one
-    std::vector<std::uint8_t> restless;   ///< whether an island stays awake, by who stands for it
+    std::vector<std::uint8_t> restless;   ///< whether an island stays awake, by its root
     std::vector<std::uint32_t> sleepers;  ///< by id
 
     /// Room for so many bodies.

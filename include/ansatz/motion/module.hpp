@@ -58,7 +58,7 @@ struct SumForces {
         refresh_coupled(step.data, step.policies, step.after());
     }
 };
-/// Who has come to rest falls asleep.
+/// Bodies that have come to rest fall asleep.
 struct PutToRest {
     static constexpr Phase phase = phases::rest;
     static constexpr std::string_view name = "rest";

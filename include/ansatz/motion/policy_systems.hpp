@@ -144,7 +144,7 @@ public:
     /// \name What other policies keep, to change it (world/edited_elements.hpp)
     /// @{
 
-    /// The elements of a type that the system says it `edits`, to look at; `detail::absent` where nobody keeps them.
+    /// The elements of a type that the system says it `edits`, to look at; `detail::absent` where no policy keeps them.
     template <class E> const auto& elements() const {
         edited<E>();
         return detail::elements_in<E>(std::as_const(step_.data));

@@ -3,7 +3,7 @@
 
 /// \file
 /// What a body's acceleration and velocity are at the present time, what keeps the velocity when the forces change, and
-/// who wakes. Where the integrator stores a velocity, most of this is nothing. Where it keeps the history of positions
+/// what wakes. Where the integrator stores a velocity, most of this is nothing. Where it keeps the history of positions
 /// (Verlet), the velocity is the mean of the last step and half a step of the present acceleration, so that whatever
 /// changes a force would change the velocity as well, were it not held here.
 

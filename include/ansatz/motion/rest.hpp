@@ -33,7 +33,7 @@ struct Rest {
     using writes = Columns<RestTime>;
     static constexpr Place place = Place::after_integration;
     static constexpr int turn = 2;             ///< looks at the velocity that is left
-    static constexpr bool puts_to_rest = true; ///< it decides who falls asleep
+    static constexpr bool puts_to_rest = true; ///< it decides which bodies fall asleep
 
     /// m/s, finite, greater than zero; it says nothing about mass, so that a heavy body rests like a light one
     Parameter<unit::Velocity> threshold = 0.05 * metre_per_second;

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Who wakes and who falls asleep in a step (notes 1.1, 1.8), in worlds with a policy that puts bodies to rest.
+/// Which bodies wake and which fall asleep in a step (notes 1.1, 1.8), in worlds with a policy that puts bodies to
+/// rest.
 ///
 /// A body rests when it has been slow for long enough and would stay: at velocity zero next to nothing pulls at it.
 /// Where bodies touch or hang together, they do so together (sleep.hpp).
@@ -61,7 +62,7 @@ public:
             if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
         }
     }
-    /// Who lies together with somebody that was woken between two steps wakes before anything moves.
+    /// Wakes the neighbours of bodies that were woken between two steps, before anything moves.
     void wake_neighbours() {
         const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
         do {
@@ -146,7 +147,7 @@ private:
 
 template <class StepT> RestStep(StepT&) -> RestStep<StepT>; ///< of a step
 
-/// Resting bodies wake at which something pulls; the first stage of a world whose bodies act on each other asks for it.
+/// Wakes the resting bodies that a force pulls at; asked for by the first stage of a world whose bodies are coupled.
 template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion) { RestStep<StepT>(motion.step()).wake_pulled(); }
 
 } // namespace ansatz

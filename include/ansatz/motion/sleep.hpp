@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Who falls asleep and who wakes where bodies touch each other or hang together: islands of bodies that have all been
-/// slow for long enough and are all held.
+/// Which bodies fall asleep and which wake where they touch each other or hang together: islands whose bodies have all
+/// been slow for long enough and are all held.
 ///
 /// A body is held where the acceleration that remains to it is next to nothing: what pulls at it at rest, and what its
 /// contacts push, friction included, where their response knows that (SoftSubsteps keeps it, Penalty's is one of the
@@ -28,7 +28,7 @@ template <class C> bool goes(const WorldData<C>& data, Bodies::Slot slot) {
            !(data.load(slot).template get<Velocity>() == C::S::template zero_vector<unit::Velocity>());
 }
 /// Calls `f(state, id)` for each element of a world that acts on its bodies where they are; a rope that hangs slack
-/// holds nobody.
+/// holds no body.
 template <class C, class F> void for_each_element(const WorldData<C>& data, F&& f) {
     const auto at = [&](std::uint32_t body) { return data.lanes.template get<Position>(data.bodies.slot_of_id(body)); };
     data.states.for_each([&](const auto& state) {
@@ -60,10 +60,10 @@ template <class C, class F> void for_each_element_of(const WorldData<C>& data, s
         }
     });
 }
-/// Wakes who hangs on somebody that disturbs.
+/// Wakes the bodies that hang on one that disturbs.
 /// \param disturbs whether the body of a slot wakes those that hang together with it
 /// \param wake     what wakes the body of a slot
-/// \return whether somebody was woken
+/// \return whether any body was woken
 template <class C, class Disturbs, class Wake>
 bool wake_through_elements(const WorldData<C>& data, const Disturbs& disturbs, const Wake& wake) {
     bool any = false;
@@ -98,7 +98,7 @@ bool disturbs(const WorldData<C>& data, Bodies::Slot slot, bool begins, const ty
 }
 
 namespace detail {
-/// Who hangs together is of one island.
+/// Bodies that hang together are of one island.
 template <class C> void join_by_elements(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
     const auto awake = data.bodies.end(Motion::awake);
     for_each_element(data, [&](const auto& state, std::uint32_t id) {

@@ -130,7 +130,7 @@ template <class C, class Data> struct MotionState {
     std::uint64_t unsolved = 0; ///< bodies whose implicit step did not converge; where bodies are coupled, such steps
     /// What waits for the next step, because dt or the acceleration is not known before.
     [[no_unique_address]] std::conditional_t<C::history, detail::Starts, detail::NotKept<0>> starts;
-    /// Who fell asleep and woke in the last step.
+    /// The bodies that fell asleep and woke in the last step.
     [[no_unique_address]] std::conditional_t<C::rests, Events, detail::NotKept<1>> events;
     /// Whether the sums of the forces between bodies are those of the present state.
     [[no_unique_address]] std::conditional_t<C::coupled, detail::CoupledSums<typename C::S>, detail::NotKept<2>>
@@ -145,7 +145,7 @@ template <class C, class Data> struct MotionState {
         gathered;
     /// What an integrator keeps that advances all bodies together: vectors, a matrix.
     [[no_unique_address]] typename detail::TogetherOf<C, C::together>::type together;
-    /// Room for finding out who falls asleep.
+    /// Room for finding the bodies that fall asleep.
     [[no_unique_address]] std::conditional_t<C::islands, detail::Cache<SleepScratch<typename C::S>>, detail::NotKept<3>>
         sleep;
 
@@ -153,7 +153,7 @@ template <class C, class Data> struct MotionState {
     static constexpr bool takes_notes = C::history || C::rests || C::coupled || C::asked != LawsAsked::here;
     /// For how many bodies there is; every verb asks.
     [[no_unique_address]] std::conditional_t<takes_notes, detail::Room, detail::NotKept<7>> notes;
-    /// What the laws said, where somebody beside the integrator asks.
+    /// What the laws said, where others beside the integrator ask.
     [[no_unique_address]] std::conditional_t<C::asked != LawsAsked::here,
                                              detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>
         own;

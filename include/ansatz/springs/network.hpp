@@ -6,8 +6,8 @@
 ///
 /// A spring lies in one record by its id, so that the loop over all of them reads memory in order and the sums are the
 /// same to the bit whoever sleeps, wakes or is removed. What only some springs need (the place of an anchor) or only
-/// some worlds (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot concerns
-/// nobody here.
+/// some worlds (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot changes
+/// nothing here.
 
 #include <ansatz/springs/spring.hpp>
 #include <ansatz/world/hash.hpp>
@@ -179,14 +179,14 @@ public:
         return in;
     }
 
-    /// Room for so many. That for notes is made when a step begins: who reads what broke may add springs as he goes.
+    /// Room for so many. Room for notes is made when a step begins: a loop over broken springs may add new ones.
     void reserve(std::size_t n) {
         ids_.reserve(n);
         anchors_.reserve(n);
         pairs_.reserve(n);
         hung_.reserve(n);
         if constexpr (Breaks) limits_.reserve(n);
-        links_.reserve(n); // last: who has room here has room everywhere
+        links_.reserve(n); // last: room here means room everywhere
     }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SpringNetwork& other) {

@@ -12,7 +12,7 @@
 /// | policy                | its springs                                                         |
 /// |-----------------------|---------------------------------------------------------------------|
 /// | `Springs{}`           | pull and push, damped along their axis                              |
-/// | `Springs<Undamped>{}` | no damping: nobody reads the velocity, so that the motion is reversible |
+/// | `Springs<Undamped>{}` | no damping: the velocity is not read, so that the motion is reversible  |
 /// | `Springs<Breaking>{}` | each may break at a force or a strain                               |
 /// | `Ropes{}`             | only pull; takes the same options                                   |
 ///

@@ -63,6 +63,11 @@ class Links(OfAProject):
             '<code>\\ref ansatz::Drag "Drag"</code>, <code>\\ref ansatz::paths::Cell "Cell"</code>, `Later`.',
             "# `Drag`", "```", "`Drag`", "```"])
 
+    def test_readme(self) -> None:
+        """Gets its label here, so that a forge shows none."""
+        self.write("./README.md", "# Ansatz", "", "Text.")
+        self.assertEqual(doxygen_filter.filtered("README.md"), ["# At a glance {#page_readme}", "", "Text."])
+
     def test_names_in_concepts(self) -> None:
         """Doxygen finds none of these itself; in other headers it does."""
         self.assertEqual(self.header("concepts", "/// As `Drag`."), ['/// As <code>\\ref ansatz::Drag "Drag"</code>.'])
@@ -72,7 +77,7 @@ class Links(OfAProject):
         """A link to a file of the project leads to its page."""
         for target, becomes in {
                 "motion.md": '\\ref chapter_motion "x"', "plain.md": "[x](docs/plain.md)",
-                "../README.md": '\\ref index "x"', "../LICENSE": '<a href="LICENSE.txt">x</a>',
+                "../README.md": '\\ref page_readme "x"', "../LICENSE": '<a href="LICENSE.txt">x</a>',
                 "../include/ansatz/motion/drag.hpp": '\\ref ansatz/motion/drag.hpp "x"',
                 "../exercises/1-motion/drag/": '\\ref exercise_motion_drag "x"',
                 "../exercises/1-motion/drag/README.md": '\\ref exercise_motion_drag "x"',

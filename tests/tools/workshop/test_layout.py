@@ -39,7 +39,7 @@ class Program(unittest.TestCase):
     """The layout whole."""
 
     def test_places(self) -> None:
-        """Each list in the place of its remark, in the order of the pages."""
+        """Each list in the place of its remark; chapters by their number, 10 behind 2, and other pages as they came."""
         with tempfile.TemporaryDirectory() as folder:
             def write(name: str, text: str) -> str:
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
@@ -48,13 +48,15 @@ class Program(unittest.TestCase):
             arguments = ["--programs", write("p.md", '| \\ref program_a "A" |\n'),
                          "--exercises", write("e.md", '| 1 | \\ref exercise_b "B" | c |\n'),
                          write("l.xml", "<a>\n<!-- exercises -->\n<!-- chapters -->\n<!-- programs -->\n</a>\n"),
-                         write("2.md", "# Two {#chapter_two}\n"), write("1.md", "# One {#chapter_one}\n")]
+                         write("10.md", "# Chapter 10: ten {#chapter_ten}\n"), write("a.md", "# Z {#chapter_z}\n"),
+                         write("b.md", "# A {#chapter_a}\n"), write("2.md", "# Chapter 2: two {#chapter_two}\n")]
             out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
             with contextlib.redirect_stdout(out):
                 self.assertEqual(layout.main(arguments), 0)
             out.seek(0)
             said = [line.partition('title="')[2].partition('"')[0] or line for line in out.read().split("\n")]
-            self.assertEqual(said, ["<a>", "1 B", "Two", "    </tab>", "One", "    </tab>", "A", "</a>", ""])
+            self.assertEqual(said, ["<a>", "1 B", "Chapter 2: two", "    </tab>", "Chapter 10: ten", "    </tab>", "Z",
+                                    "    </tab>", "A", "    </tab>", "A", "</a>", ""])
 
     def test_refusal(self) -> None:
         """Without the list of the programs."""

@@ -45,6 +45,55 @@ class Exercises(OfAProject):
         self.assertEqual(rows[0], '| 1.6 | \\ref exercise_motion_d "The d" | `./workbook exercise d` |')
 
 
+class OneExercise(OfAProject):
+    """What stands behind its task."""
+
+    def test_skeleton_and_hints(self) -> None:
+        """The skeleton is the solution's, whatever the student has written; each hint is closed, below its heading."""
+        folder = "exercises/1-motion/drag"
+        self.write(f"{folder}/solution.hpp", "int a() {", "    // task 1: todo(1);", "    return 1;", "    // end of task 1", "}")
+        self.write(f"{folder}/exercise.hpp", "int a() { return 7; }")
+        self.write(f"{folder}/hints.md", "# Hints: drag", "", "## Task 1: a <question>", "", "Why?", "", "## Task 1: the place",
+                   "", "`a`.")
+        text = pages.exercise(folder, "out")
+        self.assertIn("todo(1);", self.text("out/listing/exercises/1-motion/drag/exercise.hpp"))
+        self.assertNotIn("return", self.text("out/listing/exercises/1-motion/drag/exercise.hpp"))
+        self.assertIn("\\include listing/exercises/1-motion/drag/exercise.hpp\n", text)
+        self.assertIn("<details><summary>Task 1: a &lt;question&gt;</summary>\\endhtmlonly\n\nWhy?\n\n", text)
+        self.assertEqual(text.count("<details>"), 2)
+        self.assertEqual(text.count("</details>"), 2)
+
+
+class Reading(OfAProject):
+    """The front, and what leads from page to page."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.write("docs/water.md", "# Chapter 10: water {#chapter_water}", "", "[TOC]", "", "It flows. It", "waves.", "", "More.")
+        self.write("docs/motion.md", "# Chapter 2: motion {#chapter_motion}", "", "It moves and", "moves! Or not.")
+        self.write("docs/other.md", "# Other {#page_other}", "", "Text.")
+        self.write("exercises/1-motion/drag/README.md", "# 1.7 A & B", "", "Text.")
+        for name in ("1.10-b", "1.9-a"):
+            self.write(f"chapters/1-motion/{name}.cpp", "// A program", "int main() {}")
+
+    def test_order(self) -> None:
+        """Numbers, not letters; a group each."""
+        self.assertEqual(pages.order().split("\n"), [
+            "chapter_motion\tChapter 2: motion", "chapter_water\tChapter 10: water", "",
+            "exercise_motion_drag\t1.7 A &amp; B", "", "program_motion_1_9_a\t1.9-a.cpp",
+            "program_motion_1_10_b\t1.10-b.cpp", ""])
+
+    def test_front(self) -> None:
+        """Its places are filled; that of the demo stays empty until there is one."""
+        self.write("docs/site/front.md", "# Ansatz {#mainpage}", "FILM", "DEMO", "CHAPTERS", "VERSION")
+        said = pages.front("1.2", "front.svg").split("\n")
+        self.assertEqual(said, [
+            "# Ansatz {#mainpage}", "\\image html front.svg width=760px",
+            '- \\ref chapter_motion "2. motion": It moves and moves!', '- \\ref chapter_water "10. water": It flows.', "1.2", ""])
+        self.write("docs/site/demo.html", "<canvas></canvas>")
+        self.assertIn("\\htmlinclude docs/site/demo.html", pages.front("1.2", "front.svg"))
+
+
 class Library(OfAProject):
     """The headers."""
 

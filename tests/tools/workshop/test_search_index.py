@@ -26,6 +26,19 @@ class Words(unittest.TestCase):
         section = {"chapter_motion.html#section_1_7": "1.7 Drag, the law"}
         self.assertEqual(index.links, {word: section for word in ("1.7", "drag", "law", "air", "resistance")})
 
+    def test_glossary_and_labels(self) -> None:
+        """A word finds where it is explained; a heading that is no section is found by its label's words alone."""
+        index = search_index.Index()
+        index.add_page(CHAPTER + """## More of it {#motion_more}
+| word | meaning | where |
+|---|---|---|
+| slow, terminal speed | a | \\ref section_1_7 "1.7" |
+| nowhere | b | \\ref section_9 "9" |
+""", {"motion_more": "piles"})
+        self.assertEqual(index.links["terminal"], {"chapter_motion.html#section_1_7": "1.7 Drag, the law"})
+        self.assertEqual(index.links["piles"], {"chapter_motion.html#motion_more": "More of it"})
+        self.assertFalse({"nowhere", "more", "word"} & set(index.links))
+
     def test_exercises(self) -> None:
         """From the rows of their list; an apostrophe would end a string of the script."""
         index = search_index.Index()

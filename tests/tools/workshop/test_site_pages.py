@@ -44,6 +44,22 @@ class Texts(unittest.TestCase):
                          "<head>\n<script>\\1</script>\n  </head>\n<body>\n")
 
 
+    def test_neighbours(self) -> None:
+        """The first has none before it, the last none behind it, and a group ends where it ends."""
+        lines = site_pages.neighbours("a\tA <1>\nb\tB\nc\tC\n\nx\tX\n")
+        self.assertEqual(list(lines), ["a", "b", "c", "x"])
+        self.assertIn('<span></span><a class="next" rel="next" href="b.html">B &rarr;</a>', lines["a"])
+        self.assertIn('<a class="prev" rel="prev" href="a.html">&larr; A <1></a><a class="next" rel="next" href="c.html">C', lines["b"])
+        self.assertNotIn("<a", lines["x"])
+        page = "text</div></div><!-- contents -->\nrest"
+        self.assertEqual(site_pages.with_neighbours(page, "L\n"), "textL\n</div></div><!-- contents -->\nrest")
+
+    def test_foot(self) -> None:
+        """Version and licence before what Doxygen says of itself."""
+        said = site_pages.with_licence('<ul>\n<li class="footer">$generatedby x</li>')
+        self.assertRegex(said, r'<li class="footer">Ansatz \$projectnumber .*LICENSE\.txt.* \$generatedby x</li>')
+
+
 class Program(unittest.TestCase):
     """The pages of a site."""
 

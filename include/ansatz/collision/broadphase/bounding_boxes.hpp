@@ -4,9 +4,11 @@
 /// \file
 /// `BoundingBoxes`: all pairs, and the box test for each (notes 2.1.1, "Bounding Box Test").
 ///
-/// Still \f$ N^2 \f$ tests, but each is a few comparisons of numbers that lie in a row: for up to a few hundred bodies
-/// nothing is faster. It is the definition of what the other broadphases must find, and the usual test inside their
-/// cells.
+/// Still \f$ N^2 \f$ tests, but each is a few comparisons of numbers that lie in a row. Use it for a handful of bodies
+/// whose shapes are dear to compare; for spheres AllPairs is no slower, and SortAndSweep is faster from a few dozen on.
+/// It is the definition of what the other broadphases must find, and the usual test inside their cells.
+/// <!-- costs: collision broadphase/uniform: SortAndSweep < BoundingBoxes from 64; collision broadphase/uniform:
+/// AllPairs < 1.05 BoundingBoxes -->
 
 #include <ansatz/collision/broadphase/inside.hpp>
 #include <ansatz/world/space.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What a broadphase is (notes 2.1.1): the concept, and `find_pairs`, for whoever has boxes and no World.
+/// What a broadphase is (notes 2.1.1): the concept, and `find_pairs`, for boxes without a World.
 ///
 /// A broadphase is a policy with the role Broadphase. It knows no Space; `In<S>`, made from it, has the verb:
 ///

@@ -25,7 +25,7 @@ public:
     using Scalar = typename S::Scalar;             ///< of the space
     static constexpr int dimension = S::dimension; ///< of the space
 
-    /// A box, and whose it is.
+    /// A box, and the body that it belongs to.
     struct Item {
         std::array<Scalar, 2 * std::size_t(S::dimension)>
             bounds;       ///< m, the lower corner, then the upper one with its sign changed

@@ -6,7 +6,8 @@
 /// Search Partitioning"). In two dimensions it is a quadtree.
 ///
 /// Use it where bodies are crowded in some places and few in others: small cells are made only where they are needed.
-/// Where bodies are of one size, UniformGrid is faster. The notes' warning is a real one: the `threshold` must be
+/// Where many bodies are of one size, UniformGrid is faster. <!-- costs: collision broadphase/uniform: UniformGrid <
+/// Octree from 256 --> The notes' warning is a real one: the `threshold` must be
 /// chosen. Above the number of bodies it is `Inside` alone; at one or two most of the time goes into dividing, and
 /// bodies that reach over many planes are copied into many cells. chapters/2-collision/2.1.1.3 shows both ends.
 

@@ -141,7 +141,7 @@ private:
     static constexpr double cells_a_body = 4;
 
     /// The cell on an axis, counted from the lowest.
-    /// Behind the lowest cutting off is rounding down; before it there is nobody, and 0 is as good as any.
+    /// Behind the lowest cutting off is rounding down; before it there is no body, and 0 is as good as any.
     [[gnu::always_inline]] std::int64_t index_of(std::size_t k, double coordinate) const {
         return std::int64_t(coordinate * per_metre_ - lowest_[k]);
     }
@@ -186,8 +186,7 @@ private:
         add(y + 1, z);
         if constexpr (dimension == 3)
             for (int dy = -1; dy <= 1; ++dy) add(y + dy, z + 1);
-        std::array<Run, 26>
-            found; // those of the cells around it that hold anybody: no branch for each that holds nobody
+        std::array<Run, 26> found; // the cells around it that are not empty: no branch for each that is
         for (std::int64_t x = 0; x < size_[0]; ++x) {
             const std::size_t from = starts_[std::size_t(base + x)], to = starts_[std::size_t(base + x + 1)];
             if (from == to) continue;

@@ -4,9 +4,9 @@
 /// \file
 /// `Layers`: which bodies are looked at together: each belongs to some of 24 layers, and may ignore others.
 ///
-/// Use it for bullets that do not hit who shot them, ghosts that walls do not stop, ragdolls that do not meet
-/// themselves. Two bodies are looked at unless one of them ignores a layer of the other. Whoever is given nothing meets
-/// everything.
+/// Use it for bullets that do not hit their shooter, ghosts that walls do not stop, ragdolls that do not meet
+/// themselves. Two bodies are looked at unless one of them ignores a layer of the other. A body that is given nothing
+/// meets everything.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/roles.hpp>
@@ -67,7 +67,7 @@ template <class Column, class Bits> auto layers_given(const char* what, const Bi
 /// Says which layers a body belongs to, e.g. `member_of(1 << 3)`.
 /// \throws std::invalid_argument for a number that is negative or has more than 24 bits
 template <class Bits> auto member_of(const Bits& layers) { return detail::layers_given<Member>("member_of", layers); }
-/// Says whom it does not meet, e.g. `ignores(1 << 3 | 1 << 4)`.
+/// The layers that it does not meet, e.g. `ignores(1 << 3 | 1 << 4)`.
 /// \throws as `member_of`
 template <class Bits> auto ignores(const Bits& layers) { return detail::layers_given<Ignored>("ignores", layers); }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// Which shapes can meet: whether somebody wrote `collide` for two of them, in either order (notes 2.1.2).
+/// Which shapes can meet: whether there is a `collide` for two of them, in either order (notes 2.1.2).
 ///
 /// Shapes without a box, such as planes, never meet each other; every other two of a Narrowphase need a function. A
 /// shape of yours brings its own, in its own namespace:

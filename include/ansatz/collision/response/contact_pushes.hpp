@@ -13,7 +13,7 @@
 /// no t is greater than zero); each cluster of bodies that touch is solved for itself, and the order of the contacts
 /// decides nothing but the last bit.
 ///
-/// Those that bounce are reflected before, cluster after cluster, and again while somebody still approaches: a blow
+/// Those that bounce are reflected before, cluster after cluster, and again while any two still approach: a blow
 /// goes through a row of balls one by one and keeps its energy, and two that are hit at once are hit alike (B. Smith et
 /// al., Reflections on Simultaneous Impact, 2012; the share of each contact is that of a body divided among its
 /// contacts).
@@ -52,7 +52,7 @@ public:
         std::uint32_t a = 0;     ///< a place among `bodies`
         std::uint32_t b = 0;     ///< and another
         std::uint32_t which = 0; ///< the number that it was added with
-        std::uint32_t root = 0;  ///< who stands for its cluster
+        std::uint32_t root = 0;  ///< the body that stands for its cluster
         Raw normal{};            ///< from b to a
         Raw point{};     ///< where, m: they are gone through in this order, so that the order of adding decides nothing
         Scalar depth{};  ///< m; negative where they do not touch yet
@@ -72,7 +72,7 @@ public:
         Scalar residual{};    ///< along - target
         Scalar step{};        ///< the direction of a sweep
     };
-    std::vector<Body> bodies; ///< those of which somebody is in a contact
+    std::vector<Body> bodies; ///< those that are in a contact
     std::vector<Push> pushes; ///< the contacts
 
     /// None.
@@ -115,9 +115,9 @@ public:
         }
     }
 
-    /// Whoever is to be parted by `depth` from one that he bounces off is given the velocity that he had where they
-    /// touched: parting them is the way back, and what pulls has worked on it. In a column it works on all that are
-    /// lifted, not on the two that meet alone; without that a column that is dropped is thrown up by being parted.
+    /// Bodies that bounce and are to be parted by `depth` get the velocity that they had where they first touched: to
+    /// part them is to go back that way, against what pulls. In a column this holds for all bodies that are lifted and
+    /// not for the two that meet alone; otherwise parting throws a dropped column upwards.
     /// With the displacements \f$ \mathbf d \f$ that part them, u becomes \f$ \mathbf u + \gamma\mathbf d \f$
     /// with \f$ \tfrac12\sum m\,|\mathbf u + \gamma\mathbf d|^2 = \tfrac12\sum m\,|\mathbf u|^2 + \sum m\,\mathbf
     /// a\cdot\mathbf d \f$ in each cluster; for two alone that is \f$ v^2 + 2 a p \f$ along the normal.
@@ -236,7 +236,7 @@ private:
         }
     }
 
-    /// Who touches whom, of some of the contacts; what nothing moves connects nobody.
+    /// The clusters that some of the contacts make; a body that cannot move connects none.
     template <class Which> void cluster(const Which& which) {
         roots_.reset(bodies.size());
         for (auto& body : bodies) body.count = 0, body.by = Raw::Zero();
@@ -314,7 +314,7 @@ private:
     }
 
     std::vector<std::uint32_t> place_; // by slot
-    std::vector<Cluster> scratch_;     // by who stands for it
+    std::vector<Cluster> scratch_;     // by the body that stands for it
     std::vector<Raw> before_;          // velocities, while displacements are solved
     Islands roots_;
 };

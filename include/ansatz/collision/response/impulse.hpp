@@ -27,9 +27,9 @@
 /// `threshold` do not bounce: in a step of 1/60 s gravity alone gives 0.16 m/s to what lies on the ground.
 ///
 /// **Many at once.** Contacts that approach faster than `threshold` are reflected, those that hang together as one,
-/// again and again while somebody still approaches: a blow goes through a row of balls one by one, and two that are hit
-/// at once are hit alike. Then what lies is held, all contacts together (contact_pushes.hpp). Neither gives energy, nor
-/// depends on the order of insertion.
+/// again and again while any two still approach: a blow goes through a row of balls one by one, and two that are hit at
+/// once are hit alike. Then resting contacts are held, all of them together (contact_pushes.hpp). Neither step adds
+/// energy, and neither depends on the order of insertion.
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact_step.hpp>
@@ -84,7 +84,8 @@ template <class... Options> struct Impulse {
     using reads = Columns<Restitution, Options...>;
     using writes = Columns<Velocity>;
 
-    /// m/s, finite, not negative: slower approaches do not bounce. More than g dt, or what rests trembles.
+    /// m/s, finite, not negative: slower approaches do not bounce. At least 1.5 g dt (g: what pulls), or what rests
+    /// trembles.
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
     /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what
     /// lies. A blow goes one body further each time, and a column of n needs n.
@@ -113,7 +114,7 @@ template <class... Options> struct Impulse {
             if constexpr (rubs)
                 push.friction = sqrt(a.template get<Friction>().value() * b.template get<Friction>().value());
         }
-        /// Changes the velocities of all of a step: first those bounce that are fast enough, then nobody may approach.
+        /// Changes the velocities of a step: contacts that approach fast enough bounce, then no contact may approach.
         void answer(auto& pushes, const typename S::Time& dt, const typename S::Scalar& leads, bool parted,
                     const auto& pull) const {
             using Scalar = typename S::Scalar;
@@ -122,13 +123,13 @@ template <class... Options> struct Impulse {
                 if (push.restitution > Scalar(0) && leads != Scalar(0))
                     push.ahead = leads * pull(push).value() * dt.value();
                 any = any || (push.touches && push.restitution > Scalar(0));
-                // Who does not touch yet may come as far as that.
+                // Bodies that do not touch yet may close their gap.
                 if (!push.touches) push.target = push.depth / dt.value();
             }
             if (any && parted) go_back(pushes, leads * dt.value(), pull);
             for (int round = 0; any && round < sweeps; ++round)
                 any = pushes.bounce([&](auto& push) { return parting(push); });
-            // Who comes faster than the threshold, or is so far away that he would have to, is stopped when he touches.
+            // Faster than the threshold, or so far away that it would take more than that: stopped at the touch.
             const Scalar slow = threshold.value();
             for (auto& push : pushes.pushes)
                 push.waits = !push.touches && (slow > Scalar(0) || push.restitution > Scalar(0)) &&

@@ -178,7 +178,7 @@ public:
     }
     /// They are no elements.
     static void for_each(auto&&) {}
-    /// They hold nobody.
+    /// They hold no body.
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
 

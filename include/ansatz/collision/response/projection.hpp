@@ -5,7 +5,7 @@
 /// `Projection`: moves bodies apart that intersect, and touches nothing but their positions (notes 2.2).
 ///
 /// Use it with a response that changes velocities (`World{..., Impulse{}, Projection{}}`): alone, bodies that fall onto
-/// each other are lifted apart in every step and fall ever faster. The notes do not say who is moved how far: shared by
+/// each other are lifted apart in every step and fall ever faster. The notes do not say how the move is shared: by
 /// inverse mass, the centre of mass stays where it is; half and half, it drifts.
 ///
 /// Where many touch, all of a step are moved apart together (contact_pushes.hpp): by what moves the whole least.
@@ -59,7 +59,8 @@ struct Projection {
               share(typename S::Scalar(projection.share)),
               sweeps(projection.sweeps) {}
 
-        /// How far the two of a contact are to be moved apart; who is not too deep may come so deep.
+        /// How far the two of a contact are to be moved apart; where they are not too deep, how far they may still
+        /// approach.
         void note(auto& push, const auto&, const auto&) const {
             const auto too_deep = push.depth - slop.value();
             push.target = too_deep > 0 ? share * too_deep : too_deep;

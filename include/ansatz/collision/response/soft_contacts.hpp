@@ -115,7 +115,7 @@ public:
         }
     }
 
-    /// Before the passes of a step: who is where, and how each contact will answer.
+    /// Before the iterations of a step: where the bodies are, and how each contact will answer.
     /// \param friction the coefficient of two slots
     template <class Data, class FrictionOf> void begin(const Data& data, const FrictionOf& friction) {
         for (auto& c : all) {
@@ -333,7 +333,7 @@ public:
     }
     /// They are no elements.
     static void for_each(auto&&) {}
-    /// They hold nobody.
+    /// They hold no body.
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
 
@@ -356,7 +356,7 @@ private:
                 island_[std::max(a, b)] = std::min(a, b);
             }
         }
-        std::uint32_t count = 0; // a root has the smallest slot of its island: whom it is told by comes first
+        std::uint32_t count = 0; // a root has the smallest slot of its island, so that it comes first
         for (std::uint32_t slot = 0; slot < bodies.size(); ++slot)
             island_[slot] = island_[slot] == slot ? count++ : island_[island_[slot]];
         islands_.resize(count);

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `SoftImpacts`: who hits whom within a substep, when, and how they part: the bounces of `SoftSubsteps`. Beyond the
-/// notes.
+/// `SoftImpacts`: which bodies hit each other within a substep, when, and how they part: the bounces of `SoftSubsteps`.
+/// Beyond the notes.
 ///
 /// Each pair that runs into each other faster than the threshold has a moment at which it meets, by the velocities that
 /// its bodies have *then*: what one impact has changed is what the next one sees. They are answered in the order of
@@ -67,7 +67,7 @@ public:
     bool answer(auto& contacts, Scalar h, Scalar threshold) {
         bodies_.assign(contacts.bodies.size(), Struck());
         bool any = false;
-        // A row of n bodies takes n rounds. Who meets more often, a grain under a piston, goes on in the next substep.
+        // A row of n bodies takes n rounds. What meets more often (a grain under a piston) goes on in the next substep.
         for (std::size_t left = 64 + 4 * pairs.size(); left > 0 && find(contacts, h, threshold); --left) {
             agree(contacts);
             solve(contacts);

@@ -6,8 +6,8 @@
 // not in the umbrella: Eigen's sparse module takes half a second to compile
 ///
 /// Use it, `ImplicitEulerBy<Cholesky>`, for systems that are small and very stiff, where conjugate gradients need
-/// thousands of iterations: its time does not depend on the stiffness. It allocates in every step, and its time grows
-/// faster than the number of bodies.
+/// thousands of iterations: its time does not depend on the stiffness. It allocates in every step, and its work
+/// grows more than in proportion to the number of bodies.
 
 #include <ansatz/motion/integrators/implicit_system.hpp>
 

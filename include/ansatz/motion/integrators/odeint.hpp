@@ -9,8 +9,8 @@
 /// `Odeint<boost::numeric::odeint::runge_kutta_fehlberg78<std::array<double, 6>>>`. The state type that you name is
 /// replaced by one of the world's scalar and dimension. A stepper with memory is refused: a multistep method or one
 /// whose last stage is the next step's first (Dormand-Prince) would remember a state from before an impulse or a
-/// contact. So are controlled steppers: a world's step has the length that it was asked for. Slower than RungeKutta4,
-/// which runs in lanes.
+/// contact. So are controlled steppers: a world's step has the length that it was asked for. It advances body
+/// by body; RungeKutta4 runs in lanes.
 
 #include <ansatz/motion/concepts.hpp>
 

@@ -195,7 +195,7 @@ private:
     std::vector<Spring> springs_;
     std::vector<Pair> pairs_;
     std::vector<Packed> inverse_;
-    std::array<Waiting, 2> kept_; // blocks of bodies by themselves, of which nobody knows yet whose they are
+    std::array<Waiting, 2> kept_; // blocks of bodies by themselves, whose bodies are not known yet
     int waiting_ = 0;
 };
 

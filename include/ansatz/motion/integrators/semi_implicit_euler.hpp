@@ -4,7 +4,8 @@
 /// \file
 /// `SemiImplicitEuler`: velocity first, then the position with the new velocity (notes 1.6.3).
 ///
-/// The integrator to begin with: as cheap as explicit Euler, and symplectic, so that the energy of a spring or an orbit
+/// The integrator to begin with: as cheap as explicit Euler <!-- costs: motion integrator/oscillator:
+/// SemiImplicitEuler < 1.15 ExplicitEuler -->, and symplectic, so that the energy of a spring or an orbit
 /// swings about the true one for ever instead of growing. Stable up to omega dt = 2 exactly, and explicit damping makes
 /// that limit smaller, not larger. Not when the trajectory itself must be accurate: it is of first order; see
 /// velocity_verlet.hpp and runge_kutta4.hpp.

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSL-1.0
+"""The course as one table, its holes, and words before their explanation (tools/workshop/course.py)."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+import unittest
+from typing import Iterator
+
+from workshop import course
+
+PAGE = r"""# Chapter 1: motion {#chapter_motion}
+
+Of inertia, before anything begins.
+
+## 1.7 Drag {#section_1_7}
+
+Air resists. A word: *inertia*.
+
+- Program: the program.
+- Library: \ref ansatz::Drag "Drag", `FrameDrag`,
+  and decay of `motion/decay.hpp`.
+- Exercise: \ref exercise_motion_drag "drag".
+
+## 1.8 Rest {#section_1_8}
+
+A *threshold* and `inertia`.
+
+- Library: \ref ansatz::rest "rest".
+- Exercise: \ref exercise_motion_rest "rest".
+
+## Words {#motion_words}
+
+| word | meaning | where |
+|---|---|---|
+| inertia | it goes on | \ref section_1_7 "1.7" |
+| threshold, slow start | from where on | \ref section_1_8 "1.8" |
+"""
+FILES = {
+    "docs/motion.md": PAGE.replace("`inertia`", "a slow\nstart"),
+    "chapters/1-motion/1.7-drag.cpp": "", "chapters/1-motion/1.8-rest.cpp": "", "chapters/1-motion/problems.hpp": "",
+    "include/ansatz/motion/drag.hpp": "struct Drag {\n", "include/ansatz/motion/frame_drag.hpp": "struct FrameDrag {\n",
+    "include/ansatz/motion/decay.hpp": "", "include/ansatz/motion/rest.hpp": "inline Motion rest(int a) {\n",
+    "tests/motion/drag.cpp": "#include <ansatz/motion/frame_drag.hpp>\n", "tests/motion/decay.cpp": "",
+    # Of another module, and of a namespace of its own: not what is meant.
+    "include/ansatz/collision/rest.hpp": "inline Motion rest(int a) {\n",
+    "include/ansatz/motion/body.hpp": "namespace ansatz::other {\nstruct Drag {\n",
+    "tests/world/all.cpp": "#include <ansatz/motion/rest.hpp>\n",
+}
+
+
+@contextlib.contextmanager
+def project(changed: dict[str, str]) -> Iterator[None]:
+    """A folder with a small course; None removes a file."""
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        for file, text in (FILES | changed).items():
+            os.makedirs(os.path.dirname(file), exist_ok=True)
+            with open(file, "w", encoding="utf-8") as stream:
+                stream.write(text)
+        course.text_of.cache_clear()
+        course.headers_of_names.cache_clear()
+        course.tests_of.cache_clear()
+        try:
+            yield
+        finally:
+            os.chdir(before)
+
+
+class Table(unittest.TestCase):
+    """Each section with all that belongs to it."""
+
+    def test_a_row(self) -> None:
+        """Headers by link, by name and by path; tests by name and by what they include."""
+        with project({}):
+            drag, rest = course.sections()
+            self.assertEqual((drag.number, drag.title, drag.label), ("1.7", "Drag", "section_1_7"))
+            self.assertEqual(drag.headers, ["motion/drag.hpp", "motion/frame_drag.hpp", "motion/decay.hpp"])
+            self.assertEqual(drag.exercises, ["exercise_motion_drag"])
+            self.assertEqual(rest.headers, ["motion/rest.hpp"])
+            self.assertEqual(course.tests_of("motion/frame_drag.hpp"), ("tests/motion/drag.cpp",))
+            self.assertEqual(course.tests_of("motion/rest.hpp"), ("tests/world/all.cpp",))
+            self.assertIn('| \\ref section_1_7 "1.7 Drag" | \\ref program_motion_1_7_drag "drag" | \\ref ansatz/motion/drag.hpp "drag.hpp", ',
+                          course.table())
+            self.assertIn("| drag.cpp, decay.cpp |", course.table())
+            self.assertEqual(course.holes(), [])
+
+    def test_holes(self) -> None:
+        """Each kind, alone."""
+        page = FILES["docs/motion.md"]
+        for changed, says in (
+                ({"docs/motion.md": page.replace("{#section_1_8}", "")}, "has no section 1.8"),
+                ({"docs/motion.md": page.replace('- Library: \\ref ansatz::rest "rest".', "")}, "names no header"),
+                ({"docs/motion.md": page.replace("- Exercise: \\ref exercise_motion_rest", "- See \\ref a")}, "has no exercise"),
+                ({"tests/world/all.cpp": ""}, "motion/rest.hpp, which section 1.8 teaches, has no test")):
+            with project(changed):
+                self.assertEqual(len(course.holes()), 1, says)
+                self.assertIn(says, course.holes()[0])
+        with project({"docs/motion.md": page.replace("1.8 Rest {#section_1_8}", "1.9 Rest {#section_1_9}"),
+                      "chapters/1-motion/1.9-rest.cpp": ""}):
+            self.assertIn("section 1.9 has an exercise: it leaves the list of those without one "
+                          "(tools/workshop/course.py)", course.holes())
+
+    def test_order(self) -> None:
+        """By numbers, not by letters."""
+        self.assertEqual(sorted(["6.3.10", "6.3.9", "6.3", "10"], key=course.in_order), ["6.3", "6.3.9", "6.3.10", "10"])
+
+
+class Words(unittest.TestCase):
+    """What a glossary explains."""
+
+    def test_in_their_order(self) -> None:
+        """Over a line's end, in the plural, in code and formulas of no account."""
+        page = FILES["docs/motion.md"]
+        self.assertEqual(course.words_of(page), [("inertia", "section_1_7"), ("threshold", "section_1_8"),
+                                                 ("slow start", "section_1_8")])
+        for said in ("", "`threshold`", "\\f$ threshold \\f$", "\\snippet a threshold", "thresholding",
+                     'Wait (\\ref section_1_8 "1.8") for thresholds.', 'See \\ref section_1_8 "1.8".\n\nA threshold.'):
+            self.assertEqual(course.used_too_early("p", page.replace("Air resists.", said)), [], said)
+
+    def test_too_early(self) -> None:
+        """Told once for a section; a word that its own section does not use; a section that is not there."""
+        page = FILES["docs/motion.md"]
+        for said in ("A threshold.", "Two\nThresholds.\n\nA threshold.", "A slow-start.", "- one\n- a threshold"):
+            faults = course.used_too_early("p", page.replace("Air resists.", said))
+            self.assertEqual(len(faults), 1, said)
+            self.assertIn("section_1_7 uses", faults[0])
+        self.assertIn("does not use it", course.used_too_early("p", page.replace("*threshold*", "*limit*"))[0])
+        self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
+
+
+class Links(unittest.TestCase):
+    """Of pages."""
+
+    def test_broken(self) -> None:
+        """Text in one line, and text that goes on."""
+        self.assertEqual(course.broken("p", 'See \\ref a "one text", and \\ref b "another".\nA "quote\nover" lines.'), [])
+        self.assertEqual(len(course.broken("p", 'See \\ref a "one", \\ref b "a\ntext".')), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: BSL-1.0
+"""The course as one table: section, program, headers, exercise, tests, page. From the project's folder:
+
+    course.py table              prints it, as a page of the site
+    course.py holes              prints a fault for each hole in it, for each word that is used before it is explained,
+                                 and for each link whose text is broken over two lines
+
+A section is a program of chapters/; the rest follows from what its page says at its end ("- Library: ...",
+"- Exercise: ..."), and from the names of files. A section that teaches something to write and has no exercise yet is in
+WITHOUT_EXERCISE; the list may become shorter, never longer, and an entry that has one is a fault as well.
+
+A word of a page's glossary ("## Words") names the section that explains it. Earlier sections of the page do without it, or
+point to where it is explained.
+"""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import functools
+import glob
+import os
+import re
+import sys
+
+# What there is to write in these is written in the exercise of a neighbour, or is not asked for yet.
+WITHOUT_EXERCISE = frozenset(
+    "1.1 1.2 1.3 1.6 1.9 2.1 2.1.2.3 3.2 3.3 3.4".split())
+# Chapters whose pages do not say at each section's end what belongs to it.
+NOT_YET = frozenset(("4-soft_bodies", "5-states", "6-paths", "7-water"))
+
+
+@functools.lru_cache(maxsize=None)
+def text_of(file: str) -> str:
+    """A file."""
+    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
+        return stream.read()
+
+
+def in_order(number: str) -> list[int]:
+    """The key that sorts 6.3.10 behind 6.3.9."""
+    return [int(part) for part in number.split(".")]
+
+
+@functools.lru_cache(maxsize=None)
+def headers_of_names() -> dict[str, list[str]]:
+    """The headers of each type, concept and function, by its whole name: ansatz::Rope is in springs/spring.hpp. That which
+    is named after it comes first."""
+    found: dict[str, list[str]] = {}
+    named = re.compile(r" *(?:template <.*> *)?(?:struct|class|concept|enum class|using) ([A-Z]\w+)|"
+                       r" *(?:\[\[nodiscard\]\] )?(?:constexpr |inline |template <.*> )*[\w:<>]+(?:<.*>)?&? ([a-z_]+)\(")
+    for folder, _, files in sorted(os.walk("include/ansatz")):
+        for file in sorted(files):
+            if file in ("module.hpp", "roles.hpp"):
+                continue
+            path = f"{folder}/{file}".removeprefix("include/ansatz/")
+            stem = "".join(word.capitalize() for word in file.removesuffix(".hpp").split("_"))
+            space = "ansatz"
+            for line in text_of(f"{folder}/{file}").split("\n"):
+                if opened := re.match(r"(?:inline )?namespace (ansatz(?:::\w+)*) \{", line):
+                    space = opened[1]
+                if (match := named.match(line)) and path not in (headers := found.setdefault(
+                        f"{space}::{match[1] or match[2]}", [])):
+                    headers.insert(0 if match[1] == stem else len(headers), path)
+    return found
+
+
+@dataclasses.dataclass
+class Section:
+    """A row of the table."""
+
+    number: str
+    title: str
+    program: str
+    chapter: str
+    label: str
+    headers: list[str]
+    exercises: list[str]
+
+    @property
+    def module(self) -> str:
+        """motion of 1-motion."""
+        return self.chapter.partition("-")[2]
+
+
+def text_of_sections(page: str) -> dict[str, tuple[str, str]]:
+    """For each label section_..., its title and its text up to the next heading."""
+    found: dict[str, tuple[str, str]] = {}
+    label = title = ""
+    lines: list[str] = []
+    for line in page.split("\n") + ["# end"]:
+        if re.match("#+ ", line):
+            if label:
+                found[label] = (title, "\n".join(lines))
+            heading = re.match(r"#+ +(.*?) *\{#(section_[0-9_]+)\} *$", line)
+            title, label = (re.sub("[`*]", "", heading[1]), heading[2]) if heading else ("", "")
+            lines = []
+        else:
+            lines.append(line)
+    return found
+
+
+def bullet(text: str, *names: str) -> str:
+    """What "- Library: ..." says, with the lines that go on."""
+    found = re.search(rf"^- (?:{'|'.join(names)}): (.*(?:\n  .*)*)", text, re.MULTILINE)
+    return found[1] if found else ""
+
+
+def headers_in(said: str, module: str) -> list[str]:
+    """Those that a bullet names: by path, by a type, or by a link to a function; of several that of the module."""
+    found: list[str] = []
+    names = headers_of_names()
+    for path, name, short in re.findall(r"([a-z_]+(?:/[a-z_0-9]+)+\.hpp)|\\ref (ansatz(?:::\w+)+)|`([A-Z]\w+)", said):
+        headers = [path.removeprefix("ansatz/")] if path else names.get(name or f"ansatz::{short}", [])
+        own = [header for header in headers if header.startswith(f"{module}/")]
+        found += [header for header in (own or headers)[:1] if os.path.isfile(f"include/ansatz/{header}")]
+    return list(dict.fromkeys(found))
+
+
+def sections() -> list[Section]:
+    """All of them, in the order of the course."""
+    found: list[Section] = []
+    for program in glob.glob("chapters/*/[0-9]*-*.cpp"):
+        _, chapter, name = program.split("/")
+        number = name.partition("-")[0]
+        label = "section_" + number.replace(".", "_")
+        page = f"docs/{chapter.partition('-')[2]}.md"
+        title, text = text_of_sections(text_of(page)).get(label, ("", "")) if os.path.isfile(page) else ("", "")
+        found.append(Section(
+            number, title.removeprefix(number).strip(), program, chapter, label if title else "",
+            headers_in(bullet(text, "Library"), chapter.partition("-")[2]),
+            re.findall(r"exercise_[a-z0-9_]+", bullet(text, "Exercises?"))))
+    return sorted(found, key=lambda section: in_order(section.number))
+
+
+@functools.lru_cache(maxsize=None)
+def tests_of(header: str) -> tuple[str, ...]:
+    """By its name, or those of its module that include it."""
+    stem = header.removesuffix(".hpp")
+    module, thing = stem.partition("/")[0], stem.rpartition("/")[2]
+    named = [file for ending in (".cpp", ".perf.cpp") for place in (stem, f"{module}/{thing}")
+             if os.path.isfile(file := f"tests/{place}{ending}")]
+    if named:
+        return tuple(dict.fromkeys(named))
+    including = [file for place in (module, "*") for file in sorted(glob.glob(f"tests/{place}/**/*.[ch]pp", recursive=True))
+                 if f"<ansatz/{header}>" in text_of(file)]
+    return tuple(dict.fromkeys(including))[:2]
+
+
+# ---------------------------------------------------------------- the table
+def row(section: Section) -> str:
+    """A line of it."""
+    program = section.program.rpartition("/")[2]
+    page = f"program_{section.module}_" + re.sub("[^A-Za-z0-9]", "_", program.removesuffix(".cpp"))
+    tests = list(dict.fromkeys(test for header in section.headers for test in tests_of(header)))
+    said = program.removesuffix(".cpp").partition("-")[2].replace("_", " ")
+    return (f'| \\ref {section.label} "{section.number} {section.title}" | \\ref {page} "{said}" | '
+            + ", ".join(f'\\ref ansatz/{header} "{os.path.basename(header)}"' for header in section.headers) + " | "
+            + ", ".join(f'\\ref {label} "{label.removeprefix(f"exercise_{section.module}_")}"'
+                        for label in section.exercises) + " | "
+            + ", ".join(os.path.basename(test) for test in tests) + " |")
+
+
+def table() -> str:
+    """The page."""
+    text = ("# The course in one table {#page_course}\n\nEach section of the notes, with its program, what the library "
+            "has of it, who asks for it, and the tests that hold\nit (in `tests/`). `./workbook section 1.7` runs a program, "
+            "`./workbook exercise drag` an exercise.\n")
+    chapter = ""
+    for section in sections():
+        if not section.label:
+            continue
+        if section.chapter != chapter:
+            chapter = section.chapter
+            text += (f"\n## {chapter.replace('-', '. ', 1).replace('_', ' ')} {{#course_{section.module}}}\n\n"
+                     "| section | program | in the library | exercise | tests |\n|---|---|---|---|---|\n")
+        text += row(section) + "\n"
+    return text
+
+
+def holes() -> list[str]:
+    """What the table lacks."""
+    faults: list[str] = []
+    for section in sections():
+        if not section.label:
+            faults.append(f"{section.program} has no section {section.number} on its page")
+            continue
+        has = bool(section.exercises)
+        if has and section.number in WITHOUT_EXERCISE:
+            faults.append(f"section {section.number} has an exercise: it leaves the list of those without one "
+                          "(tools/workshop/course.py)")
+        if section.chapter in NOT_YET:
+            continue
+        if not section.headers:
+            faults.append(f"section {section.number} names no header behind '- Library:'")
+        faults += [f"{header}, which section {section.number} teaches, has no test" for header in section.headers
+                   if not tests_of(header)]
+        if not has and section.number not in WITHOUT_EXERCISE:
+            faults.append(f"section {section.number} has no exercise behind '- Exercise:'")
+    return faults
+
+
+# ---------------------------------------------------------------- words
+def plain(text: str) -> str:
+    """What is read of a text: no code, formulas, commands, or words that only look alike."""
+    text = re.sub(r"^\\(?:snippet|verbinclude|image|include)[^\n]*|`[^`\n]*`", " ", text, flags=re.MULTILINE)
+    return re.sub(r"\\f\[.*?\\f\]|\\f\$.*?\\f\$|<!--.*?-->", " ", text, flags=re.DOTALL)
+
+
+def words_of(page: str) -> list[tuple[str, str]]:
+    """Of its glossary: the word, and the label of the place that explains it. "slack, taut" are two."""
+    found: list[tuple[str, str]] = []
+    words = re.search(r"^## Words .*?(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
+    for line in words[0].split("\n") if words else []:
+        if entry := re.match(r"\| ([^|]+) \|.*\\ref (\w+)", line):
+            found += [(word.strip(), entry[2]) for word in entry[1].split(",")]
+    return found
+
+
+def form(word: str) -> str:
+    """Matches a word, its plural, and its parts joined by a hyphen or a line's end."""
+    return r"\b" + r"[\s-]+".join(re.escape(part) for part in word.split()) + r"(?:s|es|d|ed)?\b"
+
+
+def used_too_early(file: str, page: str) -> list[str]:
+    """Words of the glossary that a section before theirs uses without pointing to it."""
+    faults: list[str] = []
+    # The pieces of the page in their order: the label, and the text below its heading.
+    pieces = re.split(r"^#+ .*\{#(\w+)\} *$", page, flags=re.MULTILINE)
+    labels = pieces[1::2]
+    texts = dict(zip(labels, pieces[2::2]))
+    for word, place in words_of(page):
+        if place not in texts:
+            faults.append(f"{file}: the glossary explains '{word}' in {place}, which is not on this page")
+            continue
+        if not re.search(form(word), texts[place], re.IGNORECASE):
+            faults.append(f"{file}: the glossary explains '{word}' in {place}, which does not use it")
+        for label in labels[:labels.index(place)]:
+            if not label.startswith("section_"):
+                continue
+            for paragraph in re.split(r"\n\n+|\n(?=[-|] )", texts[label]):
+                if f"\\ref {place}" in paragraph:
+                    break
+                if re.search(form(word), plain(paragraph), re.IGNORECASE):
+                    faults.append(f"{file}: {label} uses '{word}' before {place} explains it; "
+                                  "explain it there, or point to where it is")
+                    break
+    return faults
+
+
+def broken(file: str, page: str) -> list[str]:
+    """Links whose text goes on in the next line: Doxygen ends them there, and what follows is no Markdown any more."""
+    return [f"{file}:{number}: the text of a \\ref goes on in the next line; it stands in one"
+            for number, line in enumerate(page.split("\n"), start=1) if re.search(r'\\ref \S+ "[^"]*$', line)]
+
+
+def main(arguments: list[str]) -> int:
+    """One of the two."""
+    parser = argparse.ArgumentParser(prog="course.py", description="The course as one table.")
+    parser.add_argument("asked", choices=("table", "holes"))
+    if parser.parse_args(arguments).asked == "table":
+        sys.stdout.buffer.write(table().encode("utf-8", "surrogateescape"))
+        return 0
+    faults = holes() + [fault for file in sorted(glob.glob("docs/*.md")) for fault in used_too_early(file, text_of(file)) + broken(file, text_of(file))]
+    for fault in faults:
+        print(fault)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
