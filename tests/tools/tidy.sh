@@ -36,7 +36,13 @@ fi
 
 everything=$scratch/everything.cpp
 modules=0
+threads=yes
+echo '#include <oneapi/tbb/parallel_for.h>' | "${CXX:-c++}" -E -x c++ - > /dev/null 2>&1 || threads=
 for header in "$project"/include/ansatz/*.hpp; do
+    if [ "${header##*/}" = execution.hpp ] && [ -z "$threads" ]; then
+        echo "execution.hpp is left out: there is no oneTBB (on Debian: apt install libtbb-dev)"
+        continue
+    fi
     echo "#include <ansatz/$(basename "$header")>"
     modules=$((modules + 1))
 done > "$everything"

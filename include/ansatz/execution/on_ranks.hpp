@@ -73,7 +73,7 @@ private:
         std::signal(signal, SIG_DFL);
         std::raise(signal);
     }
-    static inline const char* volatile words_ = nullptr;
+    static inline const char* volatile words_ = nullptr; // NOLINT(readability-identifier-naming): a member
     void (*before_)(int) = SIG_DFL;
     std::string texts_[2];
     bool turn_ = false;
