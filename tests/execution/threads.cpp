@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // Threads: a world comes to the same bits on any number of threads.
-// Runs long with the sanitizers.
 
 #include <ansatz/execution/threads.hpp>
 #include <ansatz/springs.hpp>
