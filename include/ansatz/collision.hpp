@@ -24,6 +24,7 @@
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/division.hpp>
 #include <ansatz/collision/door.hpp>
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/filter/layers.hpp>

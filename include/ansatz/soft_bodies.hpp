@@ -9,6 +9,7 @@
 #include <ansatz/soft_bodies/bending.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
+#include <ansatz/soft_bodies/coloured_xpbd.hpp>
 #include <ansatz/soft_bodies/constraint.hpp>
 #include <ansatz/soft_bodies/constraint_force.hpp>
 #include <ansatz/soft_bodies/constraint_system.hpp>
@@ -20,6 +21,7 @@
 #include <ansatz/soft_bodies/soft_ball.hpp>
 #include <ansatz/soft_bodies/soft_box.hpp>
 #include <ansatz/soft_bodies/soft_rope.hpp>
+#include <ansatz/soft_bodies/spring_colours.hpp>
 #include <ansatz/soft_bodies/strain_limit.hpp>
 #include <ansatz/soft_bodies/tear.hpp>
 #include <ansatz/soft_bodies/tearable.hpp>

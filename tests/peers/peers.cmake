@@ -14,13 +14,17 @@ find_path(ANSATZ_BULLET_INCLUDE btBulletCollisionCommon.h PATH_SUFFIXES bullet)
 find_library(ANSATZ_BULLET_COLLISION BulletCollision)
 find_library(ANSATZ_BULLET_MATH LinearMath)
 find_library(ANSATZ_BULLET_DYNAMICS BulletDynamics)
+find_library(ANSATZ_BULLET_SOFT_BODY BulletSoftBody)
 find_path(ANSATZ_ODE_INCLUDE ode/ode.h)
 find_library(ANSATZ_ODE_LIBRARY ode)
-mark_as_advanced(ANSATZ_ODE_INCLUDE ANSATZ_ODE_LIBRARY ANSATZ_BULLET_DYNAMICS ANSATZ_CGAL_INCLUDE ANSATZ_FCL_INCLUDE ANSATZ_FCL_LIBRARY ANSATZ_CCD_LIBRARY ANSATZ_BULLET_INCLUDE
+mark_as_advanced(ANSATZ_ODE_INCLUDE ANSATZ_ODE_LIBRARY ANSATZ_BULLET_DYNAMICS ANSATZ_BULLET_SOFT_BODY ANSATZ_CGAL_INCLUDE ANSATZ_FCL_INCLUDE ANSATZ_FCL_LIBRARY ANSATZ_CCD_LIBRARY ANSATZ_BULLET_INCLUDE
     ANSATZ_BULLET_COLLISION ANSATZ_BULLET_MATH)
 
-# Every peer is a library of its own, so that its headers and flags are seen by nobody else.
+# Every peer is a library of its own, so that its headers and flags are seen by nobody else. Its folder names the area,
+# whose program it is a part of.
 function(ansatz_peer target source definition include)
+    string(REGEX MATCH "^peers/([a-z_]+)/" area "${source}")
+    set(program peers_${CMAKE_MATCH_1})
     if(NOT include)
         return()
     endif()
@@ -34,8 +38,8 @@ function(ansatz_peer target source definition include)
     target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${target} SYSTEM PRIVATE ${include})
     target_link_libraries(${target} PRIVATE Boost::headers Eigen3::Eigen)
-    target_compile_definitions(peers_collision PRIVATE ${definition})
-    target_link_libraries(peers_collision PRIVATE ${target} ${ARGN})
+    target_compile_definitions(${program} PRIVATE ${definition})
+    target_link_libraries(${program} PRIVATE ${target} ${ARGN})
 endfunction()
 
 add_executable(peers_collision EXCLUDE_FROM_ALL peers/collision/main.cpp peers/collision/piles.cpp)
@@ -61,3 +65,11 @@ add_executable(peers_water EXCLUDE_FROM_ALL peers/water/main.cpp)
 target_link_libraries(peers_water PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
 target_include_directories(peers_water PRIVATE ${PROJECT_SOURCE_DIR}/tools)
 set_target_properties(peers_water PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+# Soft bodies are held against Eigen's matrices, a loop that is written by hand, and Bullet where it was found.
+add_executable(peers_soft_bodies EXCLUDE_FROM_ALL peers/soft_bodies/main.cpp)
+target_link_libraries(peers_soft_bodies PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
+target_include_directories(peers_soft_bodies PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+set_target_properties(peers_soft_bodies PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+ansatz_peer(peer_bullet_sheet peers/soft_bodies/bullet.cpp ANSATZ_PEER_BULLET_SOFT "${ANSATZ_BULLET_INCLUDE}"
+    "${ANSATZ_BULLET_SOFT_BODY}" "${ANSATZ_BULLET_DYNAMICS}" "${ANSATZ_BULLET_COLLISION}" "${ANSATZ_BULLET_MATH}")

@@ -13,13 +13,15 @@
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/division.hpp>
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/near_contacts.hpp>
 #include <ansatz/collision/response/contact_pushes.hpp>
-#include <ansatz/motion/sleep.hpp>
+#include <ansatz/collision/sleep.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
+#include <ansatz/world/data.hpp>
 #include <ansatz/world/elements.hpp>
 
 #include <algorithm>
@@ -34,12 +36,8 @@ namespace ansatz {
 
 template <class C> class SweptCollisions;
 
-namespace detail {
-struct NoNear {};
-} // namespace detail
-
 /// \tparam C the world's composition
-template <class C> class Collisions {
+template <class C> class Collisions : public Division<detail::any_brings_bodies<typename C::keepers, typename C::S>> {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
@@ -53,10 +51,14 @@ public:
     int parts = 1;                    ///< into how many the last step was divided
     std::vector<ContactEnd> ended;    ///< what was a contact before the last step and is none now
 
+    /// Whether steps of this world divide bodies.
+    static constexpr bool divides = detail::any_brings_bodies<typename C::keepers, S>;
+
     /// Room for so many bodies.
     void reserve(std::size_t n) {
         shapes.reserve(n);
         sensors_.reserve(n);
+        if constexpr (divides) this->siblings_.reserve(n);
     }
     /// Room for a body with this id.
     void make_room(std::uint32_t id) {
@@ -64,6 +66,22 @@ public:
         if (sensors_.size() <= id) sensors_.resize(std::size_t(id) + 1);
         if constexpr (C::rests)
             if (pulls_.size() <= id) pulls_.resize(std::size_t(id) + 1, S::template zero_vector<unit::Acceleration>());
+        if constexpr (divides) this->siblings_.make_room(id);
+    }
+    /// Room for n bodies behind `ids`, which a step may make by dividing others, and for contacts that they take along.
+    void make_room_to_come(std::size_t n, std::size_t ids) {
+        make_room(std::uint32_t(ids + n - 1));
+        shapes.make_room_for_more(n);
+        detail::make_room_for_copies(contacts);
+    }
+    /// A body has been divided (division.hpp). What acts in the next step is looked for again.
+    void body_divided(const Bodies& bodies, std::uint32_t id, std::uint32_t part) {
+        shapes.copy(id, part);
+        sensors_[part] = sensors_[id];
+        if constexpr (C::rests) pulls_[part] = pulls_[id];
+        if constexpr (divides) this->siblings_.divided(id, part);
+        detail::copy_contacts(contacts, bodies.handle(bodies.slot_of_id(id)), bodies.handle(bodies.slot_of_id(part)));
+        stale_ = true;
     }
     /// Whether assigning cannot fail where there is room.
     static constexpr bool assigns_in_place = Shapes::assigns_in_place;
@@ -74,6 +92,7 @@ public:
         ended.reserve(other.ended.size());
         sensors_.reserve(other.sensors_.size());
         pulls_.reserve(other.pulls_.size());
+        if constexpr (divides) this->siblings_.make_room_for(other.siblings_);
     }
     /// Whether two bodies intersect now, whatever a filter says.
     template <class Data> bool intersect(const Data& data, std::uint32_t a, std::uint32_t b) const {
@@ -90,6 +109,7 @@ public:
     /// A removed body takes its shape with it. Its contacts end in the next step: a caller may be iterating over them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
+        if constexpr (divides) this->siblings_.leave(id);
         if (id < pulls_.size())
             pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body of this id
         somebody_removed_ = true;
@@ -118,6 +138,7 @@ public:
     /// \param later whether this is a part of a step and not the first
     template <class Data, class Policies, class Pull>
     void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
+        this->part_siblings([&](std::uint32_t a, std::uint32_t b) { return intersect(data, a, b); });
         find(data, policies, pull);
         stale_ = false;
         if constexpr (C::acts_next) {
@@ -166,7 +187,7 @@ private:
         if constexpr (C::holds_near) w.near.all.clear();
         if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0)
             find_among_moving(data, policies, pull);
-        const bool twice = keep_those_at_rest(data);
+        const bool twice = detail::keep_contacts_at_rest(data, w.found);
         if constexpr (C::sweeps)
             static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
         w.order.sort(w.found, data.bodies.ids());
@@ -323,6 +344,7 @@ private:
                                      std::uint32_t j) {
         const auto a = i < j ? i : j, b = i < j ? j : i;
         const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
+        if (this->were_one(a, b)) return;
         if constexpr (C::filters::size > 0) {
             if (!passes(data, policies, slot_a, slot_b, typename C::filters{})) return;
         }
@@ -356,27 +378,6 @@ private:
                     for (std::size_t i = 0; i < n; ++i) look(data, policies, id, w.ids[i]);
                 }
         });
-    }
-
-    /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is
-    /// looked at with it, but may lie there without any depth.
-    /// \return whether some may be there twice
-    template <class Data> bool keep_those_at_rest(const Data& data) {
-        bool twice = false;
-        if constexpr (C::rests)
-            for (const auto& contact : contacts) {
-                if (!lasts(data.bodies, contact)) continue;
-                const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
-                const auto of_a = data.bodies.motion(a), of_b = data.bodies.motion(b);
-                if (of_a == Motion::awake || of_b == Motion::awake) continue;
-                const bool platform = of_a == Motion::moving || of_b == Motion::moving;
-                if (platform && ((of_a != Motion::resting && of_b != Motion::resting) || detail::goes(data, a) ||
-                                 detail::goes(data, b)))
-                    continue;
-                twice = twice || platform;
-                working_.value.found.push_back(contact);
-            }
-        return twice;
     }
 
     void compare(std::vector<Contact<S>>& found, bool later) {

@@ -52,6 +52,7 @@ template <class C, class Data> void add_collisions_to(StateHash& hash, const Dat
             hash.add_number(c.normal[k]);
         }
     }
+    collisions.add_siblings_to(hash);
     hash.add(std::uint64_t(collisions.parts));
     hash.add_number(collisions.expected.value());
     data.states.for_each([&](const auto& state) {

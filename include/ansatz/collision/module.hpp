@@ -105,6 +105,9 @@ struct Collision {
     static void on(hook::MakeRoomFor, auto& data, const auto& other) {
         data.collisions.make_room_for(other.collisions);
     }
+    static void on(hook::MakeRoomToCome, auto& data, std::size_t n) {
+        data.collisions.make_room_to_come(n, data.bodies.ids());
+    }
 
     // Bodies.
     template <class C, class... Property> static auto admit(const Property&... property) {
@@ -117,6 +120,10 @@ struct Collision {
     static void keep(auto& data, std::uint32_t id, const detail::AdmittedShape<D, T>& admitted) {
         if constexpr (ShapeDescription<D>) data.collisions.shapes.set(id, admitted.description, admitted.shape);
         data.collisions.set_sensor(id, admitted.sensor);
+    }
+    template <class C>
+    static void on(hook::Divided, WorldData<C>& data, std::uint32_t id, std::uint32_t part, const auto& /*share*/) {
+        data.collisions.body_divided(data.bodies, id, part);
     }
     static void on(hook::Removed, auto& data, std::uint32_t slot) {
         data.collisions.body_removed(data.bodies.id(slot));

@@ -18,6 +18,10 @@
 
 namespace ansatz {
 
+namespace detail {
+struct NoNear {}; // in its place
+} // namespace detail
+
 /// The pairs of a step; it keeps its room.
 template <class S> class NearContacts {
 public:

@@ -13,6 +13,7 @@
 #include <ansatz/world/held_parameters.hpp>
 
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -54,6 +55,12 @@ struct CollisionArchive {
                 one["normal"].push_back(Files::number(c.normal[k]));
             }
             contacts.push_back(std::move(one));
+        }
+        if constexpr (std::remove_cvref_t<decltype(collisions)>::divides) {
+            auto& siblings = file["siblings"] = Json::array();
+            collisions.siblings_.each([&](std::uint32_t id, std::uint32_t next) {
+                siblings.push_back(Json{{"body", id}, {"next", next}});
+            });
         }
         file["parts"] = collisions.parts;
         file["expected"] = Files::number(collisions.expected.value());
@@ -104,6 +111,7 @@ struct CollisionArchive {
             contact.steps = std::uint32_t(json.at("steps").whole(0xffffffffu));
             collisions.contacts.push_back(contact);
         }
+        if constexpr (std::remove_cvref_t<decltype(collisions)>::divides) read_siblings(data, file.at("siblings"));
         collisions.parts = int(file.at("parts").whole(1u << 30));
         if (collisions.parts < 1) file.at("parts").refuse_here("a whole number of at least 1");
         collisions.expected = C::S::Time::from_value(file.at("expected").template number<typename C::S::Scalar>());
@@ -156,6 +164,21 @@ private:
                 value[k] = pull.at(std::size_t(k)).template number<typename S::Scalar>();
             collisions.pulls_[id] = S::Acceleration::from_value(value);
         }
+    }
+    template <class Data, class File> static void read_siblings(Data& data, const File& file) {
+        std::vector<std::uint32_t> next(data.bodies.ids());
+        std::iota(next.begin(), next.end(), 0U);
+        std::vector<bool> named(next.size()), is_next(next.size());
+        const auto count = file.size("siblings");
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto json = file.at(i);
+            const auto id = body(data, json.at("body")), to = body(data, json.at("next"));
+            if (named[id] || is_next[to] || id == to) json.refuse_here("each body once, and once as another's next");
+            named[id] = is_next[to] = true;
+            next[id] = to;
+        }
+        if (named != is_next) file.refuse_here("rings: whoever is another's next has a next one, too");
+        data.collisions.siblings_.load(std::move(next));
     }
     template <class C, class Data, class State, class File>
     static void read_acting(const Data& data, State& state, const File& file) {

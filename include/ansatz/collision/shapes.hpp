@@ -102,6 +102,15 @@ public:
         kind_.reserve(n);
         place_.reserve(n);
     }
+    /// Room for so many bodies more, whatever the kind of their shapes.
+    void make_room_for_more(std::size_t n) {
+        (std::get<kind_of<T>>(kinds_).reserve(std::get<kind_of<T>>(kinds_).owners.size() + n), ...);
+    }
+    /// Gives a body the shape that another has.
+    void copy(std::uint32_t id, std::uint32_t to) {
+        [[maybe_unused]] const auto k = kind(id);
+        ((k == kind_of<T> ? copy_of<T>(id, to) : void()), ...);
+    }
     /// Whether assigning cannot fail where there is room: what owns memory has a destructor.
     static constexpr bool assigns_in_place =
         ((std::is_trivially_destructible_v<T> && std::is_trivially_destructible_v<typename T::template In<S>>)&&...);
@@ -144,6 +153,12 @@ private:
             owners.reserve(n); // last: room here means room everywhere
         }
     };
+    template <class Kind> void copy_of(std::uint32_t id, std::uint32_t to) {
+        const auto& all = std::get<kind_of<Kind>>(kinds_);
+        const auto shape = all.shapes[place_[id]]; // theirs may go elsewhere while one is added
+        const auto description = all.descriptions[place_[id]];
+        set(to, description, shape);
+    }
     template <class Kind> void erase_from(std::uint32_t id) {
         auto& all = std::get<kind_of<Kind>>(kinds_);
         const auto place = place_[id];

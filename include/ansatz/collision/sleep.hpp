@@ -4,10 +4,12 @@
 /// \file
 /// What contacts mean for sleep (motion/sleep.hpp): bodies that touch are of one island, and a contact can hold a body.
 
+#include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/motion/sleep.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace ansatz {
 
@@ -33,6 +35,28 @@ template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<
         meets(a, contact.normal, b);
         meets(b, -contact.normal, a);
     }
+}
+/// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is
+/// looked at with it, but may lie there without any depth.
+/// \param found takes them
+/// \return whether some may be there twice
+template <class C>
+bool keep_contacts_at_rest([[maybe_unused]] const WorldData<C>& data,
+                           [[maybe_unused]] std::vector<Contact<typename C::S>>& found) {
+    bool twice = false;
+    if constexpr (C::rests)
+        for (const auto& contact : data.collisions.contacts) {
+            if (!data.collisions.lasts(data.bodies, contact)) continue;
+            const auto a = data.bodies.slot_of_id(contact.first.id), b = data.bodies.slot_of_id(contact.second.id);
+            const auto of_a = data.bodies.motion(a), of_b = data.bodies.motion(b);
+            if (of_a == Motion::awake || of_b == Motion::awake) continue;
+            const bool platform = of_a == Motion::moving || of_b == Motion::moving;
+            if (platform && ((of_a != Motion::resting && of_b != Motion::resting) || goes(data, a) || goes(data, b)))
+                continue;
+            twice = twice || platform;
+            found.push_back(contact);
+        }
+    return twice;
 }
 } // namespace detail
 

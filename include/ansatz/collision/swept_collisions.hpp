@@ -234,6 +234,7 @@ private:
         if (w.travellers[j].id < w.travellers[i].id) std::swap(i, j);
         auto &a = w.travellers[i], &b = w.travellers[j];
         if (!a.stops && !b.stops) return;
+        if (this->were_one(a.id, b.id)) return;
         if constexpr (C::filters::size > 0)
             if (!Base::passes(data, policies, a.slot, b.slot, typename C::filters{})) return;
         const auto number = std::uint32_t(w.pairs.size());

@@ -85,18 +85,27 @@ public:
     /// \param on_itself called with (i, by_position, by_velocity): the force on body i with its own motion
     /// \param on_other  called with (i, j, by_position, by_velocity): the force on i with the motion of j
     template <class F, class G> void jacobians(double fraction, F&& on_itself, G&& on_other) const {
+        const auto both = [&](Eigen::Index i, Eigen::Index j, const Block& by_x, const Block& by_v) {
+            on_itself(i, by_x, by_v);
+            on_itself(j, by_x, by_v);
+            on_other(i, j, -by_x, -by_v);
+            on_other(j, i, -by_x.transpose(), -by_v.transpose());
+        };
+        pair_jacobians(fraction, on_itself, both);
+    }
+    /// The same, two bodies that take part at once.
+    /// \param on_both called with (i, j, by_position, by_velocity): the force on i and on j, each with its own motion;
+    ///                that on i with the motion of j is the opposite, that on j with the motion of i its transpose
+    template <class F, class G> void pair_jacobians(double fraction, F&& on_itself, G&& on_both) const {
         const auto now = context_.later(fraction);
         const auto awake = data_.bodies.end(Motion::awake);
         each_coupling([&]<class Q>(const auto& force, const auto& view) {
             force.jacobian(view, now.template restricted<detail::reads_clock<Q>>(),
                            [&](std::size_t a, std::size_t b, const Block& by_x, const Block& by_v) {
-                               if (a < awake) on_itself(Eigen::Index(view.id(a)), by_x, by_v);
-                               if (b < awake) on_itself(Eigen::Index(view.id(b)), by_x, by_v);
-                               if (a < awake && b < awake) {
-                                   on_other(Eigen::Index(view.id(a)), Eigen::Index(view.id(b)), -by_x, -by_v);
-                                   on_other(Eigen::Index(view.id(b)), Eigen::Index(view.id(a)), -by_x.transpose(),
-                                            -by_v.transpose());
-                               }
+                               if (a < awake && b < awake)
+                                   on_both(Eigen::Index(view.id(a)), Eigen::Index(view.id(b)), by_x, by_v);
+                               else if (a < awake) on_itself(Eigen::Index(view.id(a)), by_x, by_v);
+                               else if (b < awake) on_itself(Eigen::Index(view.id(b)), by_x, by_v);
                            });
         });
         if constexpr (C::laws::size > 0)

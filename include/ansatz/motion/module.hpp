@@ -149,7 +149,7 @@ struct Motion {
 
     template <class C>
     static void on(hook::Divided, WorldData<C>& data, [[maybe_unused]] std::uint32_t id,
-                   [[maybe_unused]] std::uint32_t part) {
+                   [[maybe_unused]] std::uint32_t part, const auto& /*share*/) {
         if constexpr (C::history)
             if (data.starts.waiting(id)) data.starts.wait(part);
     }

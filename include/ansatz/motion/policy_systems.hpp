@@ -53,7 +53,7 @@ std::uint32_t divide_body(StepT& step, std::uint32_t id, const typename StepT::S
     using Scalar = typename StepT::S::Scalar;
     elements_will_change(step);
     auto& data = step.data;
-    const auto part = data.divide(id);
+    const auto part = data.divide(id, share);
     const auto scale = [&](std::uint32_t of, const Scalar& by) {
         const auto slot = data.bodies.slot_of_id(of);
         if constexpr (C::has_mass) data.lanes.template lane<InverseMass>()[slot] /= by;
@@ -67,9 +67,13 @@ std::uint32_t divide_body(StepT& step, std::uint32_t id, const typename StepT::S
     if constexpr (C::asked == LawsAsked::beforehand) data.own.value.known = false;
     return part;
 }
-/// Whether a list of policies has a datum of the user's.
-template <class List> inline constexpr bool holds_datum = false;
-template <class... P> inline constexpr bool holds_datum<Types<P...>> = (is_datum<P> || ...);
+/// Whether the datum of a list of policies, if there is one, can be copied for a body that comes of another.
+template <class P> inline constexpr bool copies_one = true;
+template <class P>
+    requires is_datum<P>
+inline constexpr bool copies_one<P> = std::is_copy_assignable_v<typename P::datum_type>;
+template <class List> inline constexpr bool copies_datum = true;
+template <class... P> inline constexpr bool copies_datum<Types<P...>> = (copies_one<P> && ...);
 } // namespace detail
 
 /// What a table system or a driver of policy `P` works on.
@@ -159,17 +163,18 @@ public:
         return detail::elements_in<E>(step_.data);
     }
     /// Divides a body at its place, within a step: a new one takes a share of its mass and of the forces on it, and has
-    /// all else of it. At a phase as for `edit`. So that there is room for it, what the policy keeps says beforehand
-    /// how many may come, `std::size_t bodies_to_come(const Policy&) const`.
+    /// all else of it: a shape, contacts, and behind the step a copy of your Datum. At a phase as for `edit`. So that
+    /// there is room for it, what the policy keeps says beforehand how many may come, `std::size_t bodies_to_come(const
+    /// Policy&) const`.
     /// \param share of the mass, between 0 and 1; of nothing where it is infinite
     /// \return the id of the new one
     std::uint32_t divide(std::uint32_t id, typename S::Scalar share) {
         static_assert(Y::phase >= phases::breaking && Y::phase < phases::sums,
                       "Ansatz: a system divides bodies in the midst of others' loops; let its phase be one from "
                       "phases::breaking on and before phases::sums");
-        static_assert(!detail::holds_datum<typename C::policies>,
-                      "Ansatz: a policy of this world divides bodies, and nobody can say what becomes of the Datum<T> "
-                      "of one; keep it beside the world, by handle");
+        static_assert(detail::copies_datum<typename C::policies>,
+                      "Ansatz: a policy of this world divides bodies, and the Datum<T> of the new one is a copy, which "
+                      "this T does not allow; take a T that can be copied, or keep it beside the world, by handle");
         return detail::divide_body(step_, id, share);
     }
     /// @}

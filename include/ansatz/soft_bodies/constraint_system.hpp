@@ -15,16 +15,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace ansatz {
 
-/// One body: what a solver touches lies together, in three dimensions and double in one line of the cache.
-template <class S> struct HeldBody {
-    Vector<typename S::Scalar, S::dimension> x; ///< m
-    Vector<typename S::Scalar, S::dimension> v; ///< m/s
-    typename S::Scalar weight;                  ///< 1/m, 1/kg; zero of who is not moved
+/// One body: what a solver touches lies together, in double in one line of the cache, and in fours, which vector units
+/// take at once.
+template <class S>
+struct alignas(std::is_floating_point_v<typename S::Scalar> ? 8 * sizeof(typename S::Scalar)
+                                                            : alignof(typename S::Scalar)) HeldBody {
+    using Four = std::array<typename S::Scalar, 4>; ///< a vector, and something behind it
+    Four x;                                         ///< m; what is no component is zero
+    Four v;                                         ///< m/s; the last one is 1/m, 1/kg, zero of who is not moved
 };
 
 /// \tparam StepT the step
@@ -59,15 +64,30 @@ public:
     /// Bodies that may be moved stand in the slots below.
     std::size_t awake() const { return awake_; }
     /// 1/m, 1/kg; zero for who is not moved: fixed bodies, platforms, and those that rest.
-    [[gnu::always_inline]] Scalar weight(std::size_t slot) const { return bodies_[slot].weight; }
+    [[gnu::always_inline]] Scalar weight(std::size_t slot) const { return bodies_[slot].v[3]; }
     /// m
-    [[gnu::always_inline]] const Vec& position(std::size_t slot) const { return bodies_[slot].x; }
+    [[gnu::always_inline]] auto position(std::size_t slot) const {
+        return Eigen::Map<const Vec>(bodies_[slot].x.data());
+    }
     /// m/s
-    [[gnu::always_inline]] const Vec& velocity(std::size_t slot) const { return bodies_[slot].v; }
+    [[gnu::always_inline]] auto velocity(std::size_t slot) const {
+        return Eigen::Map<const Vec>(bodies_[slot].v.data());
+    }
     /// Moves a body, and its velocity with it.
     [[gnu::always_inline]] void move(std::size_t slot, const Vec& by) {
-        bodies_[slot].x += by;
-        bodies_[slot].v += by * rate_;
+        Body& body = bodies_[slot];
+        for (int k = 0; k < S::dimension; ++k) {
+            body.x[std::size_t(k)] += by[k];
+            body.v[std::size_t(k)] += by[k] * rate_;
+        }
+    }
+    /// All of them, for a solver that moves many at once.
+    std::span<Body> bodies() { return bodies_; }
+    /// Calls `f(policy, view)` for each policy that gives constraints, bound, with what it keeps.
+    template <class F> void each_policy(F&& f) const {
+        [&]<class... Q>(Types<Q...>) {
+            (f(detail::Bound<Q, S>(std::get<Q>(step_.policies)), step_.template view_of<Q>()), ...);
+        }(typename C::held{});
     }
 
     /// Calls `f(slot)` for every body by id, an order that sleeping and waking do not change.
@@ -89,20 +109,37 @@ private:
         // A step may have added bodies, in room that was made for them.
         if (bodies_.capacity() < step_.data.bodies.size()) bodies_.reserve(step_.data.lanes.room());
         bodies_.resize(step_.data.bodies.size());
-        for (std::size_t slot = 0; slot < bodies_.size(); ++slot)
-            bodies_[slot] = {lanes.template get<Position>(slot).value(), lanes.template get<Velocity>(slot).value(),
-                             slot < awake_ ? lanes.template get<InverseMass>(slot).value() : Scalar(0)};
+        std::array<const Scalar*, 3> x{}, v{};
+        for (int k = 0; k < S::dimension; ++k) {
+            x[std::size_t(k)] = lanes.template lane<Position>(k);
+            v[std::size_t(k)] = lanes.template lane<Velocity>(k);
+        }
+        const auto* weight = lanes.template lane<InverseMass>();
+        Body* to = bodies_.data();
+        for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+            const auto at = [&](const auto& lane, int k) {
+                return k < S::dimension ? lane[std::size_t(k)][slot] : Scalar(0);
+            };
+            to[slot] = {{at(x, 0), at(x, 1), at(x, 2), Scalar(0)}, {at(v, 0), at(v, 1), at(v, 2), weight[slot]}};
+        }
+        for (std::size_t slot = awake_; slot < bodies_.size(); ++slot) to[slot].v[3] = Scalar(0);
     }
     /// Whoever expects again what was done to velocities finds it in a column.
     [[gnu::flatten]] void store() {
         auto& lanes = step_.data.lanes;
-        for (std::size_t slot = 0; slot < awake_; ++slot) {
-            if constexpr (C::template stores<HeldAcceleration>)
-                lanes.template set<HeldAcceleration>(
-                    slot,
-                    S::Acceleration::from_value((bodies_[slot].v - lanes.template get<Velocity>(slot).value()) / h_));
-            lanes.template set<Position>(slot, S::Position::from_value(bodies_[slot].x));
-            lanes.template set<Velocity>(slot, S::Velocity::from_value(bodies_[slot].v));
+        const Body* from = bodies_.data();
+        for (int k = 0; k < S::dimension; ++k) {
+            auto* x = lanes.template lane<Position>(k);
+            auto* v = lanes.template lane<Velocity>(k);
+            if constexpr (C::template stores<HeldAcceleration>) {
+                auto* a = lanes.template lane<HeldAcceleration>(k);
+                for (std::size_t slot = 0; slot < awake_; ++slot)
+                    a[slot] = (from[slot].v[std::size_t(k)] - v[slot]) / h_;
+            }
+            for (std::size_t slot = 0; slot < awake_; ++slot) {
+                x[slot] = from[slot].x[std::size_t(k)];
+                v[slot] = from[slot].v[std::size_t(k)];
+            }
         }
     }
     template <class... Q> void arrange_all(Types<Q...>) { (arrange<Q>(), ...); }

@@ -24,8 +24,9 @@
 /// split, and `world.tearing()` says how many sides wait for it. Set more, and they part at the next tear.
 ///
 /// What is held (fixed, `moving`) does not split; nor does what other elements hold at a vertex, such as a spring to a
-/// body elsewhere, go to the new one. A world of collisions, or with a Datum of yours, may tear, but its vertices do
-/// not split yet: that is a sentence of the compiler.
+/// body elsewhere, go to the new one. In a world of collisions a new body has the shape of the other, its contacts and
+/// its share of their impulses; the two do not collide with each other until they have been apart. A Datum of yours is
+/// copied to it behind the step.
 
 #include <ansatz/soft_bodies/tear.hpp>
 #include <ansatz/soft_bodies/tearable.hpp>

@@ -143,7 +143,7 @@ struct VertexBlockDescent {
                     all += k.count();
                 }
                 of.gradients.resize(all);
-                const auto at = [&](std::size_t slot) -> const Vec& { return system.position(slot); };
+                const auto at = [&](std::size_t slot) -> Vec { return system.position(slot); };
                 for (std::size_t n = 0; n < of.all.size(); ++n) {
                     const K& k = of.all[n];
                     const auto gradient = std::span<Vec>(of.gradients).subspan(of.wide[n].first, k.count());

@@ -97,18 +97,19 @@ struct Xpbd {
             }
         }
 
-    private:
-        /// Whether a constraint says that its gradients have the length 1: they are not waited for then.
-        template <class K> static constexpr bool unit_gradients = requires { requires K::unit_gradients; };
-
+        /// Holds one constraint.
+        /// \param multiplier lambda so far, N s^2
+        /// \return lambda now
         template <class K>
         [[gnu::always_inline]] static Scalar hold_one(auto& system, Room& room, const K& k, Scalar multiplier) {
             if constexpr (WideConstraintIn<K, S>) return hold_wide(system, room.gradients, k, multiplier);
             else return hold(system, k, multiplier);
         }
-        /// One constraint.
-        /// \param multiplier lambda so far, N s^2
-        /// \return lambda now
+
+    private:
+        /// Whether a constraint says that its gradients have the length 1: they are not waited for then.
+        template <class K> static constexpr bool unit_gradients = requires { requires K::unit_gradients; };
+
         template <class K> [[gnu::always_inline]] static Scalar hold(auto& system, const K& k, Scalar multiplier) {
             static_assert(ConstraintIn<K, S>,
                           "Ansatz: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, "
@@ -140,7 +141,7 @@ struct Xpbd {
         static Scalar hold_wide(auto& system, std::vector<Vec>& gradient, const K& k, Scalar multiplier) {
             const std::size_t n = k.count();
             if (gradient.size() < n) gradient.resize(n);
-            const auto at = [&](std::size_t slot) -> const Vec& { return system.position(slot); };
+            const auto at = [&](std::size_t slot) -> Vec { return system.position(slot); };
             const Scalar value = k.linearise(at, std::span<Vec>(gradient).first(n)), h = system.h();
             Scalar compliance(0), way(0);
             for (std::size_t i = 0; i < n; ++i) {

@@ -10,6 +10,7 @@
 /// nothing here.
 
 #include <ansatz/springs/spring.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/hash.hpp>
 #include <ansatz/world/named_by.hpp>
 #include <ansatz/world/space.hpp>
@@ -119,7 +120,10 @@ public:
         });
         arranged_ = true;
         layout_ = layout;
+        ++arrangement_.value;
     }
+    /// Changes whenever they are made anew.
+    std::uint64_t arrangement() const { return arrangement_.value; }
     /// @}
 
     /// What is checked and converted, before anything is changed.
@@ -368,6 +372,7 @@ private:
     mutable detail::NamedBy named_by_;
     bool arranged_ = false;
     std::uint64_t layout_ = 0;
+    detail::Stamp arrangement_;
 };
 
 } // namespace ansatz

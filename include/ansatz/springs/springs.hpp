@@ -134,9 +134,17 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
         void constraints(const auto& view, auto&& f) const {
             for (const auto& l : view.state().pairs())
                 f(SpringConstraint<S, How>{{l.a, l.b}, l.rest_length, l.stiffness, damping_of(l)});
+            hung_constraints(view, f);
+        }
+        /// Those at points alone.
+        void hung_constraints(const auto& view, auto&& f) const {
             for (const auto& l : view.state().hung())
                 f(AnchoredSpringConstraint<S, How>{{l.a}, l.rest_length, l.stiffness, damping_of(l), l.anchor.value()});
         }
+
+        /// All of them, for a solver that takes those between bodies together.
+        const Network& network(const auto& view) const { return view.state(); }
+        static constexpr bool pulls_only = How == springs::Acts::pulling; ///< whether they never push
 
         /// \f$ \sum \tfrac12 k x^2 \f$; a slack rope holds nothing.
         typename S::Energy potential_energy(const auto& view) const {

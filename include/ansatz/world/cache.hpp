@@ -7,6 +7,7 @@
 #include <ansatz/core/compiler_flags.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace ansatz::detail {
@@ -19,6 +20,20 @@ template <class T> struct Cache {
     Cache(Cache&&) = default;
     Cache& operator=(const Cache&) { return *this; }
     Cache& operator=(Cache&&) = default;
+};
+
+/// A number that changes with what it stands beside, for a cache elsewhere in the same world that was made from it. It
+/// changes when another world is assigned, too, since the cache does not come along.
+struct Stamp {
+    std::uint64_t value = 0;
+    Stamp() = default;
+    Stamp(const Stamp&) {}
+    Stamp(Stamp&&) = default;
+    Stamp& operator=(const Stamp&) {
+        ++value;
+        return *this;
+    }
+    Stamp& operator=(Stamp&&) = default;
 };
 
 /// For how many bodies every table has room. A copied vector has no more than it needs, and one that is assigned keeps

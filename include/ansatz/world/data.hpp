@@ -73,10 +73,18 @@ template <class... P, class S> inline constexpr bool any_brings_bodies<Types<P..
 /// Whether a module can follow where a body is divided: it keeps nothing of a body that `add` was given, or answers.
 template <class M, class C> constexpr bool divides() {
     if constexpr (requires { typename M::template AddFacts<C>; })
-        return requires(WorldData<C>& data) { M::on(hook::Divided{}, data, 0U, 0U); };
+        return requires(WorldData<C>& data, const typename C::S::Scalar& share) {
+            M::on(hook::Divided{}, data, 0U, 0U, share);
+        };
     return true;
 }
 template <class C, class... M> constexpr bool all_divide(Types<M...>) { return (divides<M, C>() && ...); }
+/// Whether a list of policies has a datum of the user's.
+template <class List> inline constexpr bool holds_datum = false;
+template <class... P> inline constexpr bool holds_datum<Types<P...>> = (is_datum<P> || ...);
+/// Who was divided in the step that is being taken, and into whom: a world's data of the user follow behind it.
+using Divisions = Cache<std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
+struct NoDivisions {};
 
 template <class List> struct ControlOf { // nothing decides, or something that is refused with a sentence
     using type = Cache<Absent>;
@@ -106,6 +114,11 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     [[no_unique_address]] detail::States<S, typename C::keepers> states;
     /// What decides how a step is taken keeps its numbers here.
     [[no_unique_address]] typename detail::ControlOf<typename C::controls>::type control;
+    /// Where a user's datum follows when bodies are divided.
+    static constexpr bool notes_divisions =
+        detail::any_brings_bodies<typename C::keepers, S> && detail::holds_datum<typename C::policies>;
+    /// Empty between two steps.
+    [[no_unique_address]] std::conditional_t<notes_divisions, detail::Divisions, detail::NoDivisions> divisions;
 
     /// What policy `P` keeps; nothing, where it keeps nothing.
     template <class P> const auto& state() const {
@@ -172,20 +185,34 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
         reserve_notes(std::size_t(id) + 1 > bodies.ids() ? std::size_t(id) + 1 : bodies.ids());
         tell<hook::MakeRoom>(id, moves);
     }
+    /// Room for bodies that a step may make by dividing others.
+    void make_room_to_come(std::size_t n) {
+        tell<hook::MakeRoomToCome>(n);
+        states.for_each([](auto& state) {
+            if constexpr (requires { state.make_room_to_come(); }) state.make_room_to_come();
+        });
+        if constexpr (notes_divisions) divisions.value.reserve(n);
+    }
     /// Adds a body that is like another in every column, within a step; with room for it, it cannot fail. Its state of
     /// motion, and what modules keep of it, are the other's.
+    /// \param share of the mass, which is not yet divided
     /// \return its id
-    std::uint32_t divide(std::uint32_t id) {
+    std::uint32_t divide(std::uint32_t id, const Scalar& share) {
         static_assert(detail::all_divide<Composition_>(typename C::modules{}),
                       "Ansatz: a policy of this world divides bodies, and a module of it keeps something of each body "
-                      "that cannot be divided yet: shapes, so that there are no collisions where vertices split");
+                      "and does not say what becomes of it; it needs `static void on(hook::Divided, auto& data, "
+                      "std::uint32_t id, std::uint32_t part, const auto& share)`");
         const auto kind = bodies.motion(bodies.slot_of_id(id));
         const auto last = Slot(bodies.size());
         lanes.push_back();
         const auto part = bodies.push_back();
         for (std::size_t k = 0; k < lanes.width; ++k) lanes.lane_at(k)[last] = lanes.lane_at(k)[bodies.slot_of_id(id)];
         move(last, kind);
-        tell<hook::Divided>(id, part.id);
+        tell<hook::Divided>(id, part.id, share);
+        states.for_each([&](auto& state) {
+            if constexpr (requires { state.body_divided(id, part.id, share); }) state.body_divided(id, part.id, share);
+        });
+        if constexpr (notes_divisions) divisions.value.emplace_back(id, part.id);
         return part.id;
     }
     /// How many bodies policies may add within a step: `state.bodies_to_come(policy)` of each that keeps something,

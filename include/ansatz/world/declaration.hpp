@@ -300,6 +300,7 @@ private:
     template <class Row_, class Property> static void take(Row_& row, const Property& property);
     void grow();
     void make_room_to_come(std::size_t bodies);
+    void follow_divisions();
 
     Policies policies_;
     BoundPolicies<composition> bound_;

@@ -145,6 +145,7 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
             for (int i = 2; i < parts; ++i) take_step<Columns<>, true>(part);
             take_step<typename composition::transient, true>(part);
         }
+        follow_divisions();
         lost_ = false;
     }
 }

@@ -22,15 +22,18 @@ namespace ansatz {
 namespace hook {
 /// \name Room: these may fail, and change nothing that can be seen
 /// @{
-struct Reserve {};      ///< `(data, n)`: room for n bodies
-struct ReserveNotes {}; ///< `(data, n)`: room for what a verb or a step notes of n bodies
-struct MakeRoom {};     ///< `(data, id, moving)`: room for a body that gets this id
-struct MakeRoomFor {};  ///< `(data, other)`: room for what another world holds
+struct Reserve {};        ///< `(data, n)`: room for n bodies
+struct ReserveNotes {};   ///< `(data, n)`: room for what a verb or a step notes of n bodies
+struct MakeRoom {};       ///< `(data, id, moving)`: room for a body that gets this id
+struct MakeRoomFor {};    ///< `(data, other)`: room for what another world holds
+struct MakeRoomToCome {}; ///< `(data, n)`: room for n bodies that the next step may make by dividing others
 /// @}
 /// \name Bodies come and go
 /// @{
-struct Added {};   ///< `(data, slot, row)`: a body has been added with these values; must not fail
-struct Divided {}; ///< `(data, id, part)`: a body has been divided within a step, and `part` is like it; must not fail
+struct Added {}; ///< `(data, slot, row)`: a body has been added with these values; must not fail
+/// `(data, id, part, share)`: a body has been divided within a step; `part` is like it, and will have this share of its
+/// mass; must not fail
+struct Divided {};
 struct Removed {}; ///< `(data, slot)`: the body of this slot is about to go; must not fail
 struct Placed {};  ///< `(inside, id)`: a body was put somewhere from outside, or was added and does not fall asleep
 /// @}

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace ansatz {
@@ -49,6 +50,17 @@ template <class... P> void World<P...>::make_room_to_come(std::size_t bodies) {
     const std::size_t all = std::max(data_.bodies.ids(), size() + bodies);
     if (all > capacity_) reserve(all);
     else data_.reserve_notes(all);
+    if (bodies == 0) return;
+    data_.make_room_to_come(bodies);
+    if constexpr (has_datum) user_.make_room(std::uint32_t(data_.bodies.ids() + bodies - 1));
+}
+
+/// Behind a step: who was made by dividing another has a copy of its datum.
+template <class... P> void World<P...>::follow_divisions() {
+    if constexpr (Data::notes_divisions && std::is_copy_assignable_v<Datum>) {
+        for (const auto& [id, part] : data_.divisions.value) user_.at(part) = user_.at(id);
+        data_.divisions.value.clear();
+    }
 }
 
 /// Before a verb changes anything: what it may have to note has room.

@@ -40,9 +40,12 @@ template <class T, int d> struct Both {
             const Block along = axis * axis.transpose(), k = T(10) * along, mixed = T(2) * axis * other.transpose();
             switch (random() % 3) {
             case 0: // a spring, or one that ends in one body, which is nothing
-                pairs.add(a, k);
-                pairs.add(b, k);
-                pairs.add(a, b, Block(-k));
+                if (random() % 2 == 0) pairs.add_both(a, b, k);
+                else {
+                    pairs.add(a, k);
+                    pairs.add(b, k);
+                    pairs.add(a, b, Block(-k));
+                }
                 at(a, a) += k;
                 at(b, b) += k;
                 at(a, b) -= k;

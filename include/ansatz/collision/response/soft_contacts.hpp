@@ -2,8 +2,7 @@
 #pragma once
 
 /// \file
-/// `SoftContacts`: the contacts of a step as soft constraints, and the passes over them: what `SoftSubsteps` works
-/// with.
+/// `SoftContacts`: the contacts of a step as soft constraints, and the passes over them, for `SoftSubsteps`.
 ///
 /// A soft constraint is a damped spring whose stiffness is given as a frequency, solved implicitly, so that it never
 /// overshoots: of the velocity that is wrong it takes away a share, and of the depth that is left another. Each pass
@@ -15,6 +14,7 @@
 /// et al., Small Steps in Physics Simulation (2019), for substeps instead of iterations.
 
 #include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/division.hpp>
 #include <ansatz/collision/response/soft_impacts.hpp>
 #include <ansatz/collision/response/soft_loads.hpp>
 #include <ansatz/collision/restitution.hpp>
@@ -271,10 +271,14 @@ public:
 
     /// \name What a world asks of everything that a policy keeps
     /// @{
-    /// Nothing to forget.
-    void begin_step() {}
-    /// Nothing to make room for.
-    void reserve_notes() {}
+    void begin_step() {}    ///< Nothing to forget.
+    void reserve_notes() {} ///< Nothing to make room for.
+    /// Room for the contacts of bodies that a step may make by dividing others.
+    void make_room_to_come() { detail::make_room_for_copies(all); }
+    /// A body has been divided: the new one takes its share of the impulses, since it has that share of the load.
+    void body_divided(std::uint32_t id, std::uint32_t part, const Scalar& share) {
+        detail::divide_impulses<Rubs>(all, id, part, share);
+    }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SoftContacts& other) {
         all.reserve(other.all.size());

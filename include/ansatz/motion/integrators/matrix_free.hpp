@@ -240,15 +240,13 @@ private:
         using Block = typename System::Block;
         constexpr int dimension = System::dimension;
         matrix_.clear(system.bodies());
-        bool mirrored = false; // each block comes with its transpose behind it
-        system.jacobians(
+        system.pair_jacobians(
             1.0,
             [&](Eigen::Index i, const Block& by_x, const Block& by_v) {
                 matrix_.add(i, Block(-h * by_v - h * h * by_x));
             },
             [&](Eigen::Index i, Eigen::Index j, const Block& by_x, const Block& by_v) {
-                if (!mirrored) matrix_.add(i, j, Block(-h * by_v - h * h * by_x));
-                mirrored = !mirrored;
+                matrix_.add_both(i, j, Block(-h * by_v - h * h * by_x));
             });
         for (Eigen::Index i = 0; i < system.bodies(); ++i) {
             const Scalar m = mass_[i * dimension];

@@ -73,6 +73,20 @@ public:
             waiting_ = 0;
         } else pairs_.push_back({int(i), int(j), block});
     }
+    /// Adds a block to those of both bodies by themselves, its opposite to that of i by j, and the transpose of that to
+    /// the one of j by i.
+    void add_both(Index i, Index j, const Block& block) {
+        if (i == j || block != block.transpose()) {
+            add(i, block);
+            add(j, block);
+            add(i, j, Block(-block));
+            return;
+        }
+        own_[std::size_t(i)] += block;
+        own_[std::size_t(j)] += block;
+        springs_.push_back({int(i), int(j), {}});
+        pack(block, springs_.back().block);
+    }
     /// Behind all that was added, before anything is multiplied: what both bodies of no spring have is theirs alone.
     void finish() {
         for (int k = 0; k < waiting_; ++k) release(std::size_t(k));
