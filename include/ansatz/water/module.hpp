@@ -98,7 +98,8 @@ struct MoveWater {
         const auto dt = static_cast<double>(step.context.dt().value()) * second;
         [[maybe_unused]] double parts = 1;
         if constexpr (divides_for_water<C>())
-            parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
+            parts = std::min( // a million, or water that has become infinitely fast would take for ever
+                1e6, std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies)))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
                 if constexpr (divides_for_water<C>()) move_in_parts(*row.surface, dt, parts);
