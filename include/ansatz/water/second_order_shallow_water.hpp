@@ -131,7 +131,7 @@ struct SecondOrderShallowWater {
         /// Half of Courant's limit, s, less 1 %, so that no height becomes negative; infinite where all is dry.
         Time longest_step(const State<Scalar>& state) const { return 0.495 / fastest(state) * second; }
         /// Two stages: a step ahead, and from there one more.
-        void advance(State<Scalar>& state, Time dt) {
+        void advance(State<Scalar>& state, const Time& dt) {
             sweep<false>(state, state.bed, ahead_, Scalar(dt.value()), Scalar(1));
             // The mean of the first state and of one that is dt (1 + part) later, weighted so that it is dt later.
             const double part = std::min(1.0, 0.495 / fastest(ahead_) / dt.value());
