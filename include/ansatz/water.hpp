@@ -23,6 +23,7 @@
 #include <ansatz/water/ring.hpp>
 #include <ansatz/water/ripples.hpp>
 #include <ansatz/water/roles.hpp>
+#include <ansatz/water/second_order_shallow_water.hpp>
 #include <ansatz/water/shallow_water.hpp>
 #include <ansatz/water/soft_surface.hpp>
 #include <ansatz/water/submerged.hpp>

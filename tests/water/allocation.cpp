@@ -42,6 +42,7 @@ TEST_CASE("a warm step allocates nothing", "[water]") {
     CHECK(in_warm_steps(ClampedColumns{{3.0 * mps}, {1.9 * metre, 2.1 * metre}}) == 0);
     CHECK(in_warm_steps(Pipes{}) == 0);
     CHECK(in_warm_steps(ShallowWater{}) == 0);
+    CHECK(in_warm_steps(SecondOrderShallowWater{}) == 0);
 }
 
 TEST_CASE("heights of waves and rings allocate nothing", "[water]") {

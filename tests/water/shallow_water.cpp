@@ -4,43 +4,9 @@
 
 #include <ansatz/water/shallow_water.hpp>
 
-#include "tests/water/support.hpp"
+#include "tests/water/shallow_cases.hpp"
 
 using namespace water_tests;
-
-namespace {
-constexpr double g = 9.81;
-
-/// Steps a channel to that time, with steps as long as are taken, and holds heights above zero.
-template <class Surface_> void run(Surface_& water, double until) {
-    for (double t = 0; t < until;) {
-        const double dt = std::min(water.longest_step().value(), until - t);
-        water.step(dt * second);
-        t += dt;
-        for (const auto& h : water.heights()) REQUIRE(h >= 0);
-    }
-}
-/// The error of heights against a closed form of x: the mean of what is off over the mean of what is there.
-template <class Surface_, class F> double off(const Surface_& water, F&& exact) {
-    double wrong = 0, all = 0;
-    for (std::size_t i = 0; i < water.grid().columns_x(); ++i) {
-        const double h = exact(water.grid().centre_x(i).value());
-        wrong += std::abs(water.height(i, 0).value() - h);
-        all += h;
-    }
-    return wrong / all;
-}
-ColumnGrid channel(std::size_t count, double length) {
-    return ColumnGrid(count, 1, length / double(count) * metre, 1.0 * metre);
-}
-/// The dam of SWASHES, at 5 m of 10 m, 5 mm high, after 6 s.
-Surface<ShallowWater> broken_dam(std::size_t count, double low) {
-    Surface water(ShallowWater{}, channel(count, 10), 0.0 * metre);
-    set_heights(water, [&](double x, double) { return x < 5 ? 0.005 : low; });
-    run(water, 6);
-    return water;
-}
-} // namespace
 
 TEMPLATE_TEST_CASE("shallow water: still water over a level bed keeps its bits for 1e5 steps (hard case W1)", "[water]",
                    float, double) {
@@ -90,15 +56,10 @@ TEMPLATE_TEST_CASE("shallow water: over any bed no height is negative and no wat
 }
 
 TEST_CASE("a dam over dry ground breaks as Ritter says (hard case W6)", "[water]") {
-    const double c = std::sqrt(g * 0.005);
-    auto ritter = [&](double x) {
-        const double xi = (x - 5) / 6;
-        if (xi <= -c) return 0.005;
-        return xi >= 2 * c ? 0.0 : 4 / (9 * g) * (c - xi / 2) * (c - xi / 2);
-    };
+    const Dam ritter(0);
     std::vector<double> errors;
     for (const std::size_t count : {100U, 200U, 400U}) {
-        const auto water = broken_dam(count, 0);
+        const auto water = ritter.broken(ShallowWater{}, count);
         errors.push_back(off(water, ritter));
         CHECK(water.volume().value() == Approx(0.025).epsilon(1e-12));
     }
@@ -109,31 +70,17 @@ TEST_CASE("a dam over dry ground breaks as Ritter says (hard case W6)", "[water]
 
 TEST_CASE("a dam over wet ground breaks as Stoker says, and its shock is where it should be (hard case W7)",
           "[water]") {
-    const double high = 0.005, low = 0.001, c = std::sqrt(g * high);
-    double below = low, above = high; // of the middle: what the rarefaction gives and what the shock takes
-    for (int n = 0; n < 100; ++n) {
-        const double h = 0.5 * (below + above);
-        const double left = 2 * (c - std::sqrt(g * h)), right = (h - low) * std::sqrt(g * (h + low) / (2 * h * low));
-        (left > right ? below : above) = h;
-    }
-    const double middle = 0.5 * (below + above), u = 2 * (c - std::sqrt(g * middle)),
-                 shock = middle * u / (middle - low);
-    CHECK(middle == Approx(0.002539).margin(1e-6)); // the row's own figures
-    CHECK(shock == Approx(0.209963).margin(1e-5));
-    auto stoker = [&](double x) {
-        const double xi = (x - 5) / 6;
-        if (xi <= -c) return high;
-        if (xi <= u - std::sqrt(g * middle)) return 4 / (9 * g) * (c - xi / 2) * (c - xi / 2);
-        return xi <= shock ? middle : low;
-    };
+    const Dam stoker(0.001);
+    CHECK(stoker.middle == Approx(0.002539).margin(1e-6)); // the row's own figures
+    CHECK(stoker.shock == Approx(0.209963).margin(1e-5));
     std::vector<double> errors;
     for (const std::size_t count : {100U, 200U, 400U}) {
-        const auto water = broken_dam(count, low);
+        const auto water = stoker.broken(ShallowWater{}, count);
         errors.push_back(off(water, stoker));
         std::size_t front = count - 1;
-        while (water.height(front, 0).value() < 0.5 * (middle + low)) --front;
+        while (water.height(front, 0).value() < 0.5 * (stoker.middle + stoker.low)) --front;
         const double face = water.grid().centre_x(front).value() + 5.0 / double(count);
-        CHECK(std::abs(face - (5 + 6 * shock)) <= 2 * 10.0 / double(count));
+        CHECK(std::abs(face - (5 + 6 * stoker.shock)) <= 2 * 10.0 / double(count));
     }
     INFO("errors " << errors[0] << ' ' << errors[1] << ' ' << errors[2]);
     CHECK(errors[0] <= 2.0e-2);
@@ -141,25 +88,14 @@ TEST_CASE("a dam over wet ground breaks as Stoker says, and its shock is where i
 }
 
 TEST_CASE("a lake rocks in a parabola as Thacker says (hard case W9)", "[water]") {
-    const double a = 1, h0 = 0.5, omega = std::sqrt(2 * g * h0) / a, period = 2 * pi / omega;
-    auto exact = [&](double x, double t) {
-        const double part = (x - 2) / a + 1 / (2 * a) * std::cos(omega * t);
-        return std::max(0.0, -h0 * (part * part - 1));
-    };
+    const Lake lake;
     std::vector<double> errors;
     for (const std::size_t count : {100U, 200U, 400U}) {
-        const auto grid = channel(count, 4);
-        std::vector<double> bed;
-        for (std::size_t i = 0; i < count; ++i) {
-            const double x = grid.centre_x(i).value() - 2;
-            bed.push_back(h0 * (x * x / (a * a) - 1));
-        }
-        Surface water(ShallowWater{}, grid, std::span<const double>(bed), 0.0 * metre);
-        set_heights(water, [&](double x, double) { return exact(x, 0); });
+        auto water = lake.at_rest(ShallowWater{}, count);
         const double before = water.volume().value();
-        run(water, period);
+        run(water, lake.period);
         CHECK(water.volume().value() == Approx(before).epsilon(1e-12));
-        errors.push_back(off(water, [&](double x) { return exact(x, period); }));
+        errors.push_back(off(water, [&](double x) { return lake(x, lake.period); }));
     }
     INFO("errors " << errors[0] << ' ' << errors[1] << ' ' << errors[2]);
     CHECK(order(errors) >= 0.9);

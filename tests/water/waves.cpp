@@ -2,6 +2,7 @@
 // Sums of sines: dispersion, heights, normals, the water below, and whole maps at once.
 
 #include <ansatz/water/dispersion.hpp>
+#include <ansatz/water/water_columns.hpp>
 #include <ansatz/water/waves.hpp>
 
 #include "tests/water/support.hpp"
@@ -138,6 +139,30 @@ TEMPLATE_TEST_CASE("a whole map at once has the heights of each of its points", 
     const auto map = sum.height_map<TestType>(9, 4, 0.5 * metre, 1.0 * metre, 2.0 * second);
     CHECK(double(map(8, 3).value()) ==
           Approx(sum.height(4.0 * metre, 3.0 * metre, 2.0 * second).value()).margin(bound * amplitudes));
+}
+
+TEST_CASE("two surfaces add: waves on top of columns leave the columns what they hold (hard case W3)", "[water]") {
+    // 8 m by 5 m: whole wavelengths fit, so that what runs over the columns adds no water.
+    const ColumnGrid grid(16, 10, 0.5 * metre);
+    Surface water(WaterColumns{3.0 * mps}, grid, 2.0 * metre);
+    set_heights(water, [](double x, double z) { return 2 + 0.1 * std::sin(x) * std::cos(z); });
+    auto twin = water;
+    const double before = water.volume().value();
+    const Waves waves({{4.0 * metre, 0.2 * metre, 0.0, 0.4}, {2.5 * metre, 0.1 * metre, pi / 2, 1.0}});
+    std::vector<double> on_top(grid.size());
+    for (int n = 1; n <= 100; ++n) {
+        const auto t = 0.02 * n * second;
+        water.step(0.02 * second);
+        twin.step(0.02 * second);
+        waves.fill(std::span<double>(on_top), 16, 10, grid.centre_x(0), grid.centre_z(0), 0.5 * metre, 0.5 * metre, t);
+        for (std::size_t k = 0; k < grid.size(); ++k) {
+            const auto x = grid.centre_x(k % 16), z = grid.centre_z(k / 16);
+            on_top[k] += water.heights()[k];
+            CHECK(on_top[k] == Approx((water.level(x, z) + waves.height(x, z, t)).value()).epsilon(1e-12));
+        }
+        CHECK(grid.volume(std::span<const double>(on_top)).value() == Approx(before).epsilon(1e-12));
+    }
+    CHECK(water.state() == twin.state());
 }
 
 TEST_CASE("a wave refuses what it cannot have, and says which one it is", "[water]") {

@@ -5,6 +5,8 @@
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
 
+#include <limits>
+
 namespace exercise {
 
 inline ansatz::Quantity<ansatz::unit::Volume> submerged(ansatz::Quantity<ansatz::unit::Length> radius,
@@ -48,6 +50,37 @@ inline ansatz::Quantity<ansatz::unit::Force> pull(Spring& spring, ansatz::Quanti
     world.step(1e-3 * second);
     spring.broken = world.afloat(held).broken;
     return y(world.afloat(held).lift);
+}
+
+/// The water that weighs what the spring carries.
+inline ansatz::Quantity<ansatz::unit::Volume> pressed_up(Spring& spring, ansatz::Quantity<ansatz::unit::Length> depth,
+                                                         ansatz::Quantity<ansatz::unit::Density> density,
+                                                         ansatz::Quantity<ansatz::unit::Acceleration> g) {
+    return pull(spring, depth) / (density * g);
+}
+
+/// A body of 1 kg at a depth of a pool, lifted by the library's FixedLift.
+inline ansatz::Quantity<ansatz::unit::Acceleration>
+fixed_acceleration(ansatz::Quantity<ansatz::unit::Length> depth, ansatz::Quantity<ansatz::unit::Acceleration> lift,
+                   ansatz::Quantity<ansatz::unit::Acceleration> g) {
+    using namespace ansatz;
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -g.value(), 0)}, Pools<WaterColumns>{},
+                Buoyancy{}};
+    world.add(Pool{Surface{WaterColumns{1.0 * metre_per_second}, ColumnGrid(5, 5, 4.0 * metre), 20.0 * metre}});
+    const auto body = world.add(position(metres(10, 20 - depth.value(), 10)), ansatz::mass(1.0 * kilogram));
+    world.add(Floating{.body = body, .by = FixedLift{lift}, .presses = false});
+    return y(world.acceleration(body));
+}
+
+/// Where the same acceleration has taken the speed, and for how far it had to.
+inline ansatz::Quantity<ansatz::unit::Length> deepest(ansatz::Quantity<ansatz::unit::Velocity> speed,
+                                                      ansatz::Quantity<ansatz::unit::Acceleration> lift,
+                                                      ansatz::Quantity<ansatz::unit::Acceleration> g) {
+    using namespace ansatz;
+    const auto up = fixed_acceleration(1.0 * metre, lift, g);
+    if (!(up > 0.0 * metre_per_second_squared)) return std::numeric_limits<double>::infinity() * metre;
+    const Quantity<unit::Time> until = speed / up;
+    return speed * until - 0.5 * up * until * until;
 }
 
 } // namespace exercise

@@ -5,6 +5,7 @@
 
 #include <ansatz/world.hpp>
 
+#include <limits>
 #include <numbers>
 
 using namespace ansatz;
@@ -44,6 +45,34 @@ inline Quantity<unit::Force> pull(Spring& spring, Quantity<unit::Length> depth) 
     if (spring.broken || depth < 0.0 * metre) return 0.0 * newton;
     return spring.stiffness * depth;
     // end of task 3
+}
+
+/// 7.4.1: how much of the water that spring presses up with a body that is so deep, in m^3. What the spring carries,
+/// the water carries; once it is broken, the water is free.
+inline Quantity<unit::Volume> pressed_up(Spring& spring, Quantity<unit::Length> depth, Quantity<unit::Density> density,
+                                         Quantity<unit::Acceleration> g) {
+    // task 4: return todo(4);
+    return pull(spring, depth) / (density * g);
+    // end of task 4
+}
+
+/// 7.4: how a body is accelerated by the notes' simplest way, in m/s^2, upwards positive: under the surface, where the
+/// depth is positive, by a fixed `lift` against gravity, and above it by gravity alone. `lift` and `g` are positive.
+inline Quantity<unit::Acceleration> fixed_acceleration(Quantity<unit::Length> depth, Quantity<unit::Acceleration> lift,
+                                                       Quantity<unit::Acceleration> g) {
+    // task 5: return todo(5);
+    return depth > 0.0 * metre ? lift - g : -g;
+    // end of task 5
+}
+
+/// 7.4: how deep a body comes that meets the surface with a downward `speed` and is lifted like that, in m; infinite
+/// where it does not turn round.
+inline Quantity<unit::Length> deepest(Quantity<unit::Velocity> speed, Quantity<unit::Acceleration> lift,
+                                      Quantity<unit::Acceleration> g) {
+    // task 6: return todo(6);
+    if (!(lift > g)) return std::numeric_limits<double>::infinity() * metre;
+    return 0.5 * speed * speed / (lift - g);
+    // end of task 6
 }
 
 } // namespace exercise

@@ -6,6 +6,7 @@
 #include <ansatz/world.hpp>
 
 #include <cmath>
+#include <limits>
 
 using namespace ansatz;
 using namespace ansatz::workbook;
@@ -50,6 +51,39 @@ auto acceleration(const Body& b) {
 
 exercise::Spring spring(bool broken = false) { return {300.0 * newton_per_metre, 0.6 * metre, broken}; }
 const auto exact = 1e-9 * newton;
+
+struct Liquid {
+    double density, g;
+};
+const Liquid liquids[] = {{1025, 9.81}, {870, 3.7}, {13500, 1.6}};
+auto pressed_up(exercise::Spring& one, double depth, const Liquid& l) {
+    return exercise::pressed_up(one, depth * metre, l.density * kilogram_per_cubic_metre,
+                                l.g * metre_per_second_squared);
+}
+std::string said(const Liquid& l, double depth) {
+    std::ostringstream text;
+    text << "300 N/m, " << depth << " m deep, breaks at 0.6 m, in a liquid of " << l.density << " kg/m^3, g = " << l.g
+         << " m/s^2: what is pressed up";
+    return text.str();
+}
+
+struct Lift {
+    double speed, lift, g;
+};
+const Lift lifts[] = {{3, 14, 9.81}, {0.7, 4, 3.7}, {5, 9, 1.6}, {2, 9.7, 9.81}, {1.5, 3.7, 3.7}};
+std::string said(const Lift& l) {
+    std::ostringstream text;
+    text << "a lift of " << l.lift << " m/s^2, g = " << l.g << " m/s^2";
+    return text.str();
+}
+auto lifted(const Lift& l, double depth) {
+    return exercise::fixed_acceleration(depth * metre, l.lift * metre_per_second_squared,
+                                        l.g * metre_per_second_squared);
+}
+auto deepest(const Lift& l) {
+    return exercise::deepest(l.speed * metre_per_second, l.lift * metre_per_second_squared,
+                             l.g * metre_per_second_squared);
+}
 
 } // namespace
 
@@ -132,6 +166,71 @@ TEST_CASE("deeper than its limit it breaks, and stays broken", "[task-3][breaks]
     expect(one.broken, "the same, and then 0.3 m deep: it must be broken still.");
 }
 
+TEST_CASE("the water makes room for the weight that hangs on the spring", "[task-4][weight]") {
+    for (const auto& l : liquids)
+        for (const double depth : {0.1, 0.55}) {
+            auto one = spring();
+            expect_near(said(l, depth), pressed_up(one, depth, l), 300 * depth / (l.density * l.g) * cubic_metre,
+                        1e-12 * cubic_metre, "So much of the liquid weighs as much as the spring pulls.");
+        }
+}
+
+TEST_CASE("a slack spring presses nothing up", "[task-4][nothing]") {
+    for (const auto& l : liquids) {
+        auto one = spring();
+        expect_near(said(l, -0.4), pressed_up(one, -0.4, l), 0.0 * cubic_metre, 1e-15 * cubic_metre,
+                    "Above the surface nothing hangs on it.");
+    }
+}
+
+TEST_CASE("when it breaks the column is free, and stays free", "[task-4][free]") {
+    for (const auto& l : liquids) {
+        auto one = spring();
+        pressed_up(one, 0.5, l);
+        expect_near(said(l, 0.7), pressed_up(one, 0.7, l), 0.0 * cubic_metre, 1e-15 * cubic_metre,
+                    "It breaks there, and nothing hangs on the water any more.");
+        expect(one.broken, said(l, 0.7) + ". It must be broken then.");
+        expect_near(said(l, 0.2) + ", after it was broken", pressed_up(one, 0.2, l), 0.0 * cubic_metre,
+                    1e-15 * cubic_metre, "What is free stays free, also where the body comes up again.");
+    }
+}
+
+TEST_CASE("under the surface it is lifted, wherever it is", "[task-5][lifted]") {
+    for (const auto& l : lifts)
+        for (const double depth : {0.01, 2.0})
+            expect_near(said(l) + ", under the surface", lifted(l, depth), (l.lift - l.g) * metre_per_second_squared,
+                        1e-12 * metre_per_second_squared, "Both act, one up and one down, at any depth alike.");
+}
+
+TEST_CASE("above the surface it falls", "[task-5][falls]") {
+    for (const auto& l : lifts)
+        expect_near(said(l) + ", 0.3 m above the surface", lifted(l, -0.3), -l.g * metre_per_second_squared,
+                    1e-12 * metre_per_second_squared, "The air lifts nothing.");
+}
+
+TEST_CASE("what is lifted by more than gravity turns round where its speed is used up", "[task-6][turns]") {
+    for (const auto& l : lifts) {
+        if (!(l.lift > l.g)) continue;
+        double y = 0, v = -l.speed; // by small steps
+        for (const double dt = 1e-5; v < 0; v += dt * (l.lift - l.g)) y += dt * v;
+        std::ostringstream text;
+        text << said(l) << ", met at " << l.speed << " m/s: how deep it comes";
+        expect_near(text.str(), deepest(l), -y * metre, 1e-3 * -y * metre,
+                    "It is slowed by the difference of both, until it stands.");
+    }
+}
+
+TEST_CASE("what is lifted by gravity or less never turns round", "[task-6][sinks]") {
+    for (const auto& l : lifts) {
+        if (l.lift > l.g) continue;
+        const auto d = deepest(l);
+        std::ostringstream text;
+        text << said(l) << ", met at " << l.speed << " m/s: how deep it comes\n    yours  " << d
+             << "\n    right  inf m\nIt sinks on, slower than it would fall, and no depth is the deepest.";
+        expect(d == std::numeric_limits<double>::infinity() * metre, text.str());
+    }
+}
+
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
@@ -142,6 +241,22 @@ std::vector<double> probe(int task) {
         numbers.push_back(submerged({0.3, 0.9}).value());
     } else if (task == 2)
         for (const auto& b : bodies) numbers.push_back(acceleration(b).value());
+    else if (task == 4)
+        for (const auto& l : liquids)
+            for (const bool broken : {false, true})
+                for (const double depth : {0.3, -0.4, 0.7, 0.2}) {
+                    auto one = spring(broken);
+                    numbers.push_back(1e3 * pressed_up(one, depth, l).value());
+                    numbers.push_back(1e3 * pressed_up(one, 0.5, l).value());
+                }
+    else if (task == 5)
+        for (const auto& l : lifts)
+            for (const double depth : {0.2, 1.7, -0.3}) numbers.push_back(lifted(l, depth).value());
+    else if (task == 6)
+        for (const auto& l : lifts) {
+            const double d = deepest(l).value();
+            numbers.push_back(std::isinf(d) ? -1 : d);
+        }
     else
         for (const bool broken : {false, true})
             for (const double depth : {0.3, -0.7, 0.7, 0.2}) {

@@ -5,6 +5,8 @@
 
 #include <ansatz/world.hpp>
 
+#include <cmath>
+
 using namespace ansatz;
 
 namespace exercise {
@@ -31,6 +33,13 @@ inline Quantity<unit::Velocity> next_rate(Quantity<unit::Velocity> rate, Quantit
 inline Quantity<unit::Time> longest_step(Quantity<unit::Velocity> c, Quantity<unit::Length> dx,
                                          Quantity<unit::Length> dz) {
     return todo(3);
+}
+
+/// 7.2: the rate of a column that nothing pulls, a step later, in m/s, where `damping` is what it loses of itself in a
+/// second, in 1/s: after a second it is the same whatever the steps were.
+inline Quantity<unit::Velocity> damped(Quantity<unit::Velocity> rate, Quantity<unit::Frequency> damping,
+                                       Quantity<unit::Time> dt) {
+    return todo(4);
 }
 
 } // namespace exercise

@@ -47,4 +47,17 @@ inline ansatz::Quantity<ansatz::unit::Time> longest_step(ansatz::Quantity<ansatz
         .longest_step();
 }
 
+/// Nine level columns, of which that in the middle rises.
+inline ansatz::Quantity<ansatz::unit::Velocity> damped(ansatz::Quantity<ansatz::unit::Velocity> rate,
+                                                       ansatz::Quantity<ansatz::unit::Frequency> damping,
+                                                       ansatz::Quantity<ansatz::unit::Time> dt) {
+    using namespace ansatz;
+    const ColumnGrid grid(3, 3, 1.0 * metre);
+    const WaterColumns::In<double> loop(WaterColumns{1.0 * metre_per_second, damping}, grid, 0.0 * metre);
+    std::vector<double> heights(9, 1.0), rates(9, 0.0);
+    rates[grid.index(1, 1)] = rate.value();
+    loop.advance(heights, rates, dt);
+    return rates[grid.index(1, 1)] * metre_per_second;
+}
+
 } // namespace exercise

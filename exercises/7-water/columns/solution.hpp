@@ -5,6 +5,8 @@
 
 #include <ansatz/world.hpp>
 
+#include <cmath>
+
 using namespace ansatz;
 
 namespace exercise {
@@ -38,6 +40,15 @@ inline Quantity<unit::Time> longest_step(Quantity<unit::Velocity> c, Quantity<un
     // task 3: return todo(3);
     return 1.0 / (c * sqrt(1.0 / (dx * dx) + 1.0 / (dz * dz)));
     // end of task 3
+}
+
+/// 7.2: the rate of a column that nothing pulls, a step later, in m/s, where `damping` is what it loses of itself in a
+/// second, in 1/s: after a second it is the same whatever the steps were.
+inline Quantity<unit::Velocity> damped(Quantity<unit::Velocity> rate, Quantity<unit::Frequency> damping,
+                                       Quantity<unit::Time> dt) {
+    // task 4: return todo(4);
+    return rate * std::exp(-double(damping * dt));
+    // end of task 4
 }
 
 } // namespace exercise

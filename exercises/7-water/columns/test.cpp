@@ -60,6 +60,24 @@ auto step_of(const double (&g)[3]) {
     return exercise::longest_step(g[0] * metre_per_second, g[1] * metre, g[2] * metre);
 }
 
+/// Damped for a time, in so many steps.
+struct Fading {
+    double rate, damping, time;
+    Quantity<unit::Velocity> after(int steps) const {
+        auto v = rate * metre_per_second;
+        for (int n = 0; n < steps; ++n) v = exercise::damped(v, damping / second, time / steps * second);
+        return v;
+    }
+    Quantity<unit::Velocity> right() const { return rate * std::exp(-damping * time) * metre_per_second; }
+};
+const Fading fading[] = {{0.8, 0.7, 1}, {-1.3, 2.3, 1}, {0.4, 5, 0.6}};
+std::string said(const Fading& f, int steps) {
+    std::ostringstream text;
+    text << "a rate of " << f.rate << " m/s, damped by " << f.damping << " 1/s for " << f.time << " s in " << steps
+         << (steps == 1 ? " step" : " steps");
+    return text.str();
+}
+
 } // namespace
 
 TEST_CASE("a column holds height times footprint", "[task-1][volume]") {
@@ -126,13 +144,46 @@ TEST_CASE("a step a hair longer explodes", "[task-3][explodes]") {
     }
 }
 
+TEST_CASE("after a second it is the same at every frame rate", "[task-4][rates]") {
+    for (const auto& f : fading)
+        for (const int steps : {5, 30, 240})
+            expect_near(said(f, steps), f.after(steps), f.right(), 1e-12 * metre_per_second,
+                        "What is lost per second is lost in a second, however many frames it has.");
+}
+
+TEST_CASE("two halves of a step leave what the step does", "[task-4][halves]") {
+    for (const auto& f : fading)
+        expect_agree(said(f, 2), "yours, in one step", f.after(1), "yours, in two", f.after(2),
+                     1e-12 * metre_per_second, "A time may be cut into steps as one likes.");
+}
+
+TEST_CASE("however strong it is, it turns no column round", "[task-4][strong]") {
+    for (auto f : fading) {
+        f.damping = 40;
+        const auto left = f.after(1);
+        expect(is_finite(left) && left / (f.rate * metre_per_second) >= 0.0 && abs(left) < 0.1 * metre_per_second,
+               said(f, 1) + ". It has almost stopped, and moves as before: it must neither turn round nor grow.");
+    }
+}
+
+TEST_CASE("without damping nothing is lost", "[task-4][none]") {
+    for (auto f : fading) {
+        f.damping = 0;
+        expect_near(said(f, 3), f.after(3), f.rate * metre_per_second, 1e-14 * metre_per_second,
+                    "Nothing takes from it.");
+    }
+}
+
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1)
         for (const auto& c : columns) numbers.push_back(volume(c).value());
     else if (task == 2)
         for (const auto& s : scenes) numbers.push_back(s.answer().value());
-    else
+    else if (task == 3)
         for (const auto& g : grids) numbers.push_back(step_of(g).value());
+    else
+        for (const auto& f : fading)
+            for (const int steps : {1, 3}) numbers.push_back(f.after(steps).value());
     return numbers;
 }

@@ -72,6 +72,23 @@ template <class C> constexpr bool divides_for_water() {
     else return false;
 }
 
+/// A step of a pool in equal parts, and in more of them from where its water has become so fast that they are too long:
+/// what runs down a hill is slow at first.
+template <class S> void move_in_parts(S& surface, Quantity<unit::Time> dt, double parts) {
+    auto part = dt / parts;
+    for (double left = parts; left > 0; --left) {
+        const auto longest = surface.longest_step();
+        if (part > (1 + 1e-9) * longest) { // parts were found from it, and may be off by rounding
+            const double more = std::ceil(double(part / longest));
+            if (more < 1e6) { // or the water is infinitely fast, and no part is short enough
+                part /= more;
+                left *= more;
+            }
+        }
+        SurfaceLanes::advance(surface, part);
+    }
+}
+
 /// The water moves.
 struct MoveWater {
     static constexpr Phase phase = phases::fields;
@@ -79,13 +96,14 @@ struct MoveWater {
     template <class StepT> static void run(StepT& step) {
         using C = typename StepT::Composition_;
         const auto dt = static_cast<double>(step.context.dt().value()) * second;
-        double parts = 1;
+        [[maybe_unused]] double parts = 1;
         if constexpr (divides_for_water<C>())
-            parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
+            parts = std::min( // a million, or water that has become infinitely fast would take for ever
+                1e6, std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies)))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
-                for (auto left = static_cast<std::uint64_t>(parts); left > 0; --left)
-                    SurfaceLanes::advance(*row.surface, dt / parts);
+                if constexpr (divides_for_water<C>()) move_in_parts(*row.surface, dt, parts);
+                else SurfaceLanes::advance(*row.surface, dt);
             });
         });
         // Behind the waves: they were pushed by what bodies pressed up where this step began, as bodies were by the

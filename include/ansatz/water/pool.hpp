@@ -22,7 +22,8 @@
 namespace ansatz {
 
 /// A body of water. World::get gives it back as it would be without the bodies that lie in it.
-/// \tparam Policy what moves it: WaterColumns, ClampedColumns, Pipes, ShallowWater, or one of yours
+/// \tparam Policy what moves it: WaterColumns, ClampedColumns, Pipes, ShallowWater, SecondOrderShallowWater, or one of
+/// yours
 template <class Policy> struct Pool {
     using element = Pool; ///< World::add takes it
 

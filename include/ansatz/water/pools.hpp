@@ -36,7 +36,8 @@ template <class Policy> struct PoolsName {
 };
 } // namespace detail
 
-/// \tparam Policy what moves them: WaterColumns, ClampedColumns, Pipes, ShallowWater, or one of yours
+/// \tparam Policy what moves them: WaterColumns, ClampedColumns, Pipes, ShallowWater, SecondOrderShallowWater, or one of
+/// yours
 template <class Policy> struct Pools {
     using role = roles::Field;
     using Element = Pool<Policy>; ///< what it keeps

@@ -6,8 +6,9 @@
 /// columns of the notes leave out).
 ///
 /// Use it where water runs: a dam that breaks, a flood over dry ground, a bore, anything with a front. Not for ripples
-/// on a pool: it is of first order, so that it smears low waves, and costs several times what WaterColumns does; and
-/// not for waves that are short against the depth, which shallow water has not.
+/// on a pool: it is of first order, so that it smears low waves, and costs several times what WaterColumns does
+/// (SecondOrderShallowWater smears less, and costs more); and not for waves that are short against the depth, which
+/// shallow water has not.
 ///
 /// \f[ \partial_t \begin{pmatrix} h \\ hu \\ hw \end{pmatrix} + \partial_x \begin{pmatrix} hu \\ hu^2 + \frac g 2 h^2 \\ huw \end{pmatrix} + \partial_z \begin{pmatrix} hw \\ huw \\ hw^2 + \frac g 2 h^2 \end{pmatrix} = -g h \begin{pmatrix} 0 \\ \partial_x b \\ \partial_z b \end{pmatrix} \f]
 ///
@@ -20,7 +21,10 @@
 /// Fluxes by HLL with the slowest and fastest wave of both sides; what is carried along goes with the mass. The bed by
 /// hydrostatic reconstruction: both sides of a face are cut to what stands above the higher bed, so that a lake at rest
 /// stays at rest and no height becomes negative while \f$ 2\,\Delta t\,((|u|+c)/\Delta x + (|w|+c)/\Delta z) \le 1 \f$ everywhere,
-/// with \f$ c = \sqrt{gh} \f$. All sides are solid walls. There is no friction.
+/// with \f$ c = \sqrt{gh} \f$. All sides are solid walls. There is no friction. Where the bed
+/// falls by s from column to column, water is pushed too little, by the part s / 2h, and with s > h by its height
+/// alone. Finer columns help, or second order (O. Delestre, S. Cordier, F. Darboux, F. James, A Limitation of the
+/// Hydrostatic Reconstruction Technique for Shallow Water Equations, 2012).
 ///
 /// A. Harten, P. Lax, B. van Leer, On Upstream Differencing and Godunov-Type Schemes for Hyperbolic Conservation Laws
 /// (1983); E. Audusse, F. Bouchut, M. Bristeau, R. Klein, B. Perthame, A Fast and Stable Well-Balanced Scheme with
@@ -36,6 +40,13 @@ namespace detail {
 /// What passes a face: mass, momentum across it less the pressure of either side, momentum along it.
 template <class Scalar> struct FaceFlux {
     Scalar mass, push_low, push_high, along;
+};
+/// The same of a row of faces, a lane for each.
+template <class Scalar> struct RowOfFaces {
+    std::vector<Scalar> mass, push_low, push_high, along;
+    void resize(std::size_t n) {
+        for (auto* lane : {&mass, &push_low, &push_high, &along}) lane->assign(n, Scalar(0));
+    }
 };
 /// One side of a face: height, bed, velocity across the face and along it, speed of waves.
 template <class Scalar> struct FaceSide {
@@ -73,6 +84,16 @@ template <class Scalar>
     const Scalar wall1 = rest1 > zero ? zero : ahead, wall2 = rest2 > zero ? zero : behind;
     const Scalar along1 = low.along, along2 = high.along, along = mass > zero ? along1 : along2;
     return {mass, momentum - p1 + wall1, momentum - p2 + wall2, mass * along};
+}
+/// Below this height a column is a film, m, whose momentum over its height is made of rounding.
+template <class Scalar> Scalar thinnest_water() {
+    return Scalar(0.03 * std::sqrt(static_cast<double>(std::numeric_limits<Scalar>::epsilon())));
+}
+/// Momentum over height, m/s; towards zero in a film.
+template <class Scalar>
+[[gnu::always_inline]] inline Scalar speed_of_water(const Scalar momentum, const Scalar h, const Scalar film) {
+    const Scalar thick = h < film ? film : h, part = h / thick;
+    return part * part * momentum / thick;
 }
 } // namespace detail
 
@@ -159,10 +180,8 @@ struct ShallowWater {
     private:
         /// A slow flow rounds the same way in every step: in float 4e-5 of the volume in 1e4 steps.
         static constexpr bool compensated = std::is_same_v<Scalar, float>;
-        /// Momentum over height; towards zero in a film, whose velocity is made of rounding.
         [[gnu::always_inline]] static Scalar speed(Scalar momentum, Scalar h, Scalar film) {
-            const Scalar thick = h < film ? film : h, part = h / thick;
-            return part * part * momentum / thick;
+            return detail::speed_of_water<Scalar>(momentum, h, film);
         }
         /// The largest (|u| + c) / dx + (|w| + c) / dz of a row, so many maxima abreast, or it would be done one by
         /// one.
@@ -192,12 +211,7 @@ struct ShallowWater {
             detail::FaceSide<Scalar> along_x(std::size_t i) const { return {h[i], b[i], u[i], w[i], c[i]}; }
             detail::FaceSide<Scalar> along_z(std::size_t i) const { return {h[i], b[i], w[i], u[i], c[i]}; }
         };
-        struct Faces {
-            std::vector<Scalar> mass, push_low, push_high, along;
-            void resize(std::size_t n) {
-                for (auto* lane : {&mass, &push_low, &push_high, &along}) lane->assign(n, Scalar(0));
-            }
-        };
+        using Faces = detail::RowOfFaces<Scalar>;
         void load(const State<Scalar>& state, std::size_t j, Row& row) const {
             const std::size_t n = j * nx_;
             read(nx_, gravity_, film_, &state.height[n], &state.bed[n], &state.momentum_x[n], &state.momentum_z[n],
@@ -298,7 +312,7 @@ struct ShallowWater {
             for (std::size_t i = 1; i < count; ++i) one(i, west[i - 1]);
         }
         Scalar gravity_;
-        Scalar film_ = Scalar(0.03 * std::sqrt(static_cast<double>(std::numeric_limits<Scalar>::epsilon()))); // m
+        Scalar film_ = detail::thinnest_water<Scalar>(); // m
         std::size_t nx_, nz_;
         std::vector<Scalar> over_x_, over_z_; // 1 / width
         Row here_, north_;                    // before the step

@@ -44,8 +44,9 @@ struct SurfaceLanes; // who may write lanes: the pools of a world (pool.hpp)
 /// What moves a surface, bound to a scalar: what Surface asks of a policy. `State<Scalar>` has the lane `height`, and
 /// what else is kept; `In<Scalar>` says the longest step and makes one.
 ///
-/// \ref ansatz::WaterColumns "WaterColumns", \ref ansatz::ClampedColumns "ClampedColumns", \ref ansatz::Pipes "Pipes"
-/// and \ref ansatz::ShallowWater "ShallowWater" are such policies (notes 7.2). (notes 7.2).
+/// \ref ansatz::WaterColumns "WaterColumns", \ref ansatz::ClampedColumns "ClampedColumns", \ref ansatz::Pipes "Pipes",
+/// \ref ansatz::ShallowWater "ShallowWater" and \ref ansatz::SecondOrderShallowWater "SecondOrderShallowWater" are such
+/// policies (notes 7.2).
 template <class P, class Scalar>
 concept SurfacePolicyIn =
     requires(const P& policy, const ColumnGrid& grid, typename P::template State<Scalar>& state,
@@ -62,7 +63,7 @@ concept SurfacePolicyIn =
     };
 
 /// A body of water: columns, and what a policy keeps for each of them.
-/// \tparam Policy WaterColumns, ClampedColumns, Pipes, ShallowWater, or one of yours
+/// \tparam Policy WaterColumns, ClampedColumns, Pipes, ShallowWater, SecondOrderShallowWater, or one of yours
 /// \tparam Scalar float, double, or a class scalar
 template <class Policy, class Scalar = double> class Surface {
     static_assert(SurfacePolicyIn<Policy, Scalar>,
