@@ -58,8 +58,8 @@ inline std::string Plot::colour_of(std::size_t curve) const {
         tiles += curves_[i].style == Style::tiles;
         coloured += curves_[i].style != Style::reference && curves_[i].style != Style::tiles;
     }
-    static constexpr std::array<std::string_view, 3> of_tiles{"#59616b", "#c8d9ea", "#f0d9bf"};
-    if (curves_[curve].style == Style::tiles) return std::string(of_tiles[std::min<std::size_t>(tiles, 2)]);
+    static constexpr std::array<std::string_view, 4> of_tiles{"#59616b", "#c8d9ea", "#f0d9bf", "#d5e6c9"};
+    if (curves_[curve].style == Style::tiles) return std::string(of_tiles[std::min<std::size_t>(tiles, 3)]);
     return colour(coloured);
 }
 

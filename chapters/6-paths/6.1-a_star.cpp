@@ -127,12 +127,10 @@ int main() {
     }());
 
     workbook::Plot plot("6.1", "What A* looked at, and the path that it found");
-    const auto walls = drawing::walls(map), shut = drawing::places(map, search.closed_list()),
-               open = drawing::places(map, search.open_list()), way = drawing::places(map, search.path());
-    drawing::on_map(plot, map);
-    plot.points("wall", walls.east, walls.north)
-        .points("closed list", shut.east, shut.north)
-        .points("open list", open.east, open.north);
-    plot.line("path", way.east, way.north).write();
+    drawing::with_walls(plot, map);
+    drawing::fill(plot, map, "closed list", search.closed_list());
+    drawing::fill(plot, map, "open list", search.open_list());
+    drawing::way(plot, map, "path", search.path());
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

@@ -103,11 +103,12 @@ int main() {
     claim("opened again, it is", reopens.cost() == 9 && reopens.reopened() == 1);
 
     workbook::Plot plot("6.1.1", "With an estimate that is too high the road is never seen");
-    const auto straight = drawing::places(country, by_tiles.path()), road = drawing::places(country, by_road.path()),
-               seen = drawing::places(country, by_tiles.closed_list());
-    drawing::on_map(plot, country).points("closed list of the overestimate", seen.east, seen.north);
-    plot.line("found by the overestimate", straight.east, straight.north)
-        .line("the best, on the road", road.east, road.north)
-        .write();
+    std::vector<Cell> road;
+    for (std::uint16_t column = 0; column < 14; ++column) road.push_back({column, 0});
+    drawing::fill(drawing::on_map(plot, country), country, "road", road);
+    drawing::fill(plot, country, "closed list of the overestimate", by_tiles.closed_list());
+    drawing::way(plot, country, "found by the overestimate", by_tiles.path());
+    drawing::way(plot, country, "the best, on the road", by_road.path());
+    drawing::with_ends(plot, country, farm, town).write();
     return claim.result();
 }

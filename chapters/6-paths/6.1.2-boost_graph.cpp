@@ -140,9 +140,9 @@ int main() {
         back.push_back(c);
         if (c == start) break;
     }
-    const auto walls = drawing::walls(map), way = drawing::places(map, search.path()),
-               theirs = drawing::places(map, back);
-    drawing::on_map(plot, map).points("wall", walls.east, walls.north).line("A*", way.east, way.north);
-    plot.reference("boost::dijkstra_shortest_paths", theirs.east, theirs.north).write();
+    const auto theirs = drawing::places(map, back);
+    drawing::way(drawing::with_walls(plot, map), map, "A*", search.path());
+    plot.reference("boost::dijkstra_shortest_paths", theirs.east, theirs.north);
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

@@ -102,9 +102,10 @@ int main() {
     for (std::uint16_t y = 0; y < swamp.height(); ++y)
         for (std::uint16_t x = 0; x < swamp.width(); ++x)
             if (swamp.weight(Cell{x, y}) > 1) mud.push_back({x, y});
-    const auto wet = drawing::places(swamp, mud), way = drawing::places(swamp, quickest.path()),
-               pulled = drawing::places(swamp, corners);
-    drawing::on_map(plot, swamp).points("swamp, weight 4", wet.east, wet.north).line("path", way.east, way.north);
-    plot.reference("smoothed", pulled.east, pulled.north).write();
+    const auto pulled = drawing::places(swamp, corners);
+    drawing::fill(drawing::on_map(plot, swamp), swamp, "swamp, weight 4", mud);
+    drawing::way(plot, swamp, "path", quickest.path());
+    plot.reference("smoothed", pulled.east, pulled.north);
+    drawing::with_ends(plot, swamp, quickest.path().front(), quickest.path().back()).write();
     return claim.result();
 }

@@ -107,13 +107,12 @@ int main() {
         std::vector<Cell> cells;
         std::set_difference(more.closed.begin(), more.closed.end(), less.closed.begin(), less.closed.end(),
                             std::back_inserter(cells));
-        return drawing::places(map, cells);
+        return cells;
     };
-    const auto walls = drawing::walls(map), by_zero = beyond(zero, euclid), by_euclid = beyond(euclid, octile),
-               by_octile = drawing::places(map, octile.closed);
-    drawing::on_map(plot, map).points("wall", walls.east, walls.north);
-    plot.points("without a heuristic", by_zero.east, by_zero.north)
-        .points("Euclid too", by_euclid.east, by_euclid.north);
-    plot.points("Octile too", by_octile.east, by_octile.north).write();
+    drawing::with_walls(plot, map);
+    drawing::fill(plot, map, "without a heuristic", beyond(zero, euclid));
+    drawing::fill(plot, map, "Euclid too", beyond(euclid, octile));
+    drawing::fill(plot, map, "Octile too", octile.closed);
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

@@ -137,11 +137,9 @@ int main() {
 
     workbook::Plot plot("6.3.1",
                         "A room without a door: a flag is not looked behind, a large weight is walked through");
-    const auto walls = drawing::walls(flagged), seen = drawing::places(flagged, by_flag.closed_list()),
-               way = drawing::places(open, by_weight.path());
-    drawing::on_map(plot, flagged)
-        .points("wall", walls.east, walls.north)
-        .points("closed list, with flags", seen.east, seen.north);
-    plot.line("path, with walls of weight 1000", way.east, way.north).write();
+    drawing::with_walls(plot, flagged);
+    drawing::fill(plot, flagged, "closed list, with flags", by_flag.closed_list());
+    drawing::way(plot, open, "path, with walls of weight 1000", by_weight.path());
+    drawing::with_ends(plot, open, by_weight.path().front(), by_weight.path().back()).write();
     return claim.result();
 }

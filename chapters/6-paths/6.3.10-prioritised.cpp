@@ -36,6 +36,18 @@ bool meet(const std::vector<std::vector<Cell>>& plans, std::size_t steps) {
     return false;
 }
 
+/// The ways of some, as their plans are.
+void draw(const Grid<>& map, const Prioritised<Grid<>>& plans, std::size_t agents) {
+    workbook::Plot plot("6.3.10", "Five cross a square, each planned around those before it");
+    drawing::with_walls(plot, map);
+    drawing::Places goals;
+    for (std::size_t i = 0; i < agents; ++i) {
+        drawing::way(plot, map, "agent " + std::to_string(i + 1), plans.plan(i));
+        goals.add(map, plans.plan(i).back());
+    }
+    plot.points("goals", goals.east, goals.north).write();
+}
+
 } // namespace
 
 int main() {
@@ -89,6 +101,7 @@ int main() {
             Prioritised plans{square};
             bool found = plans.find(errands);
             first += std::size_t(found);
+            if (n == 5 && crowd == 0 && found) draw(square, plans, n);
             if (found) expanded += plans.expanded();
             for (int order = 1; order < 10 && !found; ++order) {
                 for (std::size_t i = n - 1; i > 0; --i) std::swap(errands[i], errands[random() % (i + 1)]);

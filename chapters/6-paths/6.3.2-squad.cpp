@@ -73,8 +73,7 @@ int main() {
     search.find(start, goal);
 
     workbook::Plot plot("6.3.2", "One path, five walkers");
-    const auto walls = drawing::walls(map);
-    drawing::on_map(plot, map).points("wall", walls.east, walls.north);
+    drawing::with_walls(plot, map);
     for (std::size_t member = 0; member < squad.size(); ++member) {
         std::vector<Cell> way;
         for (const Cell leader : search.path()) way.push_back(squad.at(map, leader)[member].cell);
@@ -82,6 +81,6 @@ int main() {
         if (member == 0) plot.reference("the leader", track.east, track.north);
         else plot.line("member " + std::to_string(member + 1), track.east, track.north);
     }
-    plot.write();
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

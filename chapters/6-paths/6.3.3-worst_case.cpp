@@ -104,11 +104,10 @@ int main() {
     hasty.find(start, goal);
     workbook::Plot plot("6.3.3",
                         "Through the castle's door: what is looked at for the best path, and with a weight of 1.5");
-    const auto walls = drawing::walls(map), best = drawing::places(map, at_once.closed_list()),
-               fast = drawing::places(map, hasty.closed_list());
-    drawing::on_map(plot, map)
-        .points("wall", walls.east, walls.north)
-        .points("looked at for the best", best.east, best.north);
-    plot.points("with w = 1.5", fast.east, fast.north).write();
+    drawing::with_walls(plot, map);
+    drawing::fill(plot, map, "looked at for the best", at_once.closed_list());
+    drawing::fill(plot, map, "with w = 1.5", hasty.closed_list());
+    drawing::way(plot, map, "its path", hasty.path());
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

@@ -163,5 +163,12 @@ int main() {
         b_east.push_back(x(map.position(together.b_of(plan[i]))));
     }
     plot.x("step").y("east").linked_points("A", time, a_east).linked_points("B", time, b_east).write();
+
+    workbook::Plot corridor("6.3.4-map", "In the middle B has stepped aside, and A passes");
+    drawing::Places a_way, b_way;
+    for (const auto v : plan) a_way.add(map, together.a_of(v)), b_way.add(map, together.b_of(v));
+    for (auto& north : a_way.north) north += 0.12 * map.tile(); // side by side, where both walk the corridor
+    for (auto& north : b_way.north) north -= 0.12 * map.tile();
+    drawing::with_walls(corridor, map).line("A", a_way.east, a_way.north).line("B", b_way.east, b_way.north).write();
     return claim.result();
 }

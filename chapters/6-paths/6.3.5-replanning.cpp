@@ -126,9 +126,9 @@ int main() {
     claim("with far fewer nodes looked at", 2 * cheaper.expanded < always.expanded);
 
     workbook::Plot plot("6.3.5", "Two walks: the bridge is closed, then the ford falls dry");
-    const auto river = drawing::walls(map), first = drawing::places(map, touched.way),
-               then = drawing::places(map, cheaper.way);
-    drawing::on_map(plot, map).points("river", river.east, river.north).line("when touched", first.east, first.north);
-    plot.line("also when cheaper", then.east, then.north).write();
+    drawing::with_walls(plot, map, "river");
+    drawing::way(plot, map, "when touched", touched.way);
+    drawing::way(plot, map, "also when cheaper", cheaper.way);
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

@@ -104,8 +104,9 @@ int main() {
     }
 
     workbook::Plot plot("6.3.6", "The nearest of three, by the way that must be walked");
-    const auto walls = drawing::walls(map), kits = drawing::places(map, medkits), track = drawing::places(map, way);
-    drawing::on_map(plot, map).points("wall", walls.east, walls.north).points("medkit", kits.east, kits.north);
-    plot.line("the way to the nearest", track.east, track.north).write();
+    const auto kits = drawing::places(map, medkits), from = drawing::places(map, std::vector<Cell>{hero});
+    drawing::with_walls(plot, map);
+    drawing::way(plot, map, "the way to the nearest", way);
+    plot.points("hero", from.east, from.north).points("medkit", kits.east, kits.north).write();
     return claim.result();
 }

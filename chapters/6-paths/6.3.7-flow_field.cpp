@@ -100,12 +100,9 @@ int main() {
     claim("after a change it is aimed again", current.is_current() && !current.reaches(Cell{19, 4}));
 
     workbook::Plot plot("6.3.7", "One field, five ways");
-    const auto walls = drawing::walls(map);
-    drawing::on_map(plot, map).points("wall", walls.east, walls.north);
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        const auto track = drawing::places(map, ways[i]);
-        plot.line("goblin " + std::to_string(i + 1), track.east, track.north);
-    }
-    plot.write();
+    drawing::with_walls(plot, map);
+    for (std::size_t i = 0; i < ways.size(); ++i) drawing::way(plot, map, "goblin " + std::to_string(i + 1), ways[i]);
+    const auto end = drawing::places(map, std::vector<Cell>{gate});
+    plot.points("gate", end.east, end.north).write();
     return claim.result();
 }

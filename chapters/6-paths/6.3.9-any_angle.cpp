@@ -85,15 +85,13 @@ int main() {
     claim("AnyAngle's is never longer than either, and crosses no wall", never_longer && sees);
 
     workbook::Plot plot("6.3.9", "Three paths: along the tiles, smoothed, and of any angle");
-    const auto walls = drawing::walls(map);
     const auto tiles = drawing::places(map, search.a_star().path());
     const auto corners = drawing::places(map, search.smoothed());
     const auto straight = drawing::places(map, search.theta().path());
-    drawing::on_map(plot, map)
-        .points("wall", walls.east, walls.north)
+    drawing::with_walls(plot, map)
         .reference("along the tiles", tiles.east, tiles.north)
         .line("smoothed", corners.east, corners.north)
         .line("LazyTheta", straight.east, straight.north);
-    plot.write();
+    drawing::with_ends(plot, map, start, goal).write();
     return claim.result();
 }

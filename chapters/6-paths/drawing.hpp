@@ -17,6 +17,7 @@
 #include <iostream>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace drawing {
@@ -107,16 +108,35 @@ template <class Map> ansatz::workbook::Plot& on_map(ansatz::workbook::Plot& plot
         .x_range(none, double(map.width()) * map.tile())
         .y_range(none, double(map.height()) * map.tile());
 }
-/// A map as a map: its walls as filled tiles, and over them a path from its start to its goal.
+/// Tiles of a map, filled. The first are dark, and what comes later lies over them.
+template <class Map, class Cells>
+ansatz::workbook::Plot& fill(ansatz::workbook::Plot& plot, const Map& map, std::string name, const Cells& cells) {
+    const auto all = places(map, cells);
+    return plot.tiles(std::move(name), all.east, all.north, map.tile());
+}
+/// A map as a map: its walls are filled.
+template <class Map>
+ansatz::workbook::Plot& with_walls(ansatz::workbook::Plot& plot, const Map& map, std::string name = "wall") {
+    const auto all = walls(map);
+    return on_map(plot, map).tiles(std::move(name), all.east, all.north, map.tile());
+}
+/// A line from tile to tile.
+template <class Map, class Cells>
+ansatz::workbook::Plot& way(ansatz::workbook::Plot& plot, const Map& map, std::string name, const Cells& cells) {
+    const auto all = places(map, cells);
+    return plot.line(std::move(name), all.east, all.north);
+}
+/// Where somebody sets out, and where it wants to be.
+template <class Map>
+ansatz::workbook::Plot& with_ends(ansatz::workbook::Plot& plot, const Map& map, Cell start, Cell goal) {
+    const auto from = places(map, std::vector<Cell>{start}), to = places(map, std::vector<Cell>{goal});
+    return plot.points("start", from.east, from.north).points("goal", to.east, to.north);
+}
+/// A map with a path from its start to its goal.
 template <class Map, class Cells>
 ansatz::workbook::Plot& with_walls_and_path(ansatz::workbook::Plot& plot, const Map& map, const Cells& path) {
-    const auto black = walls(map), way = places(map, path), start = places(map, std::vector<Cell>{path.front()}),
-               goal = places(map, std::vector<Cell>{path.back()});
-    return on_map(plot, map)
-        .tiles("wall", black.east, black.north, map.tile())
-        .line("path", way.east, way.north)
-        .points("start", start.east, start.north)
-        .points("goal", goal.east, goal.north);
+    with_walls(plot, map);
+    return with_ends(way(plot, map, "path", path), map, path.front(), path.back());
 }
 
 } // namespace drawing

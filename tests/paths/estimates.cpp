@@ -7,6 +7,7 @@
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
 #include <ansatz/paths/heuristics.hpp>
+#include <ansatz/paths/true_costs.hpp>
 #include <ansatz/paths/waypoints.hpp>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -168,4 +169,58 @@ TEST_CASE("where a cost is more than its number holds nobody claims that there i
     AStar by_boost{map, BoostAStar{}};
     CHECK(by_boost.find(Cell{0, 0}, Cell{39, 0}) == Outcome::too_far);
     CHECK(by_boost.find(Cell{0, 0}, Cell{1, 0}) == Outcome::found);
+}
+
+TEST_CASE("Buckets open a node again far less often than a heap where an estimate is not consistent", "[paths][P1]") {
+    // After A. Martelli (1977): vertex j leads to every i < j, and each way through one more vertex is cheaper by one.
+    // The estimates make vertex 1 the first to look at, then 2, then 1 again, then 3, and so on: a search by f counts
+    // in binary.
+    const int n = 14;
+    Roads g(n + 1);
+    for (int j = 2; j <= n; ++j)
+        for (int i = 1; i < j; ++i) boost::add_edge(j, i, (1 << (j - 2)) - (1 << (i - 1)) + (j - i), g);
+    boost::add_edge(1, 0, (1 << (n - 1)) + 2 * n, g);
+    const By jumps{[](std::size_t v) { return v == 0 || v == n ? 0 : (1 << (v - 1)) + 2 * int(v) - 3; }};
+    REQUIRE_FALSE(check_heuristic(g, jumps, std::size_t(0)));
+    AStar heap{g, jumps};
+    AStar buckets{g, jumps, Buckets{}};
+    REQUIRE(heap.find(n, 0) == Outcome::found);
+    REQUIRE(buckets.find(n, 0) == Outcome::found);
+    CHECK(heap.expanded() == std::size_t(1) << (n - 1));
+    CHECK(buckets.expanded() <= 1 + n * (n - 1) / 2);
+    CHECK(buckets.cost() == heap.cost());
+    CHECK(true_costs<int>(g, 0)[n] == heap.cost());
+}
+
+TEMPLATE_TEST_CASE("Buckets with an estimate that jumps: the costs of a heap, and no more nodes", "[paths]",
+                   std::uint32_t, double) {
+    std::mt19937 random(44);
+    std::size_t by_heap = 0, by_buckets = 0;
+    for (int k = 0; k < 60; ++k) {
+        Grid<Eight<>, Terrain> map(40, 40);
+        for (std::size_t i = 0; i < map.size(); ++i) {
+            const Cell c{std::uint16_t(i % 40), std::uint16_t(i / 40)};
+            map.set_passable(c, random() % 5 != 0);
+            if (k % 3 == 2 && random() % 2 == 0) map.set_weight(c, double(1 + random() % 30)); // beyond the ring, too
+        }
+        const std::uint32_t seed = std::uint32_t(random());
+        const By jumps{[seed](Cell v, Cell goal) {
+            const auto quarters = ((v.x * 2654435761u) ^ (v.y * 2246822519u) ^ seed) >> 30; // 0 to 3
+            const auto h = Octile::of<std::uint32_t>(ansatz::paths::detail::Apart(v, goal), 33461, 47321);
+            return TestType(h) / Tile<std::uint32_t>::straight * Tile<TestType>::straight / 4 * TestType(1 + quarters);
+        }};
+        AStar truth{map, ZeroHeuristic{}, CostIn<TestType>{}};
+        AStar heap{map, jumps, CostIn<TestType>{}};
+        AStar buckets{map, jumps, CostIn<TestType>{}, Buckets{}};
+        const Cell from = random_cell(random, 40, 40), to = random_cell(random, 40, 40);
+        const auto outcome = truth.find(from, to);
+        REQUIRE(heap.find(from, to) == outcome);
+        REQUIRE(buckets.find(from, to) == outcome);
+        if (outcome != Outcome::found) continue;
+        REQUIRE(double(heap.cost()) == Approx(double(truth.cost())).epsilon(1e-12));
+        REQUIRE(double(buckets.cost()) == Approx(double(truth.cost())).epsilon(1e-12));
+        REQUIRE(cost_along(map, buckets.path()) == Approx(cost_along(map, heap.path())).epsilon(1e-9));
+        by_heap += heap.expanded(), by_buckets += buckets.expanded();
+    }
+    CHECK(by_buckets < by_heap);
 }

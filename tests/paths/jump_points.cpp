@@ -6,6 +6,7 @@
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
+#include <ansatz/paths/goals.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
 #include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/heuristics/grid_metrics.hpp>
@@ -13,9 +14,12 @@
 #include <ansatz/paths/heuristics/zero.hpp>
 #include <ansatz/paths/moving_ai.hpp>
 #include <ansatz/paths/successors.hpp>
+#include <ansatz/paths/true_costs.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 using namespace paths_tests;
 
@@ -26,6 +30,18 @@ template <class Map> bool walks(const Map& map, std::span<const Cell> path) {
     for (std::size_t i = 1; i < path.size(); ++i)
         if (!map.passable(path[i - 1], path[i])) return false;
     return true;
+}
+
+/// How many tiles there are whose f is no more than a cost.
+template <class Map> std::size_t not_worse(const Map& map, Cell from, Cell to, std::uint32_t cost) {
+    const auto g = true_costs<std::uint32_t>(map, from, Toward::from_it);
+    const auto h = Octile{}.bind<std::uint32_t>(map, to);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < g.size(); ++i) {
+        const Cell c{std::uint16_t(i % map.width()), std::uint16_t(i / map.width())};
+        count += g[i] <= cost && g[i] + h(c) <= cost;
+    }
+    return count;
 }
 
 /// The same query by every edge and by jump points.
@@ -40,7 +56,11 @@ void require_the_same(Every& every, Jumping& jumping, const Map& map, Cell from,
     REQUIRE(jumping.path().back() == to);
     REQUIRE(walks(map, jumping.path()));
     REQUIRE(map.tiles(jumping.path()) == Approx(map.tiles(every.path())).epsilon(1e-12));
-    REQUIRE(jumping.expanded() <= every.expanded());
+    // Near the goal a node is opened for each tile, and which of those with the f of the best path come first is
+    // another order: there it is held against all of them.
+    if (ansatz::paths::detail::Surroundings::around(map, from, to).least < 0)
+        REQUIRE(jumping.expanded() <= every.expanded());
+    else REQUIRE(jumping.expanded() <= not_worse(map, from, to, every.cost()));
 }
 
 } // namespace
@@ -144,4 +164,95 @@ TEST_CASE("Jump points refuse a map with blocked edges, and take it when they ar
           "JumpPoints out");
     map.set_wall({3, 3}, {4, 3}, false);
     CHECK(jumping.find({0, 0}, {7, 5}) == Outcome::found);
+}
+
+TEMPLATE_TEST_CASE("A near goal on a large map: the costs of every edge, also where the way leaves its surroundings",
+                   "[paths]", BothFree, OneFree, NoneFree) {
+    std::mt19937 random(64);
+    using Map = Grid<Eight<TestType>>;
+    for (int n = 0; n < 40; ++n) {
+        const std::size_t width = n % 2 == 0 ? 200 : 40, height = n % 2 == 0 ? 150 : 300;
+        auto map = random_map<Map>(random, width, height, n % 4 < 2 ? 0.002 : 0.1);
+        for (int wall = 0; wall < 12; ++wall) { // long ones, round which the way is far
+            const Cell from = random_cell(random, width, height);
+            for (std::size_t k = 0; k < 60; ++k) {
+                const std::size_t x = from.x + (wall % 2 == 0 ? k : 0), y = from.y + (wall % 2 == 0 ? 0 : k);
+                if (x < width && y < height) map.set_passable(Cell{std::uint16_t(x), std::uint16_t(y)}, false);
+            }
+        }
+        AStar every{map};
+        AStar jumping{map, JumpPoints{}}, by_buckets{map, JumpPoints{}, Buckets{}};
+        for (int k = 0; k < 30; ++k) {
+            const Cell from = random_cell(random, width, height);
+            const auto near = [&](std::uint16_t at, std::size_t side) {
+                const int reach = k % 3 == 0 ? 3 : 20;
+                return std::uint16_t(
+                    std::clamp(int(at) + int(random() % unsigned(2 * reach + 1)) - reach, 0, int(side) - 1));
+            };
+            const std::uint16_t x = near(from.x, width), y = near(from.y, height);
+            const auto outcome = every.find(from, Cell{x, y});
+            REQUIRE(jumping.find(from, Cell{x, y}) == outcome);
+            REQUIRE(by_buckets.find(from, Cell{x, y}) == outcome);
+            if (outcome != Outcome::found) continue;
+            REQUIRE(jumping.cost() == every.cost());
+            REQUIRE(by_buckets.cost() == every.cost());
+            REQUIRE(walks(map, jumping.path()));
+            REQUIRE(map.tiles(jumping.path()) == Approx(map.tiles(every.path())).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("Surroundings are squares around the goal, each twice as wide as the one before", "[paths]") {
+    using ansatz::paths::detail::Surroundings;
+    const Grid<> large(1000, 10), small(24, 24);
+    const Cell goal{500, 5};
+    CHECK(Surroundings::around(small, {3, 3}, {12, 5}).steps({3, 3}, 0) == Surroundings::without_end);
+    CHECK(Surroundings::around(large, {100, 5}, goal).steps({100, 5}, 0) == Surroundings::without_end); // it is far
+    const auto near = Surroundings::around(large, {489, 5}, goal); // 11 tiles: the smallest reaches to 16
+    CHECK(near.holds({489, 5}));
+    CHECK(near.holds({485, 0}));
+    CHECK_FALSE(near.holds({484, 5}));
+    CHECK(Surroundings::around(large, {516, 5}, goal).holds({516, 5})); // whoever begins is in it, by all powers of 2
+    for (unsigned d = 0; d < 8; ++d)
+        for (int x = 300; x < 700; ++x) {
+            const int dx = ansatz::paths::detail::direction_x[d];
+            const Cell at{std::uint16_t(x), 5};
+            const auto steps = near.steps(at, d);
+            if (dx == 0) {
+                CHECK(steps == 16); // from the goal's row
+                continue;
+            }
+            const int outwards = dx * (x - 500);
+            int border = 16; // said anew: the first square that is farther out
+            while (border <= outwards) border *= 2;
+            const auto across = std::size_t(border - outwards);
+            CHECK(steps == (d < 4 ? across : std::min<std::size_t>(across, 16)));
+        }
+}
+
+TEST_CASE("A near goal costs the same nodes on any larger map, and any of several by jumps what it does by edges",
+          "[paths]") {
+    std::size_t nodes = 0;
+    for (const std::size_t side : {200, 1000, 3000}) {
+        const Grid map(side, side);
+        AStar jumping{map, JumpPoints{}};
+        const auto middle = std::uint16_t(side / 2);
+        REQUIRE(jumping.find({middle, middle}, {std::uint16_t(middle + 12), std::uint16_t(middle - 7)}) ==
+                Outcome::found);
+        if (nodes == 0) nodes = jumping.expanded();
+        CHECK(jumping.expanded() == nodes);
+        CHECK(jumping.expanded() <= 12);
+    }
+    std::mt19937 random(65);
+    for (int n = 0; n < 20; ++n) {
+        const auto map = random_map(random, 90, 90, 0.2);
+        const std::vector<Cell> goals{random_cell(random, 90, 90), random_cell(random, 90, 90),
+                                      random_cell(random, 90, 90)};
+        const Cell from = random_cell(random, 90, 90);
+        AStar every{map, AnyGoal{}};
+        AStar jumping{map, AnyGoal{}, JumpPoints{}};
+        const auto outcome = every.find(from, goals);
+        REQUIRE(jumping.find(from, goals) == outcome);
+        if (outcome == Outcome::found) REQUIRE(jumping.cost() == every.cost());
+    }
 }

@@ -12,7 +12,13 @@
 /// The best width is a fraction of the cheapest usual edge: too wide and nodes are expanded twice, too narrow and empty
 /// buckets are looked at. A grid says its own; for other graphs it is the first argument, in the unit of the weights.
 ///
+/// An inconsistent heuristic lets f fall below what has come out already. Such entries come out before all others, and
+/// among themselves by g and not by f: whoever comes out then is reached no cheaper by another of them, so that far
+/// fewer nodes are opened again (algorithm B).
+///
 /// \see R. B. Dial, "Algorithm 360: shortest-path forest with topological ordering", Comm. ACM 12 (1969).
+/// \see A. Martelli, "On the complexity of admissible search algorithms", Artificial Intelligence 8 (1977), for
+/// algorithm B.
 
 #include <ansatz/core/error.hpp>
 #include <ansatz/paths/cost.hpp>
@@ -44,24 +50,20 @@ struct Buckets {
         static constexpr bool exact = false; ///< what comes out is the least but for a bucket's width
         explicit In(const Buckets& policy) : chosen_(policy.width) {
             policy.check();
-            ring_.resize(ring);
+            near_.lists.resize(ring);
+            late_.lists.resize(ring);
         }
         template <class Graph> void begin(const Graph& g) {
-            while (occupied_ != 0) { // what an earlier query left
-                const int b = std::countr_zero(occupied_);
-                ring_[std::size_t(b)].clear();
-                occupied_ &= occupied_ - 1;
-            }
-            far_.clear();
-            late_.clear();
+            near_.clear(), late_.clear(); // what an earlier query left
+            far_.clear(), later_.clear();
             far_least_ = soon_ = nothing_far;
             set_width(g);
         }
-        bool empty() const { return occupied_ == 0 && far_.empty() && late_.empty(); }
+        bool empty() const { return near_.occupied == 0 && far_.empty() && !has_late(); }
         /// No entry has a smaller f than this.
         Cost least_f() {
-            if (!late_.empty()) return late_.front().f;
-            const std::uint64_t first = occupied_ == 0 ? far_least_ : first_bucket();
+            if (has_late()) return Cost(0); // they are in order of g, and soon gone
+            const std::uint64_t first = near_.occupied == 0 ? far_least_ : near_.first();
             if constexpr (std::is_integral_v<Cost>) return Cost(Cost(first) << shift_);
             else // a little less, since f was rounded on its way into the bucket
                 return Cost(first) * width_ * (1 - 8 * std::numeric_limits<Cost>::epsilon());
@@ -69,33 +71,37 @@ struct Buckets {
 
         /// The first entry of a query: the ring begins with it.
         void start(Cost f, Cost h, const Vertex& v) {
-            base_ = bucket_of(f);
+            near_.base = bucket_of(f);
             push(f, h, v);
         }
-        [[gnu::always_inline]] void push(Cost f, Cost, const Vertex& v) {
+        [[gnu::always_inline]] void push(Cost f, Cost h, const Vertex& v) {
             const std::uint64_t bucket = bucket_of(f);
-            if (bucket - base_ >= ring) // before the base too: the difference is huge then
-                push_outside(bucket, f, v);
-            else put(bucket, v);
+            if (bucket - near_.base >= ring) // before the base too: the difference is huge then
+                push_outside(bucket, f, h, v);
+            else near_.put(bucket, v);
         }
         [[gnu::always_inline]] Vertex pop() {
-            if (occupied_ != 0) {
-                base_ = first_bucket();
-                if (soon_ >= base_ + ring) return take();
+            if (near_.occupied != 0) {
+                const std::uint64_t first = near_.first();
+                if (soon_ >= first + ring) {
+                    near_.base = first;
+                    return near_.take();
+                }
             }
             return pop_outside();
         }
         /// What comes out next unless something is put in before; null where that is not known at once.
         [[gnu::always_inline]] const Vertex* peek() const {
-            const auto& bucket = ring_[std::size_t(base_) & (ring - 1)];
+            const auto& bucket = near_.lists[std::size_t(near_.base) & (ring - 1)];
             return bucket.empty() ? nullptr : &bucket.back();
         }
         /// Every entry, stale ones too: use(vertex).
         template <class Use> void each(Use&& use) const {
-            for (const auto& bucket : ring_)
-                for (const auto& v : bucket) use(v);
-            for (const auto& entry : far_) use(entry.vertex);
-            for (const auto& entry : late_) use(entry.vertex);
+            for (const auto* lists : {&near_.lists, &late_.lists})
+                for (const auto& bucket : *lists)
+                    for (const auto& v : bucket) use(v);
+            for (const auto* entries : {&far_, &later_})
+                for (const auto& entry : *entries) use(entry.vertex);
         }
 
     private:
@@ -105,12 +111,32 @@ struct Buckets {
             std::uint64_t bucket;
             Vertex vertex;
         };
-
-        struct Late {
-            Cost f;
-            Vertex vertex;
-            bool operator<(const Late& other) const { return other.f < f; } // the least on top
+        /// Lists for so many buckets in a row, the first of which moves on.
+        struct Ring {
+            std::vector<std::vector<Vertex>> lists;
+            std::uint64_t occupied = 0, base = 0;
+            void clear() {
+                for (; occupied != 0; occupied &= occupied - 1) lists[std::size_t(std::countr_zero(occupied))].clear();
+            }
+            std::uint64_t first() const { ///< that holds something
+                return base + std::uint64_t(std::countr_zero(std::rotr(occupied, int(base & (ring - 1)))));
+            }
+            void put(std::uint64_t bucket, const Vertex& v) {
+                const std::size_t place = std::size_t(bucket) & (ring - 1);
+                lists[place].push_back(v);
+                occupied |= std::uint64_t(1) << place;
+            }
+            Vertex take() { ///< one of the bucket at the base
+                const std::size_t place = std::size_t(base) & (ring - 1);
+                auto& bucket = lists[place];
+                const Vertex v = bucket.back();
+                bucket.pop_back();
+                if (bucket.empty()) occupied &= ~(std::uint64_t(1) << place);
+                return v;
+            }
         };
+        static bool farther(const Far& a, const Far& b) { return b.bucket < a.bucket; } // the least on top of a heap
+        bool has_late() const { return late_.occupied != 0 || !later_.empty(); }
         template <class Graph> void set_width(const Graph& g) {
             double span = chosen_;
             if constexpr (requires {
@@ -132,44 +158,42 @@ struct Buckets {
                 return quotient < Cost(4e18) ? std::uint64_t(quotient) : std::uint64_t(4000000000000000000);
             }
         }
-        std::uint64_t first_bucket() const { ///< that holds something
-            return base_ + std::uint64_t(std::countr_zero(std::rotr(occupied_, int(base_ & (ring - 1)))));
-        }
-        void put(std::uint64_t bucket, const Vertex& v) {
-            const std::size_t place = std::size_t(bucket) & (ring - 1);
-            ring_[place].push_back(v);
-            occupied_ |= std::uint64_t(1) << place;
-        }
-        Vertex take() {
-            const std::size_t place = std::size_t(base_) & (ring - 1);
-            auto& bucket = ring_[place];
-            const Vertex v = bucket.back();
-            bucket.pop_back();
-            if (bucket.empty()) occupied_ &= ~(std::uint64_t(1) << place);
-            return v;
-        }
-        [[gnu::noinline]] void push_outside(std::uint64_t bucket, Cost f, const Vertex& v) {
-            if (bucket < base_) { // an inconsistent heuristic: f fell
-                late_.push_back({f, v});
-                std::push_heap(late_.begin(), late_.end());
+        [[gnu::noinline]] void push_outside(std::uint64_t bucket, Cost f, Cost h, const Vertex& v) {
+            if (bucket < near_.base) { // an inconsistent heuristic: f fell
+                const std::uint64_t g = bucket_of(f - h);
+                if (!has_late()) late_.base = g;
+                if (g - late_.base < ring) late_.put(g, v);
+                else { // a long edge; or the first of several was not the nearest
+                    later_.push_back({g, v});
+                    std::push_heap(later_.begin(), later_.end(), farther);
+                }
                 soon_ = 0;
                 return;
             }
             far_.push_back({bucket, v});
             if (bucket < far_least_) far_least_ = bucket;
-            if (late_.empty()) soon_ = far_least_;
+            if (!has_late()) soon_ = far_least_;
         }
         [[gnu::noinline]] Vertex pop_outside() {
-            if (!late_.empty()) {
-                const Vertex v = late_.front().vertex;
-                std::pop_heap(late_.begin(), late_.end());
-                late_.pop_back();
-                if (late_.empty()) soon_ = far_least_;
+            if (has_late()) {
+                const Vertex v = take_late();
+                if (!has_late()) soon_ = far_least_;
                 return v;
             }
-            if (occupied_ == 0) base_ = far_least_;
+            near_.base = near_.occupied == 0 ? far_least_ : near_.first();
             draw_near();
-            return take();
+            return near_.take();
+        }
+        Vertex take_late() {
+            if (later_.empty() || (late_.occupied != 0 && late_.first() <= later_.front().bucket)) {
+                late_.base = late_.first();
+                return late_.take();
+            }
+            const Far least = later_.front();
+            std::pop_heap(later_.begin(), later_.end(), farther);
+            later_.pop_back();
+            if (late_.occupied == 0) late_.base = least.bucket;
+            return least.vertex;
         }
         /// Takes into the ring what the ring has come to reach.
         void draw_near() {
@@ -177,8 +201,8 @@ struct Buckets {
             far_least_ = nothing_far;
             for (std::size_t i = 0; i < far_.size(); ++i) {
                 const Far entry = far_[i];
-                if (entry.bucket < base_ + ring) {
-                    put(entry.bucket, entry.vertex);
+                if (entry.bucket < near_.base + ring) {
+                    near_.put(entry.bucket, entry.vertex);
                     continue;
                 }
                 far_[kept++] = entry;
@@ -187,10 +211,10 @@ struct Buckets {
             far_.resize(kept);
             soon_ = far_least_;
         }
-        std::vector<std::vector<Vertex>> ring_;
-        std::vector<Far> far_;   ///< beyond the ring
-        std::vector<Late> late_; ///< before it, a heap by f: in any other order nodes would be looked at far more often
-        std::uint64_t occupied_ = 0, base_ = 0;
+        Ring near_;                             ///< by f, from the base on
+        Ring late_;                             ///< f fell behind the base: by g
+        std::vector<Far> later_;                ///< the same beyond that ring, or before it: a heap by g
+        std::vector<Far> far_;                  ///< beyond the ring
         std::uint64_t far_least_ = nothing_far; ///< the first bucket of those beyond
         std::uint64_t soon_ =
             nothing_far; ///< where the ring does not suffice: that, or 0 where something lies before it

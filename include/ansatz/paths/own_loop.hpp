@@ -98,17 +98,24 @@ private:
     struct Counts {
         std::size_t expanded = 0, generated = 0, reopened = 0;
     };
+    /// Where a run ends; start and goal are told to who runs.
+    template <class Work> struct Reaches {
+        typename Work::Vertex start;
+        std::conditional_t<std::is_same_v<typename Work::Goal, typename Work::Vertex>, typename Work::Goal,
+                           const typename Work::Goal&>
+            goal;
+        bool operator()(const typename Work::Vertex& v) const { return Work::reaches(v, goal); }
+    };
     /// 2.3 where successors may be more than one edge away.
     template <class Work, class Place, class Vertex, class Cost, class Estimate, class Watcher>
     static void leap(Work& work, const Place& place, const Vertex& p, const Vertex& parent, const Cost p_g,
                      const Estimate& estimate, const std::uint32_t open, Counts& counts, Watcher& watcher) {
-        const auto goal = work.goal;
-        auto reaches = [&](const Vertex& v) { return Work::reaches(v, goal); };
-        Work::Successors::each(
-            work.graph(), p, parent, reaches, [&](const Vertex& q, const auto& edge, std::size_t edges) {
-                const Cost g = detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights(), edge))));
-                relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
-            });
+        Work::Successors::each(work.graph(), p, parent, Reaches<Work>{work.start, work.goal},
+                               [&](const Vertex& q, const auto& edge, std::size_t edges) {
+                                   const Cost g =
+                                       detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights(), edge))));
+                                   relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
+                               });
     }
     /// 2.3.3 and 2.3.4: a way to Q was found that costs g.
     template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>

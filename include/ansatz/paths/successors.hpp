@@ -23,7 +23,8 @@ struct EveryEdge {
 ///
 /// - `each(graph, p, parent, reaches, use)`: the successors of p, which was reached from parent; the start is its own
 ///   parent. It stops at vertices for which `reaches(v)`, and calls `use(q, edge, n)` for each: q is n edges away, each
-///   of which weighs what `edge` weighs.
+///   of which weighs what `edge` weighs. `reaches` has the query's `start` and `goal` as members, for who runs no
+///   farther than they are apart.
 /// - `between(p, q, use)`: the vertices between a node and its successor, neither included, from q to p.
 /// - `require(graph)`: throws std::invalid_argument for a graph as it is now on which it would be wrong.
 template <class Policy, class Graph, class Vertex, class Edge>

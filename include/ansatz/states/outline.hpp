@@ -7,6 +7,7 @@
 /// get one that says where they stand ("patrol: guard 1").
 
 #include <ansatz/states/core.hpp>
+#include <ansatz/states/names.hpp>
 
 #include <string>
 #include <vector>
@@ -134,7 +135,9 @@ template <class Node> void outline_state(Outline& outline, const Node& node, std
     each_part<part_transition>(node, [&](const auto& t) {
         Outline::Transition transition;
         transition.source = me;
-        each_part<part_on>(t, [&](const On& on) { transition.events = on.events; });
+        each_part<part_on>(t, [&](const On& on) {
+            for (const auto& one : words(on.events)) transition.events += (transition.events.empty() ? "" : " ") + one;
+        });
         each_part<part_to>(t, [&](const To& to) { transition.targets = {std::string(to.state)}; });
         each_part<part_internal>(t, [&](const Internal&) { transition.internal = true; });
         each_part<part_when>(t, [&](const auto& when) {

@@ -15,9 +15,10 @@
 /// | `<onentry>`, `<onexit>`    | hold what is done                              |
 /// | `<raise>`, `<log>`, `<script>` | `event`; `label`, `expr`; the name of an action as text |
 ///
-/// Three things more stand in a namespace of their own, `xmlns:ansatz="urn:ansatz:states"`: the attribute
+/// Four things more stand in a namespace of their own, `xmlns:ansatz="urn:ansatz:states"`: the attribute
 /// `ansatz:class` of a state, the name of its class; `ansatz:initial="none"`, it is entered without any of the states
-/// in it; and the element `<ansatz:onupdate>`, what is done at every update. Elements and attributes of other
+/// in it; the element `<ansatz:onupdate>`, what is done at every update; and in the root `<ansatz:transition>`, which
+/// is taken in whatever state the machine is. Elements and attributes of other
 /// namespaces (an editor's layout) are read over. Left out is what computes inside the file
 /// (`datamodel`, `if`, `foreach`, `assign`, `param`, expressions) and what talks to the world outside (`send`,
 /// `cancel`, `invoke`, `donedata`): the program does that. What is left out is refused by name; so is a document type,

@@ -163,10 +163,16 @@ private:
         state.line = line_of(root);
         outline_.name = a["name"];
         outline_.states.push_back(std::move(state));
-        for (const auto& [name, child] : elements(root)) {
-            if (name == "state" || name == "parallel" || name == "final") place(child, name, 0, 1);
-            else out_of_place(child, name, root);
+        const auto is_state = [](std::string_view name) {
+            return name == "state" || name == "parallel" || name == "final";
+        };
+        const auto inside = elements(root);
+        for (const auto& [name, child] : inside) {
+            if (name == "ansatz:transition") outline_.transitions.push_back(transition(child, 0));
+            else if (!is_state(name)) out_of_place(child, name, root);
         }
+        for (const auto& [name, child] : inside)
+            if (is_state(name)) place(child, name, 0, 1);
     }
     void place(Node node, const std::string& what, std::size_t parent, std::size_t depth) {
         if (depth > most_depth) wrong(node, "it is nested more than 256 deep");

@@ -3,7 +3,12 @@
 
 /// \file
 /// Writes a machine as SCXML; what is written can be read back by scxml.hpp to the same outline. Needs no XML library.
+///
+/// What a file has no place for is refused: a state whose name has a blank, since files list names with blanks between
+/// them, an action whose name begins or ends with one, and text that is no UTF-8 or that no XML may hold.
 
+#include <ansatz/core/error.hpp>
+#include <ansatz/states/names.hpp>
 #include <ansatz/states/outline.hpp>
 
 namespace ansatz {
@@ -28,6 +33,95 @@ inline std::string escaped(std::string_view text) {
     return out;
 }
 
+/// The first byte of a text that no XML of UTF-8 may hold: a control character, half a character, one of the surrogates
+/// or of the two that are none; the length of the text where there is none.
+inline std::size_t first_bad_byte(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = [&](std::size_t k) { return i + k < text.size() ? unsigned(std::uint8_t(text[i + k])) : 0u; };
+        const unsigned lead = byte(0);
+        const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
+        if (length == 0) return i;
+        unsigned code = length == 1 ? lead : lead & (0x7fu >> length);
+        for (std::size_t k = 1; k < length; ++k) {
+            if (byte(k) >> 6 != 2) return i;
+            code = code << 6 | (byte(k) & 0x3f);
+        }
+        static constexpr unsigned least[] = {0, 0x20, 0x80, 0x800, 0x10000};
+        const bool blank = code == '\t' || code == '\n' || code == '\r';
+        if ((code < least[length] && !blank) || code > 0x10ffff || code >> 11 == 0x1b || code == 0xfffe ||
+            code == 0xffff)
+            return i;
+        i += length;
+    }
+    return text.size();
+}
+
+/// Refuses an outline that would not be read back as it is.
+class ScxmlWritable {
+public:
+    explicit ScxmlWritable(const Outline& outline) : outline_(outline) {
+        text("the name of the machine", outline.name);
+        const auto& machine = outline.states[0];
+        if (!machine.entry.empty() || !machine.exit.empty() || !machine.each.empty() || !machine.behaviour.empty() ||
+            !machine.initial_content.empty())
+            wrong(
+                "the machine itself does something, or has a class, which a file has no place for; let a state around "
+                "all others do it");
+        for (std::size_t s = 1; s < outline.states.size(); ++s) state(outline.states[s]);
+        for (const auto& t : outline.transitions) transition(t);
+    }
+
+private:
+    [[noreturn, gnu::cold]] static void wrong(const std::string& what) {
+        refuse(Refusal::invalid_argument, "write_scxml: " + what);
+    }
+    static void text(const std::string& what, const std::string& value) {
+        const auto bad = first_bad_byte(value);
+        if (bad < value.size())
+            wrong(what + " is " + shown(value) + ", whose byte " + std::to_string(bad) + ", of the value " +
+                  std::to_string(unsigned(std::uint8_t(value[bad]))) + ", no XML of UTF-8 can hold");
+    }
+    /// What is listed with blanks between.
+    static void word(const std::string& what, const std::string& name) {
+        text(what, name);
+        if (const auto all = words(name); all.size() == 1 && all.front() == name) return;
+        std::string better = name.empty() ? std::string("wait_here") : name;
+        for (char& c : better)
+            if (std::string_view(" \t\n\r").find(c) != std::string_view::npos) c = '_';
+        wrong(what + " is " + (name.empty() ? "empty" : shown(name) + ", with a blank in it") +
+              "; a file lists names with blanks between them: write e.g. " + shown(better));
+    }
+    void state(const Outline::State& s) const {
+        word("the name of a state", s.name);
+        const std::string of = " of the state " + shown(s.name);
+        for (const auto& name : s.initial) word("an initial state" + of, name);
+        text("the class" + of, s.behaviour);
+        for (const auto* all : {&s.initial_content, &s.entry, &s.exit, &s.each}) contents(of, *all);
+    }
+    void transition(const Outline::Transition& t) const {
+        const auto& source = outline_.states[t.source].name;
+        const std::string of = " of a transition of " + (source.empty() ? "the machine" : shown(source));
+        text("the event" + of, t.events);
+        if (!t.events.empty() && words(t.events).empty()) wrong("the event" + of + " is blank; give it a name");
+        text("the guard" + of, t.guard);
+        for (const auto& name : t.targets) word("a target" + of, name);
+        contents(of, t.content);
+    }
+    static void contents(const std::string& of, const std::vector<Outline::Content>& all) {
+        using What = Outline::Content::What;
+        for (const auto& content : all) {
+            if (content.what == What::raise) word("an event that is raised by an action" + of, content.name);
+            text((content.what == What::log ? "the text of a log" : "the name of an action") + of, content.name);
+            if (content.what != What::action) continue;
+            const auto blank = [](char c) { return std::string_view(" \t\n\r").find(c) != std::string_view::npos; };
+            if (content.name.empty() || blank(content.name.front()) || blank(content.name.back()))
+                wrong("the name of an action" + of + " is " + shown(content.name) +
+                      "; it is the text of an element, which begins and ends with something else than a blank");
+        }
+    }
+    const Outline& outline_;
+};
+
 /// Writes one outline.
 class ScxmlWriter {
 public:
@@ -38,7 +132,7 @@ public:
             transitions_[outline.transitions[t].source].push_back(t);
     }
     std::string write() {
-        bool own = false;
+        bool own = !transitions_[0].empty();
         for (const auto& s : outline_.states) own = own || !s.each.empty() || !s.behaviour.empty() || s.childless;
         text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<scxml xmlns=\"http://www.w3.org/2005/07/scxml\"";
         if (own) text_ += " xmlns:ansatz=\"urn:ansatz:states\"";
@@ -46,6 +140,7 @@ public:
         attribute("name", outline_.name);
         attribute("initial", joined(outline_.states[0].initial));
         text_ += ">\n";
+        for (const auto t : transitions_[0]) transition(outline_.transitions[t], 1, "ansatz:transition");
         for (const auto child : children_[0]) state(child, 1);
         return text_ + "</scxml>\n";
     }
@@ -78,10 +173,10 @@ private:
         indent(depth);
         text_ += std::string("</") + tag + ">\n";
     }
-    void transition(const Outline::Transition& t, std::size_t depth) {
+    void transition(const Outline::Transition& t, std::size_t depth, const std::string& tag = "transition") {
         indent(depth);
-        text_ += "<transition";
-        attribute("event", t.events);
+        text_ += "<" + tag;
+        attribute("event", joined(words(t.events)));
         attribute("cond", t.guard);
         attribute("target", joined(t.targets));
         if (t.internal) attribute("type", "internal");
@@ -92,7 +187,7 @@ private:
         text_ += ">\n";
         contents(t.content, depth + 1);
         indent(depth);
-        text_ += "</transition>\n";
+        text_ += "</" + tag + ">\n";
     }
     void begin(const Outline::State& s, std::size_t depth) {
         Outline::Transition t;
@@ -140,8 +235,10 @@ private:
 } // namespace states::detail
 
 /// A machine as SCXML.
+/// \throws std::invalid_argument with the name for what would not be read back as it is
 inline std::string write_scxml(const Outline& outline) {
     if (outline.states.empty()) return {};
+    states::detail::ScxmlWritable{outline};
     return states::detail::ScxmlWriter(outline).write();
 }
 

@@ -19,6 +19,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 std::string project_folder() { return ANSATZ_PROJECT_FOLDER; } // tests/main.cpp, which has it else, is not in this
 
 using namespace ansatz;
@@ -154,14 +158,17 @@ void on_a_map(Contest& contest, const std::string& name, const Grid<>& map, cons
 void sizes(Contest& contest) {
     for (const std::size_t side : {64, 512, 4096}) {
         const Grid map(side, side);
-        AStar search{map};
+        AStar every{map};
+        AStar jumping{map, JumpPoints{}};
+        const auto find = [](auto& search) {
+            return [&search] {
+                for (std::uint16_t i = 0; i < 64; ++i)
+                    search.find(Cell{std::uint16_t(i % 8), 2}, Cell{std::uint16_t(20 + i % 16), 30});
+            };
+        };
         contest.play("near, empty map, by its side", int(side), "us a query", 1e3 * 64,
-                     {{"ansatz heap",
-                       [&] {
-                           for (std::uint16_t i = 0; i < 64; ++i)
-                               search.find(Cell{std::uint16_t(i % 8), 2}, Cell{std::uint16_t(20 + i % 16), 30});
-                       },
-                       "the same queries"}});
+                     {{"ansatz heap", find(every), "the same queries"},
+                      {"ansatz heap, jump points", find(jumping), "no farther than twice the way to the goal"}});
     }
 }
 
@@ -198,6 +205,10 @@ void soldier(Contest& contest) {
 
 /// usage: peers_paths <folder for paths.json> [repeats]
 int main(int argc, char** argv) {
+#ifdef __GLIBC__ // what a peer allocates for each search it gets again without a page fault
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_MMAP_THRESHOLD, 1 << 30);
+#endif
     const std::string folder = argc > 1 ? argv[1] : ".";
     Contest contest("paths", argc > 2 ? std::max(1, std::atoi(argv[2])) : 9);
     std::mt19937 random(1);

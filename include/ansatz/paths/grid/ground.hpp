@@ -50,9 +50,10 @@ struct Even {
 };
 
 /// Every tile has a weight of its own, 1 to begin with.
+///
+/// What a search reads is apart from what it does not: whole-number steps in one array, weights in another.
 class Terrain {
-    struct Kept {
-        double weight = 1;
+    struct Step {
         std::uint32_t straight = Tile<std::uint32_t>::straight, diagonal = Tile<std::uint32_t>::diagonal;
     };
 
@@ -61,29 +62,34 @@ public:
 
     /// So many tiles, all of weight 1.
     void resize(std::size_t count) {
-        kept_.assign(count, Kept{});
+        steps_.assign(count, Step{});
+        weights_.assign(count, 1.0);
         counts_.clear();
         counts_[1.0] = count;
     }
     /// What a step costs in this number.
     template <class Cost> struct Weights {
+        using Kept = std::conditional_t<std::is_integral_v<Cost>, Step, double>;
         const Kept* kept; ///< of all tiles, by number
         /// Onto this tile.
         [[gnu::always_inline]] Cost of(std::size_t i, bool diagonal) const {
             if constexpr (std::is_integral_v<Cost>) return Cost(diagonal ? kept[i].diagonal : kept[i].straight);
-            else return Cost(kept[i].weight * double(diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight));
+            else return Cost(kept[i] * double(diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight));
         }
     };
     /// What steps cost in this number; holds while the grid does.
-    template <class Cost> Weights<Cost> weights() const { return {kept_.data()}; }
+    template <class Cost> Weights<Cost> weights() const {
+        if constexpr (std::is_integral_v<Cost>) return {steps_.data()};
+        else return {weights_.data()};
+    }
     /// A diagonal counts as no more than two straight steps: there is always that way round in an estimate.
     template <class Cost> Steps<Cost> least_step() const {
-        const Kept at = of(least());
-        if constexpr (std::is_integral_v<Cost>)
+        if constexpr (std::is_integral_v<Cost>) {
+            const Step at = of(least());
             return {Cost(at.straight), Cost(std::min(at.diagonal, 2 * at.straight))};
-        else return {Cost(at.weight), Cost(at.weight * double(Tile<Cost>::diagonal))};
+        } else return {Cost(least()), Cost(least() * double(Tile<Cost>::diagonal))};
     }
-    double weight(std::size_t i) const { return kept_[i].weight; }                ///< of a tile
+    double weight(std::size_t i) const { return weights_[i]; }                    ///< of a tile
     double least() const { return counts_.empty() ? 1 : counts_.begin()->first; } ///< of all tiles
     /// \throws std::invalid_argument, and changes nothing, for a weight that is negative, infinite, not a number or too
     ///         large for a whole-number cost
@@ -92,17 +98,18 @@ public:
             refuse_value(where, "the weight of " + name_of(cell), weight,
                          "it must be from 0 to 60000 (to block a tile, say set_passable(cell, false))");
         ++counts_[weight];
-        const auto old = counts_.find(kept_[i].weight);
+        const auto old = counts_.find(weights_[i]);
         if (--old->second == 0) counts_.erase(old);
-        kept_[i] = of(weight);
+        steps_[i] = of(weight), weights_[i] = weight;
     }
 
 private:
-    static Kept of(double weight) {
-        return {weight, std::uint32_t(std::lround(weight * Tile<std::uint32_t>::straight)),
+    static Step of(double weight) {
+        return {std::uint32_t(std::lround(weight * Tile<std::uint32_t>::straight)),
                 std::uint32_t(std::lround(weight * Tile<std::uint32_t>::diagonal))};
     }
-    std::vector<Kept> kept_;
+    std::vector<Step> steps_;
+    std::vector<double> weights_;
     std::map<double, std::size_t> counts_; ///< how many tiles have each weight
 };
 

@@ -8,6 +8,10 @@
 /// policy follows one: diagonal steps first. It runs along a row, a column or a diagonal without opening a node, until
 /// it stands at the goal or where a wall makes another direction necessary. The costs are those of `EveryEdge`.
 ///
+/// Where the goal is near and the map is large it does not run to the ends of the map for each step: as near to the
+/// goal as the start is, it goes from tile to tile and keeps to the one order alone; farther out it stops, and opens a
+/// node, at twice that distance, four times, and so on.
+///
 /// Take it for large open maps with `Heap` or `Buckets`: the open list is what it spares. Not for `Terrain` (two orders
 /// of the same steps no longer cost the same), nor for maps with blocked edges, and not to watch the notes' workflow:
 /// the lists hold turning points only, and nothing is `skipped`.
@@ -21,6 +25,9 @@
 #include <ansatz/paths/grid/grid.hpp>
 #include <ansatz/paths/successors.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -31,10 +38,8 @@ namespace detail {
 
 /// The direction from one tile to another in its row, column or diagonal; -1 from a tile to itself.
 constexpr int direction_towards(Cell from, Cell to) {
-    const int dx = (to.x > from.x) - (to.x < from.x), dy = (to.y > from.y) - (to.y < from.y);
-    for (int d = 0; d < 8; ++d)
-        if (direction_x[d] == dx && direction_y[d] == dy) return d;
-    return -1;
+    constexpr std::int8_t of[] = {6, 3, 7, 2, -1, 0, 5, 1, 4}; // row by row of the nine tiles
+    return of[3 * ((to.y > from.y) - (to.y < from.y)) + (to.x > from.x) - (to.x < from.x) + 4];
 }
 /// Of the directions 0 to 3: the one to the right of d, and the diagonal between the two.
 constexpr unsigned right_of(unsigned d) { return (d + 1) & 3; }
@@ -81,14 +86,49 @@ private:
     }
 };
 
+/// Squares around a goal whose half sides are powers of 2. In the smallest nobody runs; outside, a run ends at the
+/// border of the next, where a node is opened though nothing turns. Any node may be opened without a change of the
+/// costs.
+struct Surroundings {
+    static constexpr std::size_t without_end = ~std::size_t(0);
+    Cell goal{};
+    int least = -1; ///< the power of 2 of the smallest square; -1: there are none
+
+    /// None unless the start is much nearer than the map is wide.
+    template <class Map> static Surroundings around(const Map& map, Cell start, Cell goal) {
+        const Apart apart(start, goal);
+        const int power = std::bit_width(std::max({apart.dx, apart.dy, 7u})); // the start is in it
+        return {goal, std::size_t(4) << power <= std::max(map.width(), map.height()) ? power : -1};
+    }
+    /// Whether a tile is in the smallest.
+    bool holds(Cell c) const {
+        const Apart apart(c, goal);
+        return least >= 0 && (apart.dx | apart.dy) >> least == 0;
+    }
+    /// So many steps in this direction to the next border.
+    std::size_t steps(Cell at, unsigned d) const {
+        if (least < 0) return without_end;
+        const std::size_t by_x = along(int(column(at)) - int(column(goal)), direction_x[d]);
+        return std::min(by_x, along(int(row(at)) - int(row(goal)), direction_y[d]));
+    }
+
+private:
+    std::size_t along(int from_goal, int direction) const {
+        if (direction == 0) return without_end;
+        const int outwards = direction * from_goal; // negative where it comes nearer
+        const int power = least + (outwards < 0 ? 0 : std::bit_width(unsigned(outwards) >> least));
+        return std::size_t((1 << power) - outwards);
+    }
+};
+
 /// Runs over one grid from tile to tile.
 template <class Map, class Reaches> class Jumps {
     static constexpr bool cuts = Map::neighbours::diagonal(true, false);
     using Rules = Pruning<cuts>;
 
 public:
-    Jumps(const Map& map, const Reaches& reaches)
-        : open_(map.open_directions()), offsets_(map.index_offsets()), reaches_(reaches) {}
+    Jumps(const Map& map, const Reaches& reaches, const Surroundings& surroundings)
+        : open_(map.open_directions()), offsets_(map.index_offsets()), reaches_(reaches), surroundings_(surroundings) {}
 
     /// How many steps it is to the next tile to stop at; 0 if there is none.
     std::size_t steps(Cell from, std::size_t index, unsigned d) const {
@@ -97,21 +137,23 @@ public:
 
 private:
     std::size_t straight(Cell at, std::size_t index, unsigned d) const {
+        const std::size_t most = surroundings_.steps(at, d);
         for (std::size_t n = 1;; ++n) {
             const unsigned before = open_[index];
             if (!Rules::has(before, d)) return 0;
             index += std::size_t(offsets_[d]);
             at = step(at, d);
-            if (Rules::forced(before, open_[index], d) != 0 || reaches_(at)) return n;
+            if (Rules::forced(before, open_[index], d) != 0 || reaches_(at) || n == most) return n;
         }
     }
     std::size_t diagonal(Cell at, std::size_t index, unsigned d) const {
+        const std::size_t most = surroundings_.steps(at, d);
         for (std::size_t n = 1;; ++n) {
             const unsigned before = open_[index];
             if (!Rules::has(before, d)) return 0;
             index += std::size_t(offsets_[d]);
             at = step(at, d);
-            if (Rules::forced(before, open_[index], d) != 0 || reaches_(at)) return n;
+            if (Rules::forced(before, open_[index], d) != 0 || reaches_(at) || n == most) return n;
             if (straight(at, index, d - 4) != 0 || straight(at, index, right_of(d - 4)) != 0) return n;
         }
     }
@@ -119,6 +161,7 @@ private:
     const std::uint8_t* open_;
     const std::int32_t* offsets_;
     const Reaches& reaches_;
+    Surroundings surroundings_;
 };
 
 template <class Graph> inline constexpr bool is_even_eight_grid = false;
@@ -131,6 +174,7 @@ struct JumpPoints {
     using role = roles::Successors;
 
     /// Calls `use(q, edge, n)` for each tile to jump to from p, n steps away.
+    /// \param reaches stops it; if it has a `start` and a `goal`, both tiles, so do the goal's surroundings
     template <class Map, class Reaches, class Use>
         requires detail::is_even_eight_grid<Map>
     static void each(const Map& map, Cell p, Cell parent, const Reaches& reaches, Use&& use) {
@@ -142,10 +186,16 @@ struct JumpPoints {
             const unsigned before = open[index - std::size_t(map.index_offsets()[d])];
             directions &= Rules::natural(unsigned(d)) | Rules::forced(before, open[index], unsigned(d));
         }
-        const detail::Jumps<Map, Reaches> jumps(map, reaches);
-        for (unsigned d = 0; d < 8; ++d) {
-            if ((directions >> d & 1) == 0) continue;
-            const std::size_t n = jumps.steps(p, index, d);
+        detail::Surroundings surroundings;
+        if constexpr (requires {
+                          { reaches.goal } -> std::convertible_to<Cell>;
+                      })
+            surroundings = detail::Surroundings::around(map, reaches.start, reaches.goal);
+        const bool near = surroundings.holds(p);
+        const detail::Jumps<Map, Reaches> jumps(map, reaches, surroundings);
+        for (; directions != 0; directions &= directions - 1) {
+            const auto d = unsigned(std::countr_zero(directions));
+            const std::size_t n = near ? 1 : jumps.steps(p, index, d);
             if (n == 0) continue;
             const std::int64_t to = std::int64_t(index) + std::int64_t(n) * map.index_offsets()[d];
             const Cell q{std::uint16_t(p.x + int(n) * detail::direction_x[d]),
