@@ -76,12 +76,10 @@ TEST_CASE("texts that are no list keep their blanks and lines", "[states]") {
 }
 
 TEST_CASE("a name with a blank in it is refused, for a file lists names with blanks between them", "[states]") {
-    CHECK(refused(two("wait here")) ==
-          "write_scxml: the name of a state is \"wait here\", with a blank in it; a file "
-          "lists names with blanks between them: write e.g. \"wait_here\"");
-    CHECK(refused(two("a", "\tb")) ==
-          "write_scxml: the name of a state is \"?b\", with a blank in it; a file lists "
-          "names with blanks between them: write e.g. \"_b\"");
+    CHECK(refused(two("wait here")) == "write_scxml: the name of a state is \"wait here\", with a blank in it; a file "
+                                       "lists names with blanks between them: write e.g. \"wait_here\"");
+    CHECK(refused(two("a", "\tb")) == "write_scxml: the name of a state is \"?b\", with a blank in it; a file lists "
+                                      "names with blanks between them: write e.g. \"_b\"");
     for (const std::string blank : {" ", "\t", "\n", "\r", "a ", " a", "a\nb"}) {
         CHECK_THAT(refused(two(blank)), ContainsSubstring("the name of a state is"));
         CHECK_THAT(refused(two("a", blank)), ContainsSubstring("with a blank in it"));
@@ -113,9 +111,8 @@ TEST_CASE("several events are one list, however they were separated", "[states]"
 }
 
 TEST_CASE("what no XML can hold is refused with its byte", "[states]") {
-    CHECK(refused(two("a\x01")) ==
-          "write_scxml: the name of a state is \"a?\", whose byte 1, of the value 1, no XML "
-          "of UTF-8 can hold");
+    CHECK(refused(two("a\x01")) == "write_scxml: the name of a state is \"a?\", whose byte 1, of the value 1, no XML "
+                                   "of UTF-8 can hold");
     CHECK_THAT(refused(two(std::string("a\0b", 3))), ContainsSubstring("whose byte 1, of the value 0,"));
     for (const char* bad : {"\x1b[31m", "\x80", "\xff", "\xc3", "\xc0\xaf", "\xe2\x82", "\xed\xa0\x80",
                             "\xf4\x90\x80\x80", "\xef\xbf\xbe", "\xf8\x88\x80\x80\x80"}) {

@@ -110,8 +110,7 @@ public:
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
         if constexpr (divides) this->siblings_.leave(id);
-        if (id < pulls_.size())
-            pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body of this id
+        if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body
         somebody_removed_ = true;
     }
     /// Whether both bodies of a contact are still there.
