@@ -6,6 +6,7 @@
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/soft_bodies/closed_meshes.hpp>
 #include <ansatz/soft_bodies/cloth.hpp>
+#include <ansatz/soft_bodies/coloured_xpbd.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
 #include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
@@ -119,5 +120,6 @@ TEST_CASE("A warm step of a solver allocates nothing", "[soft_bodies]") {
     REQUIRE(during([] { std::vector<int>(3).at(0) = 1; }) > 0); // the count counts
     CHECK(in_warm_steps(Xpbd{4, 1}) == 0);
     CHECK(in_warm_steps(Xpbd{2, 3}) == 0);
+    CHECK(in_warm_steps(ColouredXpbd{2, 3}) == 0);
     CHECK(in_warm_steps(VertexBlockDescent{2, 3}) == 0);
 }

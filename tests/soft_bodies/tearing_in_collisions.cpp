@@ -185,7 +185,8 @@ TEST_CASE(
             REQUIRE(mass_of_all(world) == Approx(mass).epsilon(1e-12));
         }
         CHECK(world.status().ok());
-        for (const auto& [one, other] : ever) { // out of each other and in again they are two bodies like all others
+        for (const auto& siblings : ever) { // out of each other and in again they are two bodies like all others
+            const Handle one = siblings.first, other = siblings.second;
             const auto put = [&](double x, double y, double apart) {
                 world.set_position(one, metres(x, y, 0));
                 world.set_position(other, metres(x + apart, y, 0));
