@@ -7,6 +7,7 @@
 // follows from chapter 1, so that we can hold the machine against it.
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 #include "plot.hpp"
 
 #include <ansatz/states.hpp>
@@ -80,8 +81,11 @@ int main() {
         driver.update(line, dt); // decides
         line.world.step(dt);     // and the world goes on
         //! [run]
-        if (legs.back().state != driver.active_name())
+        if (legs.back().state != driver.active_name()) {
             legs.push_back({std::string(driver.active_name()), driver.time()});
+            if (driver.is_in("rolls")) // its machine, as it is at that moment
+                workbook::draw_graph("5-machine", to_dot(outline_of<Driver>(), driver.active_names()));
+        }
         times.push_back(line.world.time());
         speeds.push_back(line.speed());
     }

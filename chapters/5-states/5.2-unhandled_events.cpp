@@ -7,6 +7,7 @@
 // it costs nothing where it is not asked for.
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 
 #include <ansatz/states.hpp>
 
@@ -84,5 +85,6 @@ int main() {
     std::cout << sentence << '\n';
     claim("a strict machine refuses, and is where it was",
           strict.is_in("open") && sentence.find("lock") != std::string::npos);
+    workbook::draw_graph("5.2", to_dot(outline_of<Door>(), strict.active_names()));
     return claim.result();
 }

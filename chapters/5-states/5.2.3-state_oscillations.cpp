@@ -9,6 +9,7 @@
 // report, not a feeling.
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 #include "plot.hpp"
 
 #include <ansatz/states.hpp>
@@ -149,6 +150,7 @@ int main() {
     claim("the report names the first, and neither of the others",
           bare.reported && !banded.reported && !dwelling.reported);
 
+    workbook::draw_graph("5.2.3-machine", to_dot(outline_of<WithBand>(), {"waits"}));
     workbook::Plot noise("5.2.3", "In noise each sigma of the band is worth more than the one before");
     std::vector<double> fine;
     for (double w = 0; w <= 5; w += 0.1) fine.push_back(w);

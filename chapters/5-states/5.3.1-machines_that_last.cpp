@@ -8,6 +8,7 @@
 // that the machine is in x. (A part of section 5.3, beyond the notes.)
 
 #include "claims.hpp"
+#include "graphviz.hpp"
 
 #include <ansatz/states.hpp>
 #include <ansatz/states/save.hpp>
@@ -113,5 +114,6 @@ int main() {
     for (const char* order : {"open", "dock", "open", "leave", "close", "leave"})
         std::cout << order << ": " << (lock.handle(npc, order) ? "done" : "refused") << '\n';
     claim("in the end it flies, and its lock is shut", lock.is_in("flying") && lock.is_in("shut"));
+    workbook::draw_graph("5.3.1", to_dot(lock.outline(), lock.active_names()));
     return claim.result();
 }
