@@ -148,10 +148,12 @@ inline std::string Film::text() const {
     const std::size_t count = frames_.size() + hold_, still = std::min(still_, frames_.size() - 1);
     const std::size_t shown = still_ == std::size_t(-1) ? frames_.size() / 2 : still;
     const double length = double(count) / rate_;
-    // Each frame is seen for its part of the film and hidden for the rest; it began so long ago that its turn comes.
+    // Each frame is seen for its part of the film and hidden for the rest; it began so long ago that its turn comes. It
+    // stays a fiftieth of a frame longer, under the next one, which hides it: at the moment between two there is
+    // neither none nor a ghost of both.
     const auto keyframes = [&](const char* of, std::size_t frames) {
         return std::string{"@keyframes "} + of + "{0%{visibility:visible}" +
-               film::digits(100 * double(frames) / double(count)) + "%,to{visibility:hidden}}\n";
+               film::digits(100 * (double(frames) + 0.02) / double(count)) + "%,to{visibility:hidden}}\n";
     };
     std::ostringstream s;
     s << head(wide, tall(),
@@ -159,12 +161,12 @@ inline std::string Film::text() const {
                   "s step-end infinite}\n.l{animation-name:l}\n" + ".still{visibility:visible}\n" + keyframes("f", 1) +
                   keyframes("l", 1 + hold_) + "@media (prefers-reduced-motion:reduce),print{.f{animation:none}}\n" +
                   "svg:hover .f{animation-play-state:paused}\n")
-      << "<text x=\"20\" y=\"42\">" << film::escaped(title_) << "</text>\n<g id=\"scene\">" << scenery_.drawn()
-      << "</g>\n";
+      << "<g id=\"scene\"><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/><text x=\"20\" y=\"42\">"
+      << film::escaped(title_) << "</text>" << scenery_.drawn() << "</g>\n";
     for (std::size_t k = 0; k < frames_.size(); ++k)
         s << "<g id=\"f" << k << "\" class=\"f" << (k == shown ? " still" : "") << (k + 1 == frames_.size() ? " l" : "")
-          << "\" style=\"animation-delay:" << film::digits(-double(count - k) / rate_) << "s\">" << frames_[k].drawn()
-          << stamp(frames_[k], 42) << "</g>\n";
+          << "\" style=\"animation-delay:" << film::digits(-double(count - k) / rate_) << "s\"><use href=\"#scene\"/>"
+          << frames_[k].drawn() << stamp(frames_[k], 42) << "</g>\n";
     s << "</svg>\n";
     return s.str();
 }

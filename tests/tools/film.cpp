@@ -87,8 +87,11 @@ TEST_CASE("a film has each of its frames, in order, each for its part of the tim
     const auto frames = lines_with(text, "<g id=\"f");
     REQUIRE(frames.size() == 14);
     CHECK(text.find("animation:f 2s step-end infinite") != std::string::npos); // 14 frames and 6 at 10 a second
-    CHECK(text.find("@keyframes f{0%{visibility:visible}5%,to{visibility:hidden}}") != std::string::npos);
-    CHECK(text.find("@keyframes l{0%{visibility:visible}35%,to{visibility:hidden}}") != std::string::npos);
+    CHECK(text.find("@keyframes f{0%{visibility:visible}5.1%,to{visibility:hidden}}") != std::string::npos);
+    CHECK(text.find("@keyframes l{0%{visibility:visible}35.1%,to{visibility:hidden}}") != std::string::npos);
+    CHECK(lines_with(text, "<use href=\"#scene\"/>").size() ==
+          14); // each hides the one before it, which is seen a bit longer
+    CHECK(text.find("<g id=\"scene\"><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>") != std::string::npos);
     std::size_t still = 0;
     for (std::size_t n = 0; n < 14; ++n) {
         CAPTURE(n, frames[n]);
