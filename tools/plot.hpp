@@ -15,7 +15,7 @@
 ///
 /// The axes take their units from the data; a second curve in another unit is refused. Pictures are
 /// named after the section's number: `1.6.1`, or `1.6.1-phase` where a section draws several.
-/// Not provided: bars, surfaces, animation.
+/// Not provided: bars, surfaces. What moves is a film: film.hpp.
 
 #include <algorithm>
 #include <array>

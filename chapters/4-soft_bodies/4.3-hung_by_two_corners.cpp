@@ -7,6 +7,7 @@
 // part of section 4, which the notes do not divide.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/soft_bodies.hpp>
@@ -19,6 +20,16 @@
 #include <vector>
 
 using namespace ansatz;
+
+namespace {
+/// Where every second body of every second row is.
+template <class World_> auto every_second(const World_& world, const ClothParts& sheet, std::size_t n) {
+    std::vector<VectorQuantity<unit::Length>> places;
+    for (std::size_t j = 0; j < n; j += 2)
+        for (std::size_t i = 0; i < n; i += 2) places.push_back(world.position(sheet.bodies[i + n * (n - 1 - j)]));
+    return places;
+}
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -39,6 +50,16 @@ int main() {
     std::cout << "The largest stable step is at least " << stable << '\n';
     const auto pins = std::array{world.position(sheet.bodies[0]), world.position(sheet.bodies[n - 1])};
 
+    workbook::Film film(
+        "4.3", "A level sheet is let go, and hangs from two corners",
+        "A square of cloth lies level, falls at its free side, swings through under its two pins, and comes "
+        "to hang with folds that run to the pins.",
+        {.middle = metres(0.5, -0.5, 0.1),
+         .width = 2.3 * metre,
+         .height = 1.6 * metre,
+         .turn = degrees(-30),
+         .above = degrees(18)});
+    const auto apart = std::uint64_t(std::round(0.05 / dt.value())); // steps between two frames
     std::vector<Quantity<unit::Time>> times;
     std::vector<Quantity<unit::Length>> heights;
     while (world.time() < 20.0 * second) {
@@ -46,8 +67,11 @@ int main() {
             times.push_back(world.time());
             heights.push_back(y(world.position(sheet.bodies[n * n - 1])));
         }
+        if (world.tick() % apart == 0 && film.frames() < 64)
+            film.frame(world.time()).sheet(every_second(world, sheet, n), 9, workbook::paints::cloth);
         world.step(dt);
     }
+    film.still(8).write();
     claim("the pins are where they were, to the bit",
           world.position(sheet.bodies[0]) == pins[0] && world.position(sheet.bodies[n - 1]) == pins[1]);
 

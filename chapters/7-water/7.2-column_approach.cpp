@@ -8,6 +8,7 @@
 // another surface.
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
@@ -39,6 +40,7 @@ int main() {
             const double x = grid.centre_x(i).value() - 5.05, z = grid.centre_z(j).value() - 5.05;
             pool.set_height(i, j, (1 + 0.1 * std::exp(-(x * x + z * z) / 0.18)) * metre);
         }
+    auto seen = pool; // for the film
     const auto before = pool.volume();
     for (int n = 0; n < 60; ++n) pool.step(1.0 / 40 * second); // 1.5 s
     //! [drop]
@@ -74,6 +76,22 @@ int main() {
     //! [too_long]
     claim("the pool takes no step beyond the limit dx / (c sqrt(2))",
           std::abs(pool.longest_step().value() - 0.1 / (2 * std::sqrt(2))) < 1e-15);
+
+    workbook::Film film(
+        "7.2", "A drop falls into a pool (heights 15 times as large)",
+        "A hump of water in the middle of a square pool sinks; rings run outwards, meet the walls and come "
+        "back.",
+        {.middle = metres(5.05, 0.7, 5.05), .width = 10.6 * metre, .height = 6.0 * metre, .above = degrees(26)});
+    for (int n = 0; n < 40; ++n) {
+        std::vector<VectorQuantity<unit::Length>> surface;
+        for (std::size_t j = 0; j < 101; j += 4)
+            for (std::size_t i = 0; i < 101; i += 2)
+                surface.push_back(metres(seen.grid().centre_x(i).value(), 1 + 15 * (seen.height(i, j).value() - 1),
+                                         seen.grid().centre_z(j).value()));
+        film.frame(double(n) * 0.075 * second).rows(surface, 51, 0.0 * metre, workbook::paints::sea);
+        for (int k = 0; k < 3; ++k) seen.step(1.0 / 40 * second);
+    }
+    film.rate(40.0 / 3).still(14).write();
 
     workbook::Plot plot("7.2", "A drop fell into the middle of a pool 1.5 s ago; waves travel at 2 m/s");
     plot.x("distance from the drop").y("height above the still level");

@@ -8,6 +8,7 @@
 // for: who takes the height of the point that rests at x floats beside the water.
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
@@ -15,7 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <numbers>
 #include <span>
+#include <tuple>
 #include <vector>
 
 using namespace ansatz;
@@ -86,6 +89,41 @@ int main() {
         sines.push_back(round.height(at * metre, zero, 0.0 * second));
         circles.push_back(sharp.height(at * metre, zero, 0.0 * second));
     }
+    // A sea that repeats itself: deep water, waves whose periods divide six seconds, so that the film has no seam.
+    //! [loop]
+    std::vector<Wave> waves;
+    for (const auto& [times, amplitude, direction] :
+         {std::tuple{1, 0.45, 0.2}, {2, 0.30, -0.3}, {3, 0.14, 0.7}, {4, 0.06, -0.9}})
+        waves.push_back(
+            {9.81 * 6 * 6 / (2 * std::numbers::pi * times * times) * metre, amplitude * metre, direction, 0.7 * times});
+    const Waves loop(waves);
+    //! [loop]
+    double seam = 0;
+    for (double at = 0; at < 40; at += 0.5)
+        seam = std::max(
+            seam,
+            std::abs(
+                (loop.height(at * metre, zero, 6.0 * second) - loop.height(at * metre, zero, 0.0 * second)).value()));
+    claim("a sea of waves whose periods divide six seconds is after six seconds what it was", seam < 1e-9);
+    workbook::Film film(
+        "7.3", "A sea: four cosines for each height",
+        "Rows of water with long and short waves that run to the right and across; a buoy goes up and down with "
+        "them. It repeats itself after six seconds.",
+        {.middle = metres(20, -0.2, 12), .width = 41.0 * metre, .height = 15.5 * metre, .above = degrees(24)});
+    for (int n = 0; n < 72; ++n) {
+        const auto now = n / 12.0 * second;
+        std::vector<VectorQuantity<unit::Length>> surface;
+        for (int j = 0; j < 11; ++j)
+            for (int i = 0; i <= 32; ++i)
+                surface.push_back(
+                    metres(1.25 * i, loop.height(1.25 * i * metre, 2.4 * j * metre, now).value(), 2.4 * j));
+        const auto buoy = loop.height(24.0 * metre, 15.0 * metre, now).value();
+        film.frame(now)
+            .rows(surface, 33, -2.6 * metre, workbook::paints::sea)
+            .ball(metres(24, buoy + 0.3, 15), 0.7 * metre, workbook::paints::ball);
+    }
+    film.rate(12).hold(0).write();
+
     workbook::Plot plot("7.3", "The same wave with its points on lines and on circles");
     plot.x("x").y("height");
     plot.line("sum of sines", places, sines).line("Gerstner, steepness 0.9", places, circles).write();

@@ -7,11 +7,13 @@
 // breaks, that water is free, falls back, and a wave runs. A duck on the same spring stays. (A part of 7.4.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <vector>
@@ -35,7 +37,31 @@ int main() {
     std::vector<Quantity<unit::Time>> times;
     std::vector<Length> stone_at, duck_at, level;
     double broke = 0, most = 0, after = 0;
+    workbook::Film film(
+        "7.4.1", "A stone hangs on the surface until its spring breaks",
+        "A stone and a duck are let go at the surface of a pond, each on a spring. The stone goes deeper, its spring "
+        "breaks, it sinks, and the water above it closes with a wave. The duck stays.",
+        {.middle = metres(6, 1.25, 6), .width = 7.0 * metre, .height = 3.0 * metre});
+    film.may_change().still(24).rate(30).scenery().box(metres(6, -0.1, 6), metres(3.5, 0.1, 0.1),
+                                                       workbook::paints::stone);
     for (int n = 0; n < 360; ++n) {
+        if (n % 4 == 0 && n < 200) {
+            auto& frame = film.frame(world.time());
+            const auto draw = [&](Handle body, auto held_by, double radius, const workbook::Paint& paint) {
+                const auto here = world.position(body),
+                           above = metres(x(here).value(), world.afloat(held_by).level.value(), 6);
+                if (!world.afloat(held_by).broken) frame.line(std::vector{above, here}, workbook::paints::wire);
+                frame.ball(metres(x(here).value(), std::max(radius, y(here).value()), 6.01), radius * metre, paint);
+            };
+            draw(stone, on_stone, 0.2, workbook::paints::stone);
+            draw(duck, on_duck, 0.15, workbook::paints::ball);
+            std::vector<VectorQuantity<unit::Length>> surface;
+            for (int i = 0; i <= 70; ++i) {
+                const auto along = (2.5 + 0.1 * i) * metre;
+                surface.push_back(metres(along.value(), world.water(pond).level(along, 6.0 * metre).value(), 7));
+            }
+            frame.filled(surface, 0.0 * metre, workbook::paints::water);
+        }
         const bool held = !world.afloat(on_stone).broken;
         world.step(1.0 / 120 * second);
         most = std::max(most, world.water(pond).displaced().value());
@@ -59,6 +85,7 @@ int main() {
     claim("nothing carries the stone any more", y(world.acceleration(stone)) == -9.81 * metre_per_second_squared);
     claim("no water is lost", std::abs(double(world.water(pond).volume() / before) - 1) < 1e-12);
 
+    film.write();
     workbook::Plot plot("7.4.1", "A stone hangs on the surface until its spring breaks; the duck is lighter");
     plot.x("time").y("height").y_range(0.0 * metre, 2.2 * metre);
     plot.line("stone", times, stone_at)

@@ -7,6 +7,7 @@
 // the water would carry the box that presses it up, and the box would climb. (A part of 7.4.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
@@ -19,6 +20,21 @@
 
 using namespace ansatz;
 using Length = Quantity<unit::Length>;
+
+namespace {
+/// A frame: the pool cut through its middle, and the box.
+template <class World_, class PoolHandle_, class Place>
+void show(workbook::Film& film, const World_& world, PoolHandle_ pool, const Place& box) {
+    std::vector<VectorQuantity<unit::Length>> surface;
+    for (int i = 0; i <= 80; ++i) {
+        const auto along = (1 + 0.1 * i) * metre;
+        surface.push_back(metres(along.value(), world.water(pool).level(along, 5.0 * metre).value(), 6));
+    }
+    film.frame(double(film.frames()) * 0.05 * second)
+        .box(box, metres(0.5, 0.5, 0.5), workbook::paints::wood)
+        .filled(surface, 0.0 * metre, workbook::paints::water);
+}
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -38,6 +54,21 @@ int main() {
     claim("its draft is its density over that of water", std::abs(draft - 0.6) < 1e-4);
     claim("the level rises by m / (rho A)", std::abs(now.level.value() - 2.006) < 6e-6);
     claim("no water is lost", std::abs(world.water(pool).volume().value() - 200) < 1e-10);
+
+    // For the film it is lifted and let go again.
+    workbook::Film film(
+        "7.4.2", "A box of wood drops into a pool, and comes to float",
+        "A box drops into a pool, goes under to its upper side, rises and bobs, less and less; waves run "
+        "away from it. In the end six tenths of it are under water.",
+        {.middle = metres(5, 1.5, 5), .width = 8.0 * metre, .height = 3.4 * metre});
+    film.still(3).scenery().box(metres(5, -0.1, 5), metres(4, 0.1, 0.1), workbook::paints::stone);
+    world.set_position(box, metres(5, 2.35, 5));
+    world.set_velocity(box, metres_per_second(0, 0, 0));
+    for (int n = 0; n < 6 * 80; ++n) {
+        if (n % 6 == 0) show(film, world, pool, world.position(box));
+        world.step(1 / rate * second);
+    }
+    film.write();
 
     // The same box alone, pushed down by 5 cm: nothing slows it, and it presses nothing up.
     //! [bob]

@@ -9,11 +9,13 @@
 // closes. (A part of 7.4.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -62,7 +64,22 @@ int main() {
     std::vector<Quantity<unit::Time>> times;
     const double first = total_energy(world).value();
     double least = first, rise = 0, closest = 60;
+    workbook::Film film(
+        "7.4.3", "One sinks, one floats, one bounces",
+        "A net of water with three balls. The one at the back pushes it down, falls through, and the surface closes; "
+        "the one in front comes to float; the one in the middle leaps again and again.",
+        {.middle = metres(3, 0.1, 3), .width = 6.6 * metre, .height = 4.3 * metre, .above = degrees(22)});
+    film.rate(15).may_leave().still(12);
     for (int n = 1; n <= 60 * rate; ++n) {
+        if (n % 8 == 1 && film.frames() < 75) {
+            std::vector<VectorQuantity<unit::Length>> surface;
+            for (std::size_t k = 0; k < 24 * 24; ++k)
+                if (k / 24 % 2 == 0) surface.push_back(world.position(pond.bodies[k]));
+            auto& frame = film.frame(world.time());
+            frame.rows(surface, 24, -0.6 * metre, workbook::paints::sea);
+            const std::array colours{workbook::paints::stone, workbook::paints::wood, workbook::paints::ball};
+            for (std::size_t k = 0; k < 3; ++k) frame.ball(world.position(things[k].body), 0.3 * metre, colours[k]);
+        }
         std::vector<std::uint64_t> before;
         for (const auto& thing : things) before.push_back(surface_touch(world, thing.on).begun);
         world.step(1.0 / rate * second);
@@ -100,6 +117,7 @@ int main() {
     claim("where the stone went down the surface is level again",
           std::abs(y(world.position(pond.bodies[24 * 2 + 2])).value()) < 2e-3);
 
+    film.write();
     workbook::Plot plot("7.4.3", "One sinks, one floats, one bounces; the surface is at 0");
     plot.x("time").y("height of the middle");
     for (const auto& thing : things) plot.line(thing.name, times, thing.heights);

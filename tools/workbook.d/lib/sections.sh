@@ -50,10 +50,11 @@ chapter_title() {
     printf '%s' "$(printf '%s' "${folder:0:1}" | tr '[:lower:]' '[:upper:]')${folder:1}"
 }
 
-# The pictures of a section, one a line.
+# The pictures and films of a section, one a line; without the contact sheets, which are for print.
 pictures_of() {
     local file
     for file in "$PICTURES/$1.svg" "$PICTURES/$1"-*.svg; do
+        case $file in *-sheet.svg) continue ;; esac
         [ -f "$file" ] && echo "$file"
     done
     return 0
