@@ -35,7 +35,7 @@ struct Errand {
 std::vector<Errand> errands(std::size_t count) {
     std::vector<Errand> all;
     for (int i = 0; i < int(count); ++i) {
-        const Place west{i / height, i % height}, east{width - 1 - i / height, (3 * i + 2) % height};
+        const Place west{i / height, i % height}, east{width - 1 - i / height, (4 * i + 2) % height};
         all.push_back(i % 2 == 0 ? Errand{west, east} : Errand{east, west});
     }
     return all;
