@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// 4.12 A soft ball bounces: none of its bodies does, all of it does
+// 4.11 A soft ball bounces: none of its bodies does, all of it does
 
 // Every body of this ball has restitution 0: alone it would hit the ground and stay. The ball bounces because its
 // springs take up what it falls with, and give it back. Not all of it: what they keep is the swinging of the ball
@@ -38,7 +38,7 @@ int main() {
     const SoftBallParts parts = add_soft_ball(world, ball, Sphere{0.01 * metre}, restitution(0));
     //! [ball]
     const TriangleMesh mesh = ball_mesh(ball.radius, ball.divisions, ball.centre);
-    workbook::Film film("4.12", "A soft ball bounces, though none of its bodies does",
+    workbook::Film film("4.11", "A soft ball bounces, though none of its bodies does",
                         "A ball of springs falls, is pressed flat against the ground, and leaps, lower each time.",
                         {.middle = metres(0, 0.68, 0),
                          .width = 3.2 * metre,
