@@ -7,6 +7,7 @@
 // the notes do not name.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/water.hpp>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <string>
 #include <vector>
 
 using namespace ansatz;
@@ -22,14 +24,17 @@ using Length = Quantity<unit::Length>;
 namespace {
 /// A hump of 10 cm in the middle of a channel of 20 m, 15 s later. It parts in two, and each half meets one wall.
 //! [channel]
-Surface<WaterColumns> channel_after(Wall wall) {
+template <class Seen> Surface<WaterColumns> channel_after(Wall wall, Seen&& seen) {
     Surface water{WaterColumns{.wave_speed = 1.0 * metre_per_second, .walls = Walls::all(wall)},
                   ColumnGrid(400, 1, 0.05 * metre, 1.0 * metre), 1.0 * metre};
     for (std::size_t i = 0; i < 400; ++i) {
         const double x = water.grid().centre_x(i).value() - 10;
         water.set_height(i, 0, (1 + 0.1 * std::exp(-x * x)) * metre);
     }
-    for (int n = 0; n < 300; ++n) water.step(0.05 * second);
+    for (int n = 0; n < 300; ++n) {
+        seen(n, water);
+        water.step(0.05 * second);
+    }
     return water;
 }
 //! [channel]
@@ -44,8 +49,13 @@ int main() {
     double high[3], low[3];
     const Wall walls[] = {Wall::reflects, Wall::holds, Wall::absorbs};
     const char* const names[] = {"reflects", "holds", "absorbs"};
+    std::vector<std::vector<VectorQuantity<unit::Length>>> lines(60 * 3); // of the film: wall after wall
     for (int k = 0; k < 3; ++k) {
-        const auto water = channel_after(walls[k]);
+        const auto water = channel_after(walls[k], [&](int n, const auto& now) {
+            for (std::size_t i = 0; n % 5 == 0 && i < 400; i += 3)
+                lines[std::size_t(3 * (n / 5) + k)].push_back(
+                    metres(now.grid().centre_x(i).value(), 25 * (now.height(i, 0).value() - 1) - 5 * k, 0));
+        });
         std::vector<Length> x, y;
         for (std::size_t i = 0; i < 400; ++i) {
             x.push_back(water.grid().centre_x(i));
@@ -62,5 +72,18 @@ int main() {
     claim("one that holds the level sends it back upside down", low[1] < -0.049 && high[1] < 0.001);
     claim("one that absorbs keeps less than a hundredth", high[2] < 0.001 && low[2] > -0.001);
     plot.write();
+    workbook::Film film(
+        "7.2.2", "Waves against three kinds of walls (heights 25 times as large)",
+        "A hump parts in two. At walls that reflect both halves come back upright, at walls that hold the level "
+        "upside down, and at walls that absorb they leave.",
+        {.middle = metres(10, -4.5, 0), .width = 21.0 * metre, .height = 15.0 * metre});
+    for (int k = 0; k < 3; ++k)
+        film.scenery().note(metres(0.2, -5 * k + 1.6, 0), std::string("a wall that ") + names[k]);
+    for (std::size_t n = 0; n < 60; ++n) {
+        auto& frame = film.frame(double(n) * 0.25 * second);
+        for (std::size_t k = 0; k < 3; ++k)
+            frame.filled(lines[3 * n + k], (-5.0 * double(k) - 1.6) * metre, workbook::paints::sea);
+    }
+    film.still(42).write();
     return claim.result();
 }
