@@ -181,7 +181,8 @@ TEMPLATE_TEST_CASE("A near goal on a large map: the costs of every edge, also wh
             }
         }
         AStar every{map};
-        AStar jumping{map, JumpPoints{}}, by_buckets{map, JumpPoints{}, Buckets{}};
+        AStar jumping{map, JumpPoints{}};
+        AStar by_buckets{map, JumpPoints{}, Buckets{}};
         for (int k = 0; k < 30; ++k) {
             const Cell from = random_cell(random, width, height);
             const auto near = [&](std::uint16_t at, std::size_t side) {
