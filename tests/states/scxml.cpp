@@ -155,6 +155,14 @@ TEST_CASE("a bad file is refused with its path, line and name", "[states]") {
                ContainsSubstring("guard.scxml:2: <invoke> is not in the subset"));
     CHECK_THAT(line2("<state id=\"a\"><stat id=\"b\"/></state>"), ContainsSubstring("<stat> cannot stand in <state>"));
     CHECK_THAT(line2("<state/>"), ContainsSubstring("guard.scxml:2: <state> has no id"));
+    // What could not be written and read back: names with blanks, and bytes of no character.
+    for (const char* id : {" ", " x", "on guard", "x&#9;"})
+        CHECK_THAT(line2("<state id='" + std::string(id) + "'/>"),
+                   ContainsSubstring("with a blank in it; no target could name it"));
+    CHECK_THAT(line2("<state id='\xff'/>"), ContainsSubstring("whose byte 0 is of no character of XML"));
+    CHECK_THAT(line2("<state id='x&#1;'/>"), ContainsSubstring("whose byte 1 is of no character of XML"));
+    CHECK_THAT(line2("<state id='x'><onentry><script>a&#1;b</script></onentry></state>"),
+               ContainsSubstring("the action is \"a?b\", whose byte 1 is of no character of XML"));
     CHECK_THAT(line2("<state id=\"a\">walk</state>"), ContainsSubstring("text stands in <state>: \"walk\""));
     CHECK_THAT(line2("<state id=\"a\"><transition/></state>"), ContainsSubstring("it would happen for ever"));
     CHECK_THAT(line2("<state id=\"a\"><history id=\"h\"/><state id=\"b\"/></state>"),

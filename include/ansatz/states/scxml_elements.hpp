@@ -89,6 +89,21 @@ private:
             wrong(declaration, "the encoding is " + shown(encoding) + "; save the file as UTF-8");
     }
 
+    // pugixml looks at neither bytes nor references such as &#1;.
+    void require_characters(Node node, const std::string& what, std::string_view text) {
+        const auto bad = first_bad_byte(text);
+        if (bad < text.size())
+            wrong(node, what + " is " + shown(text) + ", whose byte " + std::to_string(bad) +
+                            " is of no character of XML; save the file as UTF-8");
+    }
+    // Lists of names have blanks between them.
+    void require_id(Node node, const std::string& id) {
+        if (id.empty()) wrong(node, tag(node) + " has no id");
+        if (const auto all = words(id); all.size() != 1 || all.front() != id)
+            wrong(node,
+                  "the id of " + tag(node) + " is " + shown(id) + ", with a blank in it; no target could name it");
+    }
+
     // ------------------------------------------------------------ namespaces
     void namespaces(Node root) {
         for (const auto attribute : root.attributes()) {
@@ -127,6 +142,7 @@ private:
             if (name.empty()) continue;
             if (std::find(possible.begin(), possible.end(), name) == possible.end())
                 wrong(node, tag(node) + " has the attribute " + shown(name) + ", which means nothing here");
+            require_characters(node, "the attribute " + shown(name), attribute.value());
             if (!found.emplace(name, attribute.value()).second)
                 wrong(node, tag(node) + " has the attribute " + shown(name) + " twice");
         }
@@ -191,7 +207,7 @@ private:
         state.line = line_of(node);
         if (!state.childless && !a["ansatz:initial"].empty())
             wrong(node, "ansatz:initial is " + shown(a["ansatz:initial"]) + "; it can be \"none\"");
-        if (state.name.empty()) wrong(node, tag(node) + " has no id");
+        require_id(node, state.name);
         outline_.states.push_back(std::move(state));
         const auto inside = elements(node);
         for (const auto& [name, child] : inside) part(node, me, name, child);
@@ -238,7 +254,7 @@ private:
         state.kind = a["type"] == "deep" ? Kind::deep_history : Kind::shallow_history;
         state.parent = parent;
         state.line = line_of(node);
-        if (state.name.empty()) wrong(node, tag(node) + " has no id");
+        require_id(node, state.name);
         begin(node, state);
         outline_.states.push_back(std::move(state));
     }
@@ -273,8 +289,9 @@ private:
             if (name == "raise") {
                 content.what = Content::What::raise;
                 content.name = attributes(child, {"event"})["event"];
-                if (words(content.name).size() != 1)
-                    wrong(child, "<raise> names one event, not " + shown(content.name));
+                const auto events = words(content.name);
+                if (events.size() != 1) wrong(child, "<raise> names one event, not " + shown(content.name));
+                content.name = events.front();
             } else if (name == "log") {
                 content.what = Content::What::log;
                 auto a = attributes(child, {"label", "expr"});
@@ -283,6 +300,7 @@ private:
                 attributes(child, {});
                 content.name = trimmed(child.child_value());
                 if (content.name.empty()) wrong(child, "<script> holds the name of an action");
+                require_characters(child, "the action", content.name);
                 if (child.first_child() != child.last_child())
                     wrong(child, "<script> holds the name of one action and nothing else; write two of them");
             } else out_of_place(child, name, node);

@@ -33,29 +33,6 @@ inline std::string escaped(std::string_view text) {
     return out;
 }
 
-/// The first byte of a text that no XML of UTF-8 may hold: a control character, half a character, one of the surrogates
-/// or of the two that are none; the length of the text where there is none.
-inline std::size_t first_bad_byte(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t k) { return i + k < text.size() ? unsigned(std::uint8_t(text[i + k])) : 0u; };
-        const unsigned lead = byte(0);
-        const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
-        if (length == 0) return i;
-        unsigned code = length == 1 ? lead : lead & (0x7fu >> length);
-        for (std::size_t k = 1; k < length; ++k) {
-            if (byte(k) >> 6 != 2) return i;
-            code = code << 6 | (byte(k) & 0x3f);
-        }
-        static constexpr unsigned least[] = {0, 0x20, 0x80, 0x800, 0x10000};
-        const bool blank = code == '\t' || code == '\n' || code == '\r';
-        if ((code < least[length] && !blank) || code > 0x10ffff || code >> 11 == 0x1b || code == 0xfffe ||
-            code == 0xffff)
-            return i;
-        i += length;
-    }
-    return text.size();
-}
-
 /// Refuses an outline that would not be read back as it is.
 class ScxmlWritable {
 public:
