@@ -100,6 +100,7 @@ public:
     void add_siblings_to(StateHash& hash) const { siblings_.add_to(hash); }
 
 protected:
+    /// Those that are out of all that they were one with collide again.
     template <class Meet> void part_siblings(Meet&& meet) { siblings_.part(meet); }
     Siblings siblings_; ///< who was one with whom
 };
@@ -112,6 +113,7 @@ public:
     static void add_siblings_to(StateHash&) {}
 
 protected:
+    /// Nothing.
     template <class Meet> static void part_siblings(Meet&&) {}
 };
 

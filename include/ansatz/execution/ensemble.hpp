@@ -55,7 +55,8 @@ struct EnsembleOptions {
 
 /// Says on one line of a terminal how many runs are done: `EnsembleOptions{.progress = ProgressLine{std::cerr}}`.
 struct ProgressLine {
-    std::ostream& out;
+    std::ostream& out; ///< where it is said
+    /// Says it; the last one ends the line.
     void operator()(std::size_t done, std::size_t all) const {
         out << '\r' << done << " of " << all << " runs" << (done == all ? "\n" : "") << std::flush;
     }

@@ -83,6 +83,7 @@ private:
 /// Runs of an ensemble on the ranks of a communicator, one at a time on each but rank 0, which hands them out.
 class OnRanks {
 public:
+    /// \param ranks of which each calls `ensemble`, with the same parameters
     explicit OnRanks(boost::mpi::communicator ranks) : ranks_(std::move(ranks)) {}
 
     /// Whether this rank takes the results and keeps the file.
@@ -90,6 +91,8 @@ public:
     /// How many messages this rank has sent and received.
     std::size_t messages() const { return messages_; }
 
+    /// Rank 0 hands out the runs and takes what comes of them; the others run them, and take nothing.
+    /// \throws what a run threw, as std::runtime_error with its words, on rank 0
     template <class Result> void each(const std::vector<std::size_t>& todo, const auto& run, const auto& take) {
         static_assert(detail::BytesOf<Result>::known,
                       "Ansatz: results of this type cannot be sent to another rank; give back numbers, a trivially "

@@ -36,6 +36,8 @@ struct OnThreads {
                          "it is 1 or more; OnThreads{} takes every core");
     }
 
+    /// Calls `take(i, run(i))` for each i of `todo`: `run` on any thread, `take` one at a time.
+    /// \throws what the first run of the list that failed threw
     template <class Result> void each(const std::vector<std::size_t>& todo, const auto& run, const auto& take) const {
         std::mutex taking;
         std::atomic<std::size_t> next = 0, failed_at = todo.size();

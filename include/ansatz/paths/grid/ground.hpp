@@ -69,8 +69,8 @@ public:
     }
     /// What a step costs in this number.
     template <class Cost> struct Weights {
-        using Kept = std::conditional_t<std::is_integral_v<Cost>, Step, double>;
-        const Kept* kept; ///< of all tiles, by number
+        using Kept = std::conditional_t<std::is_integral_v<Cost>, Step, double>; ///< what is read of a tile
+        const Kept* kept;                                                        ///< of all tiles, by number
         /// Onto this tile.
         [[gnu::always_inline]] Cost of(std::size_t i, bool diagonal) const {
             if constexpr (std::is_integral_v<Cost>) return Cost(diagonal ? kept[i].diagonal : kept[i].straight);
