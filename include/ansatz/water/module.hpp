@@ -76,13 +76,13 @@ template <class C> constexpr bool divides_for_water() {
 /// what runs down a hill is slow at first.
 template <class S> void move_in_parts(S& surface, Quantity<unit::Time> dt, double parts) {
     auto part = dt / parts;
-    for (double left = parts; left > 0; --left) {
+    for (auto left = static_cast<std::uint64_t>(parts); left > 0; --left) {
         const auto longest = surface.longest_step();
         if (part > (1 + 1e-9) * longest) { // parts were found from it, and may be off by rounding
             const double more = std::ceil(double(part / longest));
-            if (more < 1e6) { // or the water is infinitely fast, and no part is short enough
+            if (more * static_cast<double>(left) <= 1e6) { // or the water is infinitely fast: no part is short enough
                 part /= more;
-                left *= more;
+                left *= static_cast<std::uint64_t>(more);
             }
         }
         SurfaceLanes::advance(surface, part);

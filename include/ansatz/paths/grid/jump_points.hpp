@@ -97,7 +97,7 @@ struct Surroundings {
     /// None unless the start is much nearer than the map is wide.
     template <class Map> static Surroundings around(const Map& map, Cell start, Cell goal) {
         const Apart apart(start, goal);
-        const int power = std::bit_width(std::max({apart.dx, apart.dy, 7u})); // the start is in it
+        const auto power = int(std::bit_width(std::max({apart.dx, apart.dy, 7u}))); // the start is in it
         return {goal, std::size_t(4) << power <= std::max(map.width(), map.height()) ? power : -1};
     }
     /// Whether a tile is in the smallest.
@@ -116,7 +116,7 @@ private:
     std::size_t along(int from_goal, int direction) const {
         if (direction == 0) return without_end;
         const int outwards = direction * from_goal; // negative where it comes nearer
-        const int power = least + (outwards < 0 ? 0 : std::bit_width(unsigned(outwards) >> least));
+        const int power = least + (outwards < 0 ? 0 : int(std::bit_width(unsigned(outwards) >> least)));
         return std::size_t((1 << power) - outwards);
     }
 };
