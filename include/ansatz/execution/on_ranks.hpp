@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    enum Tag : int { asks = 1, runs = 2, result = 3, failed = 4 };
+    enum Tag : int { asks = 1, runs = 2, gives = 3, failed = 4 };
     static constexpr std::uint64_t nothing_left = ~std::uint64_t(0);
 
     /// What a rank other than 0 does: it asks for a run, sends what came of it, and asks again.
@@ -141,7 +141,7 @@ private:
             ++messages_;
             if (index == nothing_left) return;
             try {
-                send(result, index, detail::BytesOf<Result>::write(run(std::size_t(index))));
+                send(gives, index, detail::BytesOf<Result>::write(run(std::size_t(index))));
             } catch (const std::exception& e) {
                 send(failed, index, e.what());
             }
@@ -166,7 +166,7 @@ private:
             if (tag == failed && index < first_failed) {
                 first_failed = index;
                 why = bytes;
-            } else if (tag == result && why.empty()) {
+            } else if (tag == gives && why.empty()) {
                 try {
                     take(std::size_t(index), detail::BytesOf<Result>::read(bytes));
                 } catch (const std::exception& e) { // the file cannot be written
