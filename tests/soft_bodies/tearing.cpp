@@ -9,6 +9,7 @@
 #include <ansatz/soft_bodies/tearable.hpp>
 #include <ansatz/world/save.hpp>
 
+#include "tests/soft_bodies/letting_go.hpp"
 #include "tests/soft_bodies/support.hpp"
 
 #include <iterator>
@@ -43,14 +44,6 @@ template <class World_> ClothParts add_sheet(World_& world, std::size_t n, std::
     for (const auto& [a, b, c] : cloth.mesh.triangles())
         world.add(Membrane{{parts.bodies[a], parts.bodies[b], parts.bodies[c]}, 5.0 * N_per_m});
     return parts;
-}
-/// In the next step this spring breaks.
-template <class World_> void let_go(World_& world, SpringHandle spring) {
-    auto description = world.get(spring);
-    const auto length =
-        norm(world.position(description.first.body()) - world.position(description.second.body())).value();
-    description.rest_length = double(length) * 0.99 * metre;
-    world.set(spring, description, breaks_at(0.001));
 }
 
 using Ids = std::vector<std::uint32_t>;
@@ -243,13 +236,6 @@ template <class World_> void shake(World_& world, std::mt19937& random) {
     for (const Handle body : world.handles())
         if (world.motion(body) == Motion::awake)
             world.set_velocity(body, metres_per_second(number(random), number(random), number(random)));
-}
-/// Lets some springs go that are still there.
-template <class World_> void let_some_go(World_& world, std::mt19937& random, int count) {
-    for (int k = 0; k < count; ++k) {
-        const auto all = world.template elements<Spring>().handles();
-        if (!all.empty()) let_go(world, all[random() % all.size()]);
-    }
 }
 /// What a step with breaks makes of a model.
 template <class World_> std::size_t follow(Model& model, const World_& world, const std::set<std::uint32_t>& held) {

@@ -7,6 +7,7 @@
 #include <ansatz/soft_bodies/unjoined.hpp>
 #include <ansatz/world/save.hpp>
 
+#include "tests/soft_bodies/letting_go.hpp"
 #include "tests/soft_bodies/support.hpp"
 
 #include <map>
@@ -46,20 +47,6 @@ template <class World_> ClothParts lay(World_& world, std::size_t n, std::size_t
     cloth.mesh = TriangleMesh::grid(n, m, metres(0.1 * double(n - 1), 0, 0), metres(0, 0, 0.1 * double(m - 1)),
                                     metres(0, height, 0));
     return add_cloth(world, cloth, Sphere{radius * metre}, restitution(0), property...);
-}
-/// In the next step this spring breaks.
-template <class World_> void let_go(World_& world, SpringHandle spring) {
-    auto description = world.get(spring);
-    const auto length =
-        norm(world.position(description.first.body()) - world.position(description.second.body())).value();
-    description.rest_length = double(length) * 0.99 * metre;
-    world.set(spring, description, breaks_at(0.001));
-}
-template <class World_> void let_some_go(World_& world, std::mt19937& random, int count) {
-    for (int k = 0; k < count; ++k) {
-        const auto all = world.template elements<Spring>().handles();
-        if (!all.empty()) let_go(world, all[random() % all.size()]);
-    }
 }
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {

@@ -2,6 +2,7 @@
 // Foam, a number for each column: how it grows and fades, whatever the step, goes with the flow, and follows a hull.
 
 #include <ansatz/water.hpp>
+#include <ansatz/water/foam.hpp>
 #include <ansatz/world.hpp>
 
 #include "tests/before_allocation.hpp"

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 namespace water_tests {
 
@@ -35,6 +36,16 @@ template <class Surface_, class F> double off(const Surface_& water, F&& exact) 
 }
 inline ColumnGrid channel(std::size_t count, double length) {
     return ColumnGrid(count, 1, length / double(count) * metre, 1.0 * metre);
+}
+
+/// The hump of SWASHES, 4 m long and 0.2 m high, in a channel of 25 m.
+inline std::vector<double> hump(const ColumnGrid& channel) {
+    std::vector<double> bed;
+    for (std::size_t i = 0; i < channel.columns_x(); ++i) {
+        const double x = channel.centre_x(i).value() - 10;
+        bed.push_back(std::abs(x) < 2 ? 0.2 - 0.05 * x * x : 0.0);
+    }
+    return bed;
 }
 
 /// The dam of SWASHES, at 5 m of 10 m, 5 mm high, after 6 s: Ritter's over dry ground, Stoker's over wet.

@@ -21,11 +21,7 @@ TEST_CASE(
     "shallow water: a lake at rest stays at rest, over a hump that is covered and one that emerges (hard case W2)",
     "[water]") {
     const auto grid = channel(100, 25);
-    std::vector<double> bed;
-    for (std::size_t i = 0; i < 100; ++i) {
-        const double x = grid.centre_x(i).value() - 10;
-        bed.push_back(std::abs(x) < 2 ? 0.2 - 0.05 * x * x : 0.0);
-    }
+    const auto bed = hump(grid);
     for (const double level : {0.5, 0.1}) {
         Surface water(ShallowWater{}, grid, std::span<const double>(bed), level * metre);
         run(water, 10);

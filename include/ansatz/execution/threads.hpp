@@ -5,8 +5,9 @@
 /// `Threads`: runs the loops of a step on several cores, with oneTBB. The world comes to the same bits as without it,
 /// on any number of threads (world/execution.hpp says why).
 ///
-/// Use it for thousands of bodies or springs; below a few hundred, waking a thread takes longer than the loop. What a
-/// step does in an order (contacts, islands of sleep, the door) stays serial. Many worlds at once need no `Threads`:
+/// Use it for tens of thousands of bodies with laws of their own. Springs are gathered by each body then, two passes in
+/// the place of one (motion/gathering.hpp), which a second core alone does not pay for: measure it in your world. What
+/// a step does in an order (contacts, islands of sleep, the door) stays serial. Many worlds at once need no `Threads`:
 /// `ensemble` (ensemble.hpp) gives each a core of its own, and nothing has to wait in between.
 ///
 /// A program that includes this links oneTBB: `find_package(TBB)` and `TBB::tbb` (on Debian: libtbb-dev). No other
@@ -33,7 +34,7 @@ namespace ansatz {
 /// An Execution: the loops of a step, run in parts on a number of threads.
 ///
 ///     World world{Threads{}, RungeKutta4{}, Gravity{}, Drag{0.05 / second}};   // one thread for each core
-///     World two{Threads{2}, SemiImplicitEuler{}, Gravity{}, Springs{}};
+///     World two{Threads{2}, VelocityVerlet{}, Gravity{}, Drag{0.05 / second}};
 ///
 /// Copies of a world share the threads; they may step at the same time.
 struct Threads {

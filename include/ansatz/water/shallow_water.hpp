@@ -20,8 +20,8 @@
 ///
 /// Fluxes by HLL with the slowest and fastest wave of both sides; what is carried along goes with the mass. The bed by
 /// hydrostatic reconstruction: both sides of a face are cut to what stands above the higher bed, so that a lake at rest
-/// stays at rest and no height becomes negative while \f$ 2\,\Delta t\,((|u|+c)/\Delta x + (|w|+c)/\Delta z) \le 1 \f$ everywhere,
-/// with \f$ c = \sqrt{gh} \f$. All sides are solid walls. There is no friction. Where the bed
+/// stays at rest and no height becomes negative while everywhere
+/// \f$ 2\,\Delta t\,((|u|+c)/\Delta x + (|w|+c)/\Delta z) \le 1 \f$, with \f$ c = \sqrt{gh} \f$. All sides are solid walls. There is no friction. Where the bed
 /// falls by s from column to column, water is pushed too little, by the part s / 2h, and with s > h by its height
 /// alone. Finer columns help, or second order (O. Delestre, S. Cordier, F. Darboux, F. James, A Limitation of the
 /// Hydrostatic Reconstruction Technique for Shallow Water Equations, 2012).

@@ -8,9 +8,10 @@
 /// Use it where contacts should be soft, or where an implicit integrator takes them with everything else. The contacts
 /// found at the end of a step, and those that may begin in the next one, are springs of that one: their depth and
 /// velocity are asked anew at every stage of the integrator, so that each keeps its order, and StepLimit divides the
-/// step in which two begin to touch as any
-/// other. (Shapes of your own begin at the end of the step in which they come to touch.) The stiffest contact decides the step: \f$ \Delta t < 2/\sqrt{k (w_a + w_b)} \f$ for
-/// semi-implicit Euler and without damping; `stable_step(world)` and `StepLimit` know it.
+/// step in which two begin to touch as any other. (Shapes of your own begin at the end of the step in which they come
+/// to
+/// touch.) The stiffest contact decides the step: \f$ \Delta t < 2/\sqrt{k (w_a + w_b)} \f$ for semi-implicit Euler and
+/// without damping; `stable_step(world)` and `StepLimit` know it.
 ///
 /// | symbol | meaning                                               | unit  |
 /// |--------|-------------------------------------------------------|-------|
@@ -23,9 +24,9 @@
 ///
 /// The notes have F = -kp - c v_N for both bodies. With N from b to a it is **+kp**: p grows while they approach; and
 /// Newton's third law gives b the opposite, or two bodies that touch push each other off with momentum from nowhere.
-/// And a higher c is *less*
-/// bouncy, not more: two that meet part with \f$ e = e^{-\pi\zeta/\sqrt{1-\zeta^2}} \f$, \f$ \zeta = c / (2\sqrt{k\mu}) \f$. k sets how
-/// deep and how long they touch, not how they bounce.
+/// And a higher c is *less* bouncy, not more: two that meet part with
+/// \f$ e = e^{-\pi\zeta/\sqrt{1-\zeta^2}} \f$, \f$ \zeta = c / (2\sqrt{k\mu}) \f$. k sets how deep and how long they touch,
+/// not how they bounce.
 
 #include <ansatz/collision/box.hpp>
 #include <ansatz/collision/concepts.hpp>
@@ -203,7 +204,8 @@ private:
     std::uint64_t layout_ = 0;
 };
 
-/// \f$ \mathbf F_a = \max(0,\; k\,p - c\,v_N)\,\mathbf N, \quad \mathbf F_b = -\mathbf F_a \f$ while p > 0. It never pulls.
+/// \f$ \mathbf F_a = \max(0,\; k\,p - c\,v_N)\,\mathbf N, \quad \mathbf F_b = -\mathbf F_a \f$ while p > 0. It never
+/// pulls.
 struct Penalty {
     using role = roles::Response;
     static constexpr Level level = Level::accelerations; ///< what it acts on

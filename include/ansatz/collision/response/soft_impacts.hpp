@@ -21,10 +21,10 @@
 /// \f[ v' = v + (1 + e)\,M^{-1} N \lambda, \qquad
 ///     \lambda = \arg\min_{\lambda \ge 0} \tfrac12 |v + M^{-1} N \lambda|_M^2 \f]
 ///
-/// The velocity \f$ v + M^{-1}N\lambda \f$ is that of the perfectly plastic impact; v' is on its other side, at e = 1 the
-/// mirror image. It is unique, so that neither order nor numbering matters, and kinetic energy changes by
-/// \f$ -\tfrac12 (1 - e^2)\,\lambda^T N^T M^{-1} N \lambda \f$, which is never a gain. Where coefficients differ, the smallest
-/// of those that meet together counts.
+/// The velocity \f$ v + M^{-1}N\lambda \f$ is that of the perfectly plastic impact; v' is on its other side, at e = 1
+/// the mirror image. It is unique, so that neither order nor numbering matters, and kinetic energy changes by
+/// \f$ -\tfrac12 (1 - e^2)\,\lambda^T N^T M^{-1} N \lambda \f$, which is never a gain. Where coefficients differ, the
+/// smallest of those that meet together counts.
 ///
 /// B. Smith et al., Reflections on Simultaneous Impact (2012), for what a good answer keeps.
 
