@@ -7,7 +7,7 @@
 
 using namespace ansatz;
 
-struct OneByOne {
+struct EachByItself {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
@@ -19,7 +19,7 @@ struct OneByOne {
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    World world{OneByOne{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Penalty{}};
+    World world{EachByItself{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Penalty{}};
 #else
     World world{RungeKutta4{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Penalty{}};
 #endif

@@ -6,7 +6,7 @@
 
 using namespace ansatz;
 
-struct OneByOne {
+struct EachByItself {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
     static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
@@ -18,7 +18,7 @@ struct OneByOne {
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    World world{OneByOne{}, Attraction{}};
+    World world{EachByItself{}, Attraction{}};
 #else
     World world{RungeKutta4{}, Attraction{}};
 #endif

@@ -9,6 +9,8 @@
 /// springs there are and in which order they were added, not on who sleeps or where bodies are stored. A grid with the
 /// springs of its threads and both diagonals has 8 at each body and comes out with about a dozen colours.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
