@@ -40,7 +40,7 @@ def kind_of_output(output: str) -> tuple[str, str]:
     """The kind of what ninja built, and its name within that kind."""
     if output.startswith(ALONE):
         return "build: headers alone", output.removeprefix(ALONE)
-    module = re.search(r"CMakeFiles/test_([a-z_]+)\.dir/", output)
+    module = re.search(r"CMakeFiles/test_([a-z_]+?)(?:_together)?\.dir/", output)
     if module:
         return f"build: tests of {module[1]}", output[module.end():]
     for pattern, kind in (

@@ -38,6 +38,8 @@ UNKNOWN = 15.0    # seconds that an object takes of which nothing is known
 MISTAKE = 1.0     # seconds that the compiler takes to refuse one
 KEYWORDS = {"alignas", "alignof", "decltype", "explicit", "if", "noexcept", "requires", "sizeof", "static_assert"}
 TOKEN = re.compile(r"[A-Za-z_]\w*")
+INCLUDE = re.compile(r'^#include (?:"([^"]+)"|<(ansatz/[^>]+)>)', flags=re.MULTILINE)
+OF_TEST = re.compile(r"tests/CMakeFiles/test_([a-z_]+)\.dir/(.*\.cpp)\.o$")
 
 
 def code_of(text: str) -> str:
@@ -115,8 +117,24 @@ class Library:
         return names, reached, nameless
 
 
-def deps_of(build: Path) -> dict[str, list[str]]:
-    """The files that each object was made from, as ninja knows it; nothing of what was never built."""
+def read_by(project: Path, source: Path) -> list[str]:
+    """The project's files that a source includes, as far as they are named by their place: what is known of one that was never
+    built. More than the compiler reads, where an include is left out by a condition."""
+    found: dict[Path, None] = {source: None}
+    to_read = [source]
+    while to_read:
+        for quoted, bracketed in INCLUDE.findall(to_read.pop().read_text(encoding="utf-8", errors="replace")):
+            place = project / quoted if quoted else project / "include" / bracketed
+            if place.is_file() and place not in found:
+                found[place] = None
+                to_read.append(place)
+    return [str(place) for place in found]
+
+
+def deps_of(project: Path, build: Path) -> dict[str, list[str]]:
+    """The files that each object was made from, as ninja knows it. Of the tests, which are compiled together (see
+    tests/modules.cmake), those that were never built by themselves have what their text includes; anything else that was never
+    built has nothing."""
     objects: dict[str, list[str]] = {}
     targets = subprocess.run(["ninja", "-C", str(build), "-t", "targets", "all"], capture_output=True, text=True, check=True)
     for name in re.findall(r"^(\S+\.o): CXX_COMPILER__", targets.stdout, flags=re.MULTILINE):
@@ -128,6 +146,9 @@ def deps_of(build: Path) -> dict[str, list[str]]:
             current = objects[match[1]] = []
         elif line.startswith("    ") and not line.startswith("    /usr/"):
             current.append(line[4:])
+    for name, files in objects.items():
+        if not files and (match := OF_TEST.match(name)) and (source := project / "tests" / match[2]).is_file():
+            files.extend(read_by(project, source))
     return objects
 
 
@@ -226,9 +247,9 @@ def main(arguments: list[str]) -> int:
         return 2
     project, build = (Path(argument).resolve() for argument in arguments[:2])
     changed = {line.strip() for line in sys.stdin if line.strip()}
-    objects = deps_of(build)
+    objects = deps_of(project, build)
     chosen, left = choose(project, build, changed, objects)
-    ignored = re.compile(r"^peers/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
+    ignored = re.compile(r"^peers/|_together\.dir/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
                          r"\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
     kept = [name for name in chosen if not ignored.search(name)]
     mistakes = mistakes_of(project, changed)
@@ -240,7 +261,7 @@ def main(arguments: list[str]) -> int:
         taken, late = within(float(arguments[2]) - MISTAKE * len(mistakes), kept, first, seconds_of(build / ".ninja_log"))
         print("late", len(kept) - len(taken), round(late))
         kept = taken
-    modules = sorted({match[1] for name in kept if (match := re.match(r"tests/CMakeFiles/test_([a-z_]+)\.dir/", name))})
+    modules = sorted({match[1] for name in kept if (match := OF_TEST.match(name))})
     for name in kept:
         if match := re.match(r"chapters/CMakeFiles/section_([0-9.]+)\.dir/", name):
             print("section", match[1])

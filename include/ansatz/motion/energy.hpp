@@ -23,6 +23,10 @@ template <class World_, class F> void for_each_mass(const World_& world, F&& f) 
     });
 }
 
+/// A world, and not a list of masses: of those, notes 1.4 has functions with the same names (motion/momentum.hpp).
+template <class T>
+concept HasComposition = requires { typename T::composition; };
+
 template <class P, class S>
 concept HasPotential = requires(const Bound<P, S>& law, const typename S::Position& x,
                                 const Context<S, reads_clock<P>>& c) { law.potential(x, c); };
@@ -80,7 +84,9 @@ template <class World_> auto total_energy(const World_& world) {
 }
 
 /// \f$ \sum m \mathbf v \f$, in kg m/s.
-template <class World_> auto total_momentum(const World_& world) {
+template <class World_>
+    requires detail::HasComposition<World_>
+auto total_momentum(const World_& world) {
     typename World_::S::Momentum sum{};
     detail::for_each_mass(world, [&](Handle body, const auto& m) { sum += m * world.velocity(body); });
     return sum;

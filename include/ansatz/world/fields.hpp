@@ -105,16 +105,16 @@ template <class T> void hash_state(StateHash& hash, const T& state) {
 
 /// A field as a value in a file.
 template <class Files, class T> typename Files::Json field_to_file(const T& x) {
-    using Json = typename Files::Json;
+    using Value = typename Files::Json;
     if constexpr (std::is_integral_v<T>) return x;
     else if constexpr (std::same_as<T, BodyId>) return x.id;
     else if constexpr (is_quantity_of_lanes<T>) {
-        Json list = Json::array();
+        Value list = Value::array();
         for (int i = 0; i < int(x.value().size()); ++i) list.push_back(Files::number(x.value()[i]));
         return list;
     } else if constexpr (is_quantity_of_one<T>) return Files::number(x.value());
     else if constexpr (is_list<T>) {
-        Json list = Json::array();
+        Value list = Value::array();
         for (const auto& one : x) list.push_back(field_to_file<Files>(static_cast<const typename T::value_type&>(one)));
         return list;
     } else return Files::number(x);

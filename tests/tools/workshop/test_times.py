@@ -16,6 +16,7 @@ NINJA = """# ninja log v5
 0\t1500\t2000000000000\ttests/CMakeFiles/headers_alone.dir/headers_alone/drag.hpp.cpp.o\ta
 0\t1500\t2000000000000\ttests/CMakeFiles/headers_alone.dir/headers_alone/drag.hpp.cpp.d\ta
 100\t4100\t3000000000000\ttests/CMakeFiles/test_world.dir/world/step.cpp.o\tb
+100\t2100\t3000000000000\ttests/CMakeFiles/test_world_together.dir/together/test_world_1.cpp.o\ti
 0\t9000\t1000000000000\tchapters/section_1.7\tc
 0\t100\t3000000000000\tchapters/section_1.8\td
 0\t200\t3000000000000\tchapters/costs_motion\te
@@ -42,7 +43,7 @@ class Kinds(unittest.TestCase):
         times.count_build(NINJA.split("\n"), 1500.0, kinds)
         self.assertEqual(
             {kind: (of.number, round(of.seconds, 3), of.dearest) for kind, of in kinds.items()},
-            {"build: headers alone": (1, 1.5, "drag.hpp.cpp"), "build: tests of world": (1, 4.0, "world/step.cpp"),
+            {"build: headers alone": (1, 1.5, "drag.hpp.cpp"), "build: tests of world": (2, 6.0, "world/step.cpp"),
              "build: sections": (1, 0.1, "chapters/section_1.8"),
              "build: what it costs": (1, 0.2, "chapters/costs_motion"),
              "build: exercises": (1, 0.3, "exercises/drag/others"), "build: other": (1, 0.4, "other"),
@@ -50,7 +51,7 @@ class Kinds(unittest.TestCase):
 
     def test_since(self) -> None:
         """What was written in that very second belongs to it."""
-        for since, number in ((3000.0, 6), (3000.5, 0)):
+        for since, number in ((3000.0, 7), (3000.5, 0)):
             kinds: times.Kinds = {}
             times.count_build(NINJA.split("\n"), since, kinds)
             self.assertEqual(sum(of.number for of in kinds.values()), number)

@@ -139,7 +139,18 @@ class Touched(unittest.TestCase):
                    subprocess.CompletedProcess([], 0, "a.o: #deps 2, deps mtime 5 (VALID)\n    ../a.cpp\n"
                                                       "    /usr/include/stdio.h\n\n", "")]
         with mock.patch.object(subprocess, "run", side_effect=answers):
-            self.assertEqual(touched.deps_of(self.build), {"a.o": ["../a.cpp"], "b.o": []})
+            self.assertEqual(touched.deps_of(self.project, self.build), {"a.o": ["../a.cpp"], "b.o": []})
+
+    def test_never_built(self) -> None:
+        """A test that was never built by itself has what its text includes, by its place, and what that includes."""
+        self.write("tests/motion/one.cpp", '#include "tests/help.hpp"\n#include <ansatz/drag.hpp>\n#include <cmath>\n')
+        name = "tests/CMakeFiles/test_motion.dir/motion/one.cpp.o"
+        answers = [subprocess.CompletedProcess([], 0, f"{name}: CXX_COMPILER__x\n", ""),
+                   subprocess.CompletedProcess([], 0, "", "")]
+        with mock.patch.object(subprocess, "run", side_effect=answers):
+            files = touched.deps_of(self.project, self.build)[name]
+        self.assertEqual({str(Path(file).relative_to(self.project)) for file in files},
+                         {"tests/motion/one.cpp", "tests/help.hpp", "include/ansatz/drag.hpp", "include/ansatz/units.hpp"})
 
     def test_within(self) -> None:
         """The first ones whatever they take, then the quick ones for which there is time."""

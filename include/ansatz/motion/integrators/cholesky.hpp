@@ -27,7 +27,7 @@ struct Cholesky {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
         /// How small a part of b it leaves, about.
-        static constexpr Scalar close = 1000 * std::numeric_limits<Scalar>::epsilon();
+        static Scalar close() { return 1000 * std::numeric_limits<Scalar>::epsilon(); }
 
         /// The pattern is another: finds a new order of elimination.
         template <class Matrix> void pattern(const Matrix& A) { factors_.analyzePattern(A); }

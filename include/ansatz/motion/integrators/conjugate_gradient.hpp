@@ -31,12 +31,14 @@ struct ConjugateGradient {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
         /// How small a part of b it leaves, unless it is told.
-        static constexpr Scalar close = std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
+        static Scalar close() {
+            return std::max<Scalar>(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
+        }
 
         /// \param x    the solution; what it holds is not used
         /// \param leave how small a part of b it leaves
         /// \return whether it converged
-        template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x, const Scalar& leave = close) {
+        template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x, const Scalar& leave = close()) {
             x.setZero(b.size());
             // In units of the largest of b: the square of what dies away is nothing long before it is.
             const Scalar unit = b.size() > 0 ? b.cwiseAbs().maxCoeff() : Scalar(0);

@@ -86,7 +86,8 @@ private:
     using Solver = typename LinearSolver::template Solver<Scalar>;
     /// What part of a residual may be left: as much as is wanted, or the solver's own.
     static Scalar close_enough(double tolerance) {
-        return tolerance > 0 ? std::max(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon()) : Solver::close;
+        return tolerance > 0 ? std::max<Scalar>(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon())
+                             : Solver::close();
     }
     /// One that iterates is told how far; what solves by factors has rounding left, and no choice.
     bool solve_linear(const Scalar& close) {

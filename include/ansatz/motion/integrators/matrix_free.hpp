@@ -44,7 +44,7 @@ struct MatrixFree {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
         /// How small a part of b it leaves, unless it is told.
-        static constexpr Scalar close = Scalar(tolerance);
+        static Scalar close() { return Scalar(tolerance); }
 
         /// \param weight  of each row in the norm in which b and what is left of it are measured, the square root of
         ///                the sum of weight * value^2; 1 / mass makes it Newton's
@@ -130,7 +130,7 @@ public:
         u_ = v_;
         const Scalar close = asked.tolerance > 0
                                  ? std::max(Scalar(asked.tolerance), 16 * std::numeric_limits<Scalar>::epsilon())
-                                 : Solver::close;
+                                 : Solver::close();
         const bool solved = asked.most_iterations == 1 ? solve_once(system, h, close)
                                                        : iterate(system, h, close, asked.most_iterations);
         if (u_.allFinite()) v_ = u_;
