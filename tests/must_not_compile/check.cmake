@@ -15,7 +15,7 @@
 #   ...
 #   #endif
 #
-# Checked: without ANSATZ_MISTAKE it compiles without a warning; with it, it does not compile, the first error of all
+# Checked: without ANSATZ_MISTAKE it compiles without a warning (which mended.cmake may have found for many at once); with it, it does not compile, the first error of all
 # holds one of the expected sentences, each expected sentence stands in some error, and there are not too many errors.
 
 include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
@@ -63,10 +63,13 @@ if(NOT expected)
 endif()
 
 # ------------------------------------------------------------------ the two compilations
-execute_process(COMMAND ${COMPILER} ${flags} -Wall -Wextra -Werror ${FILE}
-    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(NOT status EQUAL 0)
-    fail("the mended form (without ANSATZ_MISTAKE) does not compile cleanly")
+cmake_path(GET FILE STEM stem)
+if(NOT EXISTS "${PRECOMPILED}/mended/${stem}.mended")    # not found clean among others (mended.cmake)
+    execute_process(COMMAND ${COMPILER} ${flags} -Wall -Wextra -Werror ${FILE}
+        RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT status EQUAL 0)
+        fail("the mended form (without ANSATZ_MISTAKE) does not compile cleanly")
+    endif()
 endif()
 
 execute_process(COMMAND ${COMPILER} ${flags} -DANSATZ_MISTAKE ${FILE}

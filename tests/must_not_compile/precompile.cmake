@@ -10,6 +10,7 @@
 set(MAKES_PRECOMPILED ON)
 include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 
+file(REMOVE_RECURSE ${PRECOMPILED}/mended)    # it was found with an older library
 file(GLOB umbrellas RELATIVE ${LIBRARY}/ansatz ${LIBRARY}/ansatz/*.hpp)
 list(REMOVE_ITEM flags -fsyntax-only)
 set(groups bodies paths soft_bodies states water)
