@@ -1,5 +1,6 @@
-// expect: a broadphase with a wrong signature; its In<S> needs `template <class F> void find(const Boxes<S>& boxes, F&&
-// found)` SPDX-License-Identifier: BSL-1.0 A broadphase that does not take a function for the pairs.
+// expect: a broadphase with a wrong signature; its In<S> needs `template <class F> void find(const Boxes<S>& boxes, F&& found)`
+// SPDX-License-Identifier: BSL-1.0
+// A broadphase that does not take a function for the pairs.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

@@ -1,5 +1,6 @@
-// expect: a response at Level::accelerations is a force between bodies; it needs `static constexpr bool couples_bodies
-// = true;` SPDX-License-Identifier: BSL-1.0 A penalty that is no force between bodies.
+// expect: a response at Level::accelerations is a force between bodies; it needs `static constexpr bool couples_bodies = true;`
+// SPDX-License-Identifier: BSL-1.0
+// A penalty that is no force between bodies.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

@@ -1,5 +1,6 @@
-// expect: a response with a wrong signature; its In<S> needs `void respond(const auto& contact, auto& a, auto& b, const
-// auto& meeting) const` SPDX-License-Identifier: BSL-1.0 One argument too few.
+// expect: a response with a wrong signature; its In<S> needs `void respond(const auto& contact, auto& a, auto& b, const auto& meeting) const`
+// SPDX-License-Identifier: BSL-1.0
+// One argument too few.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

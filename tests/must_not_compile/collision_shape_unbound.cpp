@@ -1,5 +1,6 @@
-// expect: a shape that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from the
-// shape SPDX-License-Identifier: BSL-1.0 A shape whose In is not made from it.
+// expect: a shape that cannot be bound to a space; it needs `template <class S> struct In` with a constructor from the shape
+// SPDX-License-Identifier: BSL-1.0
+// A shape whose In is not made from it.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

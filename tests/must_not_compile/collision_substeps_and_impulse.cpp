@@ -1,5 +1,6 @@
-// expect: World has a response that takes a step in parts (SoftSubsteps) and one that changes velocities at its end
-// (Impulse) SPDX-License-Identifier: BSL-1.0 Either answers a contact by itself; both would answer it twice.
+// expect: World has a response that takes a step in parts (SoftSubsteps) and one that changes velocities at its end (Impulse)
+// SPDX-License-Identifier: BSL-1.0
+// Either answers a contact by itself; both would answer it twice.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

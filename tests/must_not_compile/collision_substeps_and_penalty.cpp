@@ -1,5 +1,6 @@
-// expect: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are forces of the next
-// step (Penalty) SPDX-License-Identifier: BSL-1.0 Either holds bodies apart by itself; both would hold them twice.
+// expect: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are forces of the next step (Penalty)
+// SPDX-License-Identifier: BSL-1.0
+// Either holds bodies apart by itself; both would hold them twice.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

@@ -1,5 +1,6 @@
-// expect: a world with Tearing in which nothing breaks; write Springs<Breaking>{} or Ropes<Breaking>{} among its
-// policies SPDX-License-Identifier: BSL-1.0 A sheet tears where a spring breaks.
+// expect: a world with Tearing in which nothing breaks; write Springs<Breaking>{} or Ropes<Breaking>{} among its policies
+// SPDX-License-Identifier: BSL-1.0
+// A sheet tears where a spring breaks.
 
 #include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/world.hpp>

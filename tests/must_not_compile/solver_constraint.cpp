@@ -1,6 +1,6 @@
-// expect: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, `damping`, `one_sided`
-// and `Scalar linearise(x, gradient) const` SPDX-License-Identifier: BSL-1.0 A constraint that does not say how stiff
-// it is.
+// expect: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, `damping`, `one_sided` and `Scalar linearise(x, gradient) const`
+// SPDX-License-Identifier: BSL-1.0
+// A constraint that does not say how stiff it is.
 
 #include <ansatz/soft_bodies/xpbd.hpp>
 #include <ansatz/world.hpp>

@@ -1,5 +1,6 @@
-// expect: a policy that gives constraints and does not say of which types; its In<S> needs e.g. `using constraint_types
-// = Types<MyConstraint<S>>;` SPDX-License-Identifier: BSL-1.0 Constraints whose types nobody names.
+// expect: a policy that gives constraints and does not say of which types; its In<S> needs e.g. `using constraint_types = Types<MyConstraint<S>>;`
+// SPDX-License-Identifier: BSL-1.0
+// Constraints whose types nobody names.
 
 #include <ansatz/soft_bodies/xpbd.hpp>
 #include <ansatz/springs.hpp>

@@ -1,5 +1,6 @@
-// expect: a soft surface is held up by the weight of water, which is that of the world: add_soft_surface needs a world
-// with Gravity{} SPDX-License-Identifier: BSL-1.0 A surface of water where water has no weight.
+// expect: a soft surface is held up by the weight of water, which is that of the world: add_soft_surface needs a world with Gravity{}
+// SPDX-License-Identifier: BSL-1.0
+// A surface of water where water has no weight.
 
 #include <ansatz/springs.hpp>
 #include <ansatz/water.hpp>

@@ -1,6 +1,6 @@
-// expect: a system changes elements of another policy where others walk over them; let its phase be one from
-// phases::breaking on and before phases::sums SPDX-License-Identifier: BSL-1.0 Tables of others are changed at one
-// place of the step.
+// expect: a system changes elements of another policy where others walk over them; let its phase be one from phases::breaking on and before phases::sums
+// SPDX-License-Identifier: BSL-1.0
+// Tables of others are changed at one place of the step.
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>

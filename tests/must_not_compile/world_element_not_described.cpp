@@ -1,5 +1,6 @@
-// expect: World::get: the rows of these elements cannot be described; give the row `describe(const auto& handle_of)
-// const` SPDX-License-Identifier: BSL-1.0 What world.get answers is the description that the row makes.
+// expect: World::get: the rows of these elements cannot be described; give the row `describe(const auto& handle_of) const`
+// SPDX-License-Identifier: BSL-1.0
+// What world.get answers is the description that the row makes.
 
 #include <ansatz/world.hpp>
 

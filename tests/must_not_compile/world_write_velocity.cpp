@@ -1,5 +1,6 @@
-// expect: position and velocity are changed by set_position and set_velocity, because the integrator owns what they
-// mean SPDX-License-Identifier: BSL-1.0 A velocity is not just a column.
+// expect: position and velocity are changed by set_position and set_velocity, because the integrator owns what they mean
+// SPDX-License-Identifier: BSL-1.0
+// A velocity is not just a column.
 
 #include <ansatz/world.hpp>
 

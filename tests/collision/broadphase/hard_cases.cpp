@@ -7,7 +7,7 @@
 
 #include "tests/catch.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <limits>
 #include <numeric>
 
@@ -83,9 +83,9 @@ TEST_CASE("G4: 1000 bodies in one place are 499 500 pairs, soon", "[broadphase][
         each_policy([&](const char* name, const auto& policy) {
             typename std::remove_cvref_t<decltype(policy)>::template In<Space<>> bound(policy);
             std::size_t pairs = 0;
-            const auto start = std::chrono::steady_clock::now();
+            const auto start = std::clock(); // the processor's time: another program's is none of this test's
             bound.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
-            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
             INFO(name << " at " << at << ": " << seconds << " s");
             CHECK(pairs == 499500);
             CHECK(seconds < 2); // 50 ms optimised on a quiet machine; what this is to find takes minutes

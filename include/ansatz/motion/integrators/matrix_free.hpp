@@ -52,7 +52,7 @@ struct MatrixFree {
         /// \param leave   how small a part of b it leaves
         /// \return whether it converged
         template <class Matrix>
-        bool solve(const Matrix& A, const Column& b, const Column& weight, Column& x, const Scalar& leave = close) {
+        bool solve(const Matrix& A, const Column& b, const Column& weight, Column& x, const Scalar& leave = close()) {
             iterations_ = 0;
             x.setZero(b.size());
             // In units of the largest of b: the square of what dies away is nothing long before it is.
