@@ -290,8 +290,8 @@ foreach(module IN LISTS folders)
         foreach(script IN LISTS scripts)
             cmake_path(GET script STEM name)
             add_test(NAME "${module}.${name}" COMMAND ${ANSATZ_BASH} ${script} ${PROJECT_SOURCE_DIR})
-            # What hangs is ended, not what a busy machine makes slow: the longest takes four minutes on one.
-            set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 600
+            # What hangs is ended, not what a busy machine makes slow: the longest takes ten minutes on one.
+            set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 1500
                 SKIP_REGULAR_EXPRESSION "^skipped: " ENVIRONMENT
                 "ANSATZ_SCRATCH=${PROJECT_BINARY_DIR}/scratch/${module}.${name};CXX=${CMAKE_CXX_COMPILER};CMAKE=${CMAKE_COMMAND}")
             # They are the longest of the tests: begun last, one of them would run while the other cores have nothing to do.
