@@ -15,8 +15,9 @@
 #   ...
 #   #endif
 #
-# Checked: without ANSATZ_MISTAKE it compiles without a warning (which mended.cmake may have found for many at once); with it, it does not compile, the first error of all
-# holds one of the expected sentences, each expected sentence stands in some error, and there are not too many errors.
+# Checked: without ANSATZ_MISTAKE it compiles without a warning (which mended.cmake may have found for many at once);
+# with it, it does not compile, the first error of all holds one of the expected sentences, each expected sentence stands
+# in some error, and there are not too many errors.
 
 include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 cmake_path(GET FILE FILENAME name)

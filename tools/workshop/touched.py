@@ -249,8 +249,8 @@ def main(arguments: list[str]) -> int:
     changed = {line.strip() for line in sys.stdin if line.strip()}
     objects = deps_of(project, build)
     chosen, left = choose(project, build, changed, objects)
-    ignored = re.compile(r"^peers/|_together\.dir/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
-                         r"\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
+    ignored = re.compile(r"^peers/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
+                         r"_together\.dir/|\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
     kept = [name for name in chosen if not ignored.search(name)]
     mistakes = mistakes_of(project, changed)
     if len(arguments) == 3:
