@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// An ensemble of oscillators on MPI ranks: prints the results of every rank, and what it cost in messages.
-//   ranks <file of results, or -> [throw | die]     with `throw` run 20 throws, with `die` its rank is killed
+// An ensemble of oscillators on MPI ranks: every rank writes its results to a file, and says what they cost in
+// messages.
+//   ranks <stem> <file to keep results in, or -> [throw | die]
+// Rank 1 writes <stem>.1. With `throw` run 20 throws, with `die` its rank is killed.
 
 #include <ansatz/execution/on_ranks.hpp>
 #include <ansatz/springs.hpp>
@@ -10,6 +12,7 @@
 
 #include <bit>
 #include <csignal>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -20,7 +23,8 @@ using namespace ansatz;
 int main(int count, char** words) {
     boost::mpi::environment environment(count, words);
     const boost::mpi::communicator ranks;
-    const std::string file = count > 1 ? words[1] : "-", mode = count > 2 ? words[2] : "";
+    const std::string stem = count > 1 ? words[1] : "results", file = count > 2 ? words[2] : "-",
+                      mode = count > 3 ? words[3] : "";
 
     std::vector<double> steps;
     for (int i = 1; i <= 40; ++i) steps.push_back(0.001 * i);
@@ -41,14 +45,10 @@ int main(int count, char** words) {
     if (file != "-") options.kept = file;
     try {
         const auto results = ensemble(run, steps, executor, options);
-        std::string text;
+        // Not to standard output: mpirun passes on what several ranks print in pieces, in any order.
+        std::ofstream written(stem + '.' + std::to_string(ranks.rank()));
         for (const auto& result : results)
-            for (const double number : result) text += std::to_string(std::bit_cast<std::uint64_t>(number)) + '\n';
-        // One rank after the other, so that the lines of one stand together.
-        for (int rank = 0; rank < ranks.size(); ++rank) {
-            if (rank == ranks.rank()) std::cout << text << std::flush;
-            ranks.barrier();
-        }
+            for (const double number : result) written << std::bit_cast<std::uint64_t>(number) << '\n';
         // A line at once: those of several ranks come together.
         std::cerr << "rank " + std::to_string(ranks.rank()) + ": " + std::to_string(runs) + " runs, " +
                          std::to_string(executor.messages()) + " messages\n";
