@@ -26,6 +26,8 @@ memory_limit_of() {
 # limited <program> <arguments...>: a program with an end: seconds of CPU, four times as long on the clock, and so much
 # output and memory. It is waited for and not simply called: a trap acts while the shell waits, and else only afterwards.
 # On its standard input it gets JUDGES_WORD, new each time and written nowhere, without which it cannot say "passed".
+# An exercise's own check calls this some hundred times, and each process that the shell starts beside it costs as much as
+# the test that is run.
 limited() {
     local status
     memory_limit_of "$1"
@@ -33,8 +35,10 @@ limited() {
     (
         ulimit -c 0 -t "$CPU_SECONDS" -f $((PRINTED_MEGABYTES * 1024))
         ulimit -v "$MEMORY_LIMIT" 2> /dev/null      # not every system has this limit
+        # What nobody else has written ends itself: timeout is another process.
+        case $1 in */others) ANSATZ_SECONDS=$((4 * CPU_SECONDS)) exec "$@" ;; esac
         exec timeout -k 1 $((4 * CPU_SECONDS)) "$@"
-    ) > "$JUDGE_SCRATCH/printed" 2>&1 < <(printf '%s\n' "$JUDGES_WORD") &
+    ) > "$JUDGE_SCRATCH/printed" 2>&1 <<< "$JUDGES_WORD" &
     RUNNING=$!
     { wait "$RUNNING"; } 2> /dev/null               # the shell's own remark on a program that crashes
     status=$?
@@ -49,6 +53,9 @@ end_running() {
     RUNNING=''
 }
 
+# Nothing in a file that a program is to write, as if it had not been written: no process has to be started for it.
+without() { if [ -f "$1" ] && [ ! -L "$1" ]; then : > "$1"; else rm -f "$1"; fi }
+
 # The text of an assertion that failed, on standard input, or nothing.
 assertion_in() { sed -n 's/.*\(Assertion .*\)/\1/p' | head -n 1; }
 
@@ -57,7 +64,7 @@ crash_of() {
     local assertion
     OUTCOME=crashed
     case $1 in
-        124 | 137 | 152) OUTCOME=endless TEXT="It did not come to an end within $CPU_SECONDS s: is there a loop that never ends, or far too many steps?" ;;
+        124 | 137 | 142 | 152) OUTCOME=endless TEXT="It did not come to an end within $CPU_SECONDS s: is there a loop that never ends, or far too many steps?" ;;
         153) OUTCOME=flooded TEXT="It printed more than $PRINTED_MEGABYTES MB: is there output in a loop that never ends?" ;;
         139 | 138) TEXT="It crashed (segmentation fault): memory was used that is not there, or a function calls itself without end." ;;
         136) TEXT="It crashed (arithmetic exception): an integer was divided by zero." ;;
@@ -67,7 +74,7 @@ crash_of() {
             else TEXT="It was aborted: something called std::abort(), or memory was overwritten."; fi
             PRINTED=$(printf '%s\n' "$PRINTED" | grep -v 'Assertion') ;;
         132) TEXT="It crashed (illegal instruction): something undefined was done, as using a pointer that points nowhere." ;;
-        129 | 13[0135] | 14[0-9] | 15[01]) TEXT="It was ended by signal $(($1 - 128))." ;;
+        129 | 13[0135] | 14[013-9] | 15[01]) TEXT="It was ended by signal $(($1 - 128))." ;;
         *) return 1 ;;
     esac
 }
@@ -101,7 +108,7 @@ not_there() {
 run_test() {
     local program file=$JUDGE_SCRATCH/verdict status
     if [ "$2" = student ]; then program=$1/student; else program=$1/others; fi
-    rm -f "$file"
+    without "$file"
     if not_there "$1" "$program" "$2"; then OUTCOME=missing PRINTED=''; return; fi
     limited "$program" run "$2" "$3" "$file"
     status=$?
@@ -127,7 +134,7 @@ list_tests() {
     local program file=$JUDGE_SCRATCH/tests status
     if [ "$2" = student ]; then program=$1/student; else program=$1/others; fi
     LISTED='' TEXT='' PRINTED=''
-    rm -f "$file"
+    without "$file"
     if [ ! -x "$program" ]; then TEXT="It was not built."; return 1; fi
     limited "$program" list "$2" "$file"
     status=$?
@@ -175,21 +182,20 @@ mistake_of() {
 }
 
 # read_heads <the exercise's folder>: HEADS is what its wrong answers say of themselves, read once for all that is asked
-# of them: name<TAB>word<TAB>text, a line each.
+# of them: name<TAB>word<TAB>text, a line each, and a line's end before the first.
 read_heads() {
     HEADS_OF=$1 HEADS=''
     [ -f "$1/wrong.diff" ] || return 0
-    HEADS=$(python3 "$(dirname "${BASH_SOURCE[0]}")/../workshop/wrong.py" heads "$1/wrong.diff")
+    HEADS=$'\n'$("${ANSATZ_PYTHON:-python3}" "$(dirname "${BASH_SOURCE[0]}")/../workshop/wrong.py" heads "$1/wrong.diff")
 }
 
 # line_of <the exercise's folder> <wrong answer> <word>: what a wrong answer says of itself: Mistake: ..., Why, Read, Fails;
-# continued lines are joined.
+# continued lines are joined. (`read` takes a system call a letter.)
 line_of() {
-    local line
+    local key=$'\n'$2$'\t'$3$'\t' rest
     [ "${HEADS_OF:-}" = "$1" ] || read_heads "$1"
-    while IFS= read -r line; do
-        case $line in "$2"$'\t'"$3"$'\t'*) printf '%s\n' "${line#*$'\t'*$'\t'}"; return ;; esac
-    done <<< "$HEADS"
+    rest=${HEADS#*"$key"}
+    if [ "$rest" != "$HEADS" ]; then printf '%s\n' "${rest%%$'\n'*}"; fi
 }
 
 if [ "${BASH_SOURCE[0]}" = "$0" ]; then

@@ -18,13 +18,13 @@ COURSE_CHAPTERS=7      # those of the notes; of a chapter that is not written he
 
 fault() { FAULTS=$((FAULTS + 1)); printf '  %s\n' "$*" >> "$JUDGE_SCRATCH/faults"; }
 
-# A cell of the table: how a test came out, in one sign.
+# CELL of the table: how a test came out, in one sign.
 cell() {
     case $OUTCOME in
-        passed) echo "pass" ;;
-        failed) echo "fail" ;;
-        todo) echo "todo${TEXT##*task }" ;;
-        *) echo "$OUTCOME" ;;
+        passed) CELL=pass ;;
+        failed) CELL=fail ;;
+        todo) CELL=todo${TEXT##*task } ;;
+        *) CELL=$OUTCOME ;;
     esac
 }
 
@@ -73,12 +73,14 @@ expect_wrong() {
 
 # run_subject <subject> <kind>: a row of the table; ALL_PASSED is whether every test has passed.
 run_subject() {
-    local subject=$1 kind=$2 task name row='' listed=''
+    local subject=$1 kind=$2 task name field row='' listed=''
     ALL_PASSED=true
     [ "$kind" = wrong ] && listed=",$(line_of "$EXERCISE" "${subject#wrong.}" Fails | tr -d ' '),"
     while IFS=$'\t' read -r task name _; do
         run_test "$PROGRAMS" "$subject" "$name"
-        row="$row $(printf '%-*s' $((${#name} > 6 ? ${#name} : 6)) "$(cell)")"
+        cell
+        printf -v field '%-*s' $((${#name} > 6 ? ${#name} : 6)) "$CELL"
+        row="$row $field"
         [ "$OUTCOME" = passed ] || ALL_PASSED=false
         case $kind in
             right) [ "$OUTCOME" = passed ] || fault "$subject does not pass [$name]: $TEXT" ;;
@@ -131,7 +133,7 @@ verify_wrong() {
 verify_hints() {
     local sentence
     while IFS= read -r sentence; do fault "$sentence"; done < <(
-        python3 "$PROJECT/tools/workshop/hints.py" "$EXERCISE/hints.md" "$TASKS")
+        "${ANSATZ_PYTHON:-python3}" "$PROJECT/tools/workshop/hints.py" "$EXERCISE/hints.md" "$TASKS")
 }
 
 verify_texts() {
