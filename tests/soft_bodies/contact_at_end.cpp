@@ -6,14 +6,18 @@
 
 using namespace soft_bodies_tests;
 
-TEST_CASE(
-    "whatever holds a sheet, by Impulse it falls, lies still and makes no energy, and particles leave with e times "
-    "their speed",
-    "[soft_bodies][contact]") {
+TEST_CASE("whatever holds a sheet, by Impulse it falls on a plane or a box, lies still and makes no energy, and "
+          "particles leave with e times "
+          "their speed",
+          "[soft_bodies][contact]") {
     each_way([](const auto& way) {
-        const auto world = ground(way, Impulse<Friction>{}, Projection{});
-        falls_and_lies(way, world);
-        bounces(way, world);
+        const auto world = world_of(way, Impulse<Friction>{}, Projection{});
+        const auto rough = friction(0.5);
+        const auto dull = restitution(0);
+        for (const auto& ground : {on_plane(world, dull, rough), on_box(world, dull, rough)}) {
+            falls_and_lies(way, ground, {.lowest = 0.019}, dull, rough);
+            bounces(way, ground);
+        }
     });
 }
 
@@ -24,7 +28,7 @@ TEST_CASE("what parts a body from the ground strains the spring at it: that is e
     // is at most |v| h, no energy comes of it while k h^2 <= m; a stiff sheet in long steps is far beyond.
     constexpr double m = 0.01, h = 1.0 / 60, radius = 0.02;
     const Way<SemiImplicitEuler, Xpbd> way{"Xpbd", h, 0, {{}, {10, 1}}};
-    const auto empty = ground(way, Impulse<Friction>{}, Projection{});
+    const auto empty = on_plane(world_of(way, Impulse<Friction>{}, Projection{}), restitution(0), friction(0.5));
     std::size_t gained = 0;
     for (const double ratio : {0.1, 0.9, 4., 139.})  // k h^2 / m; the last one is 5000 N/m
         for (const double part : {0.1, 0.6, 0.99}) { // of the way of a step, below the ground

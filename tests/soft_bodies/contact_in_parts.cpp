@@ -6,13 +6,17 @@
 
 using namespace soft_bodies_tests;
 
-TEST_CASE(
-    "whatever holds a sheet, in SoftSubsteps it falls, lies still and makes no energy, and particles leave with e "
-    "times their speed",
-    "[soft_bodies][contact]") {
+TEST_CASE("whatever holds a sheet, in SoftSubsteps it falls on a plane or a box, lies still and makes no energy, and "
+          "particles leave with e "
+          "times their speed",
+          "[soft_bodies][contact]") {
     each_way([](const auto& way) {
-        const auto world = ground(way, SoftSubsteps<Friction>{});
-        falls_and_lies(way, world);
-        bounces(way, world);
+        const auto world = world_of(way, SoftSubsteps<Friction>{});
+        const auto rough = friction(0.5);
+        const auto dull = restitution(0);
+        for (const auto& ground : {on_plane(world, dull, rough), on_box(world, dull, rough)}) {
+            falls_and_lies(way, ground, {.lowest = 0.019}, dull, rough);
+            bounces(way, ground);
+        }
     });
 }
