@@ -101,3 +101,44 @@ TEST_CASE("what is lighter it pushes out of its way, and who pushes it aside is 
     CHECK(arrived == 1);
     CHECK(other.walking(way).arrived);
 }
+
+TEMPLATE_TEST_CASE(
+    "in a plane, seen from above: before a box it is stuck and says so, what is lighter it pushes on, and then "
+    "it arrives",
+    "[walking]", (std::pair<Space<double, 2>, ExplicitEuler>), (std::pair<Space<double, 2>, VelocityVerlet>),
+    (std::pair<Space<float, 2>, Verlet>)) {
+    using Scalar = typename TestType::first_type::Scalar;
+    World yard{typename TestType::first_type{},
+               typename TestType::second_type{},
+               SortAndSweep{},
+               Narrowphase<Sphere, Box>{},
+               Impulse<>{},
+               Projection{},
+               Walkers{}};
+    const auto stands = [&](double x, double z, double kilograms) {
+        return yard.add(Sphere{0.4 * metre}, position(metres(x, z)), mass(kilograms * kilogram), restitution(0.0));
+    };
+    const auto body = stands(0, 0, 80), ball = stands(2, 0.1, 2);
+    const auto box = yard.add(Box{metres(0.5, 2)}, position(metres(6, 0)), fixed);
+    const auto walk = yard.add(Walk{.body = body,
+                                    .path = {{metres(9, 0)}},
+                                    .speed = 1.5 * metre / second,
+                                    .acceleration = 3.0 * metre / second / second,
+                                    .up = {},
+                                    .astray = 0.5 * metre});
+    int stuck = 0;
+    for (int i = 0; i < 60 * 8; ++i) {
+        yard.step(1.0 / 60 * second);
+        for (const auto& event : yard.walk_events()) stuck += event.news == WalkNews::stuck;
+        REQUIRE(yard.position(body).value()[0] < Scalar(5.5 - 0.4 + 0.05));
+        REQUIRE(std::isfinite(double(yard.position(ball).value()[1])));
+    }
+    CHECK(stuck == 1);
+    CHECK(yard.position(body).value()[0] > 4);
+    CHECK(std::abs(yard.position(ball).value()[1]) > 0.1); // it was hit off its centre
+    yard.remove(box);
+    for (int i = 0; i < 60 * 6; ++i) yard.step(1.0 / 60 * second);
+    CHECK(yard.walking(walk).arrived);
+    CHECK(double(yard.position(body).value()[0]) == Approx(9).margin(1e-3));
+    CHECK(double(yard.position(body).value()[1]) == Approx(0).margin(1e-3));
+}
