@@ -66,6 +66,12 @@ target_link_libraries(peers_water PRIVATE ansatz_measured nlohmann_json::nlohman
 target_include_directories(peers_water PRIVATE ${PROJECT_SOURCE_DIR}/tools)
 set_target_properties(peers_water PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+# The library is held against itself, with a hundred times as many bodies.
+add_executable(peers_scale EXCLUDE_FROM_ALL peers/scale/main.cpp)
+target_link_libraries(peers_scale PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
+target_include_directories(peers_scale PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+set_target_properties(peers_scale PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
 # Soft bodies are held against Eigen's matrices, a loop that is written by hand, and Bullet where it was found.
 add_executable(peers_soft_bodies EXCLUDE_FROM_ALL peers/soft_bodies/main.cpp)
 target_link_libraries(peers_soft_bodies PRIVATE ansatz_measured nlohmann_json::nlohmann_json)
