@@ -7,7 +7,7 @@ import contextlib
 import os
 import tempfile
 import unittest
-from typing import Iterator
+from typing import Iterator, Mapping, Optional
 
 from workshop import course
 
@@ -47,17 +47,23 @@ FILES = {
     # Of another module, and of a namespace of its own: not what is meant.
     "include/ansatz/collision/rest.hpp": "inline Motion rest(int a) {\n",
     "include/ansatz/motion/body.hpp": "namespace ansatz::other {\nstruct Drag {\n",
+    # Says that there is such a type, and no more.
+    "include/ansatz/motion/all.hpp": "struct Still;\ntemplate <class Of> class Slow; // of anything\n",
+    "include/ansatz/motion/low.hpp": "struct Still {\ntemplate <class Of>\nclass Slow : Of {\n",
+    "exercises/1-motion/drag/README.md": "# 1.7 Drag\n", "exercises/1-motion/rest/README.md": "# 1.8 Rest\n",
     "tests/world/all.cpp": "#include <ansatz/motion/rest.hpp>\n",
 }
 
 
 @contextlib.contextmanager
-def project(changed: dict[str, str]) -> Iterator[None]:
+def project(changed: Mapping[str, Optional[str]]) -> Iterator[None]:
     """A folder with a small course; None removes a file."""
     before = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for file, text in (FILES | changed).items():
+        for file, text in (FILES | dict(changed)).items():
+            if text is None:
+                continue
             os.makedirs(os.path.dirname(file), exist_ok=True)
             with open(file, "w", encoding="utf-8") as stream:
                 stream.write(text)
@@ -81,28 +87,46 @@ class Table(unittest.TestCase):
             self.assertEqual(drag.headers, ["motion/drag.hpp", "motion/frame_drag.hpp", "motion/decay.hpp"])
             self.assertEqual(drag.exercises, ["exercise_motion_drag"])
             self.assertEqual(rest.headers, ["motion/rest.hpp"])
+            self.assertEqual(course.headers_in("`Still`, `Slow`", "motion"), ["motion/low.hpp"])
             self.assertEqual(course.tests_of("motion/frame_drag.hpp"), ("tests/motion/drag.cpp",))
             self.assertEqual(course.tests_of("motion/rest.hpp"), ("tests/world/all.cpp",))
             self.assertIn('| \\ref section_1_7 "1.7 Drag" | \\ref program_motion_1_7_drag "drag" | \\ref ansatz/motion/drag.hpp "drag.hpp", ',
                           course.table())
             self.assertIn("| drag.cpp, decay.cpp |", course.table())
-            self.assertEqual(course.holes(), [])
+            self.assertEqual(course.holes({}), [])
 
     def test_holes(self) -> None:
         """Each kind, alone."""
         page = FILES["docs/motion.md"]
-        for changed, says in (
-                ({"docs/motion.md": page.replace("{#section_1_8}", "")}, "has no section 1.8"),
+        without: dict[str, Optional[str]] = {"exercises/1-motion/rest/README.md": None}
+        cases: tuple[tuple[dict[str, Optional[str]], str], ...] = (
+                (without | {"docs/motion.md": page.replace("{#section_1_8}", "")}, "has no section 1.8"),
                 ({"docs/motion.md": page.replace('- Library: \\ref ansatz::rest "rest".', "")}, "names no header"),
-                ({"docs/motion.md": page.replace("- Exercise: \\ref exercise_motion_rest", "- See \\ref a")}, "has no exercise"),
-                ({"tests/world/all.cpp": ""}, "motion/rest.hpp, which section 1.8 teaches, has no test")):
+                (without | {"docs/motion.md": page.replace("- Exercise: \\ref exercise_motion_rest", "- See \\ref a")},
+                 "has no exercise"),
+                ({"tests/world/all.cpp": ""}, "motion/rest.hpp, which section 1.8 teaches, has no test"),
+                ({"exercises/1-motion/suvat/README.md": "# 1.5 SUVAT\n"}, "section 1.5 does not name its exercise suvat"),
+                ({"exercises/1-motion/drag/README.md": "# 1.8 Drag\n"}, "section 1.8 does not name its exercise drag"))
+        for changed, says in cases:
             with project(changed):
-                self.assertEqual(len(course.holes()), 1, says)
-                self.assertIn(says, course.holes()[0])
-        with project({"docs/motion.md": page.replace("1.8 Rest {#section_1_8}", "1.9 Rest {#section_1_9}"),
-                      "chapters/1-motion/1.9-rest.cpp": ""}):
-            self.assertIn("section 1.9 has an exercise: it leaves the list of those without one "
-                          "(tools/workshop/course.py)", course.holes())
+                self.assertEqual(len(course.holes({})), 1, says)
+                self.assertIn(says, course.holes({})[0])
+
+    def test_without_exercise(self) -> None:
+        """Who is in the list needs none; it holds neither sections that have one, nor those that are not there."""
+        page = FILES["docs/motion.md"].replace("- Exercise: \\ref exercise_motion_rest", "- See \\ref a")
+        with project({"docs/motion.md": page, "exercises/1-motion/rest/README.md": None}):
+            self.assertEqual(course.holes({"1.8": "why"}), [])
+            self.assertEqual(len(course.holes({"1.7": "why", "1.8": "why"})), 1)
+            self.assertIn("section 1.7 has an exercise: it leaves the list", course.holes({"1.7": "why", "1.8": "why"})[0])
+            self.assertEqual(len(course.holes({"1.8": "why", "1.80": "why"})), 1)
+            self.assertIn("section 1.80 is not there", course.holes({"1.8": "why", "1.80": "why"})[0])
+
+    def test_twice(self) -> None:
+        """A second line of one kind would not be read."""
+        self.assertEqual(course.twice("p", PAGE), [])
+        faults = course.twice("p", PAGE.replace("- Exercise: \\ref exercise_motion_drag", "- Exercises: \\ref a\n- Exercise: \\ref b"))
+        self.assertEqual(faults, ["p: section_1_7 has 2 lines '- Exercise:'; one names them all"])
 
     def test_order(self) -> None:
         """By numbers, not by letters."""
