@@ -55,9 +55,13 @@ WITHOUT_EXERCISE = {
     "6.3.9": "not asked yet: whether one tile is seen from another",
     "6.3.11": "not asked yet: the two branches of a conflict",
     "6.3.12": "not asked yet: the gates of a border",
+    "7": "counts what a volume costs; the library has none",
+    "7.2.2": "not asked yet: a wall that absorbs",
+    "7.2.4": "not asked yet: a flow that takes no more than there is",
+    "7.2.5": "not asked yet: what passes a face of shallow water",
+    "7.2.6": "not asked yet: a slope that makes no new crest",
+    "7.4.3": "not asked yet: one contact for many columns",
 }
-# Chapters whose pages do not say at each section's end what belongs to it.
-NOT_YET = frozenset(("7-water",))
 
 
 @functools.lru_cache(maxsize=None)
@@ -232,8 +236,6 @@ def holes(without: Mapping[str, str]) -> list[str]:
         if has and section.number in without:
             faults.append(f"section {section.number} has an exercise: it leaves the list of those without one "
                           "(tools/workshop/course.py)")
-        if section.chapter in NOT_YET:
-            continue
         if not section.headers:
             faults.append(f"section {section.number} names no header behind '- Library:'")
         faults += [f"{header}, which section {section.number} teaches, has no test" for header in section.headers
