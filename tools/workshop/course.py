@@ -179,16 +179,25 @@ def twice(file: str, page: str) -> list[str]:
 
 @functools.lru_cache(maxsize=None)
 def tests_of(header: str) -> tuple[str, ...]:
-    """By its name, or those of its module that include it."""
+    """By its name; or two that include it, of its module if there are any: those that speak most of what it defines."""
     stem = header.removesuffix(".hpp")
     module, thing = stem.partition("/")[0], stem.rpartition("/")[2]
     named = [file for ending in (".cpp", ".perf.cpp") for place in (stem, f"{module}/{thing}")
              if os.path.isfile(file := f"tests/{place}{ending}")]
     if named:
         return tuple(dict.fromkeys(named))
-    including = [file for place in (module, "*") for file in sorted(glob.glob(f"tests/{place}/**/*.[ch]pp", recursive=True))
-                 if f"<ansatz/{header}>" in text_of(file)]
-    return tuple(dict.fromkeys(including))[:2]
+    names = [name.rpartition("::")[2] for name, headers in headers_of_names().items() if header in headers]
+    spoken = re.compile(rf"\b(?:{'|'.join(names) or '(?!)'})\b")
+    for place in (module, "*"):
+        files = sorted(glob.glob(f"tests/{place}/**/*.[ch]pp", recursive=True))
+        including = [file for file in files if f"<ansatz/{header}>" in text_of(file)]
+        # What tests share is no test: those that include it are.
+        shared = {f'"{os.path.basename(file)}"' for file in including if file.endswith(".hpp")}
+        tests = [file for file in files if file.endswith(".cpp")
+                 and (file in including or any(name in text_of(file) for name in shared))]
+        if tests:
+            return tuple(sorted(tests, key=lambda file: (-len(spoken.findall(text_of(file))), file))[:2])
+    return ()
 
 
 # ---------------------------------------------------------------- the table
@@ -198,10 +207,10 @@ def row(section: Section) -> str:
     page = f"program_{section.module}_" + re.sub("[^A-Za-z0-9]", "_", program.removesuffix(".cpp"))
     tests = list(dict.fromkeys(test for header in section.headers for test in tests_of(header)))
     said = program.removesuffix(".cpp").partition("-")[2].replace("_", " ")
+    modules = "|".join(os.path.basename(folder).partition("-")[2] for folder in glob.glob("chapters/*-*"))
     return (f'| \\ref {section.label} "{section.number} {section.title}" | \\ref {page} "{said}" | '
             + ", ".join(f'\\ref ansatz/{header} "{os.path.basename(header)}"' for header in section.headers) + " | "
-            + ", ".join(f'\\ref {label} "{label.removeprefix(f"exercise_{section.module}_")}"'
-                        for label in section.exercises) + " | "
+            + ", ".join(f'\\ref {label} "{re.sub(f"exercise_({modules})_", "", label)}"' for label in section.exercises) + " | "
             + ", ".join(os.path.basename(test) for test in tests) + " |")
 
 

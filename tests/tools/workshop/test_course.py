@@ -95,6 +95,23 @@ class Table(unittest.TestCase):
             self.assertIn("| drag.cpp, decay.cpp |", course.table())
             self.assertEqual(course.holes({}), [])
 
+    def test_tests(self) -> None:
+        """By name; else who includes it and speaks most of it, and not what tests share but those that include that."""
+        with project({
+                "include/ansatz/motion/slope.hpp": "struct Slope {\ninline int steepness(int a) {\n",
+                "tests/motion/a.cpp": "#include <ansatz/motion/slope.hpp>\n", "tests/motion/b.cpp": '#include "shared.hpp"\nSlope\n',
+                "tests/motion/c.cpp": "#include <ansatz/motion/slope.hpp>\nSlope steepness\n",
+                "tests/motion/shared.hpp": "#include <ansatz/motion/slope.hpp>\nSlope Slope Slope\n",
+                "tests/world/slopes.cpp": "#include <ansatz/motion/slope.hpp>\nSlope Slope Slope\n"}):
+            self.assertEqual(course.tests_of("motion/slope.hpp"), ("tests/motion/c.cpp", "tests/motion/b.cpp"))
+            self.assertEqual(course.tests_of("motion/decay.hpp"), ("tests/motion/decay.cpp",))
+
+    def test_exercise_of_another_module(self) -> None:
+        """Named as it is called, without the module."""
+        page = FILES["docs/motion.md"].replace("exercise_motion_rest", "exercise_soft_bodies_cloth")
+        with project({"docs/motion.md": page, "chapters/4-soft_bodies/4-a.cpp": "", "docs/soft_bodies.md": ""}):
+            self.assertIn('\\ref exercise_soft_bodies_cloth "cloth" |', course.table())
+
     def test_holes(self) -> None:
         """Each kind, alone."""
         page = FILES["docs/motion.md"]
