@@ -9,8 +9,8 @@ A section is a program of chapters/; the rest follows from what its page says at
 "- Exercise: ..."), and from the names of files. Each exercise stands in the row of the section that its README is headed by.
 A section that has none is in WITHOUT_EXERCISE with the reason; an entry that has one, or that is no section, is a fault as well.
 
-A word of a page's glossary ("## Words") names the section that explains it. Earlier sections of the page do without it, or
-point to where it is explained.
+A word of a page's glossary ("## Words") names the section that explains it: there it stands in
+*italics* where it is first used. Earlier sections of the page do without it, or point to where it is explained.
 """
 
 from __future__ import annotations
@@ -282,8 +282,27 @@ def form(word: str) -> str:
     return r"\b" + r"[\s-]+".join(re.escape(part) for part in word.split()) + r"(?:s|es|d|ed)?\b"
 
 
+def paragraphs(text: str) -> list[str]:
+    """Those of a section, each item of a list and each row of a table by itself."""
+    return re.split(r"\n\n+|\n(?=[-|] )", text)
+
+
+def in_italics(paragraph: str) -> str:
+    """What stands between asterisks; the one of A* is none of them."""
+    return "\n".join(re.findall(r"(?<![\w*])\*{1,2}(?=[^\s*])([^*]+)(?<=\S)\*{1,2}(?!\w)", paragraph))
+
+
+def explains(word: str, text: str) -> str:
+    """Nothing where a section sets a word in italics when it first uses it; else what is wrong."""
+    for paragraph in map(plain, paragraphs(text)):
+        if re.search(form(word), paragraph, re.IGNORECASE):
+            return "" if re.search(form(word), in_italics(paragraph), re.IGNORECASE) else (
+                f"which does not set it in *italics* where it is first used: \"{' '.join(paragraph.split())[:80]}\"")
+    return "which does not use it"
+
+
 def used_too_early(file: str, page: str) -> list[str]:
-    """Words of the glossary that a section before theirs uses without pointing to it."""
+    """Words of the glossary that their section does not explain, or one before it uses without pointing to it."""
     faults: list[str] = []
     # The pieces of the page in their order: the label, and the text below its heading.
     pieces = re.split(r"^#+ .*\{#(\w+)\} *$", page, flags=re.MULTILINE)
@@ -293,12 +312,12 @@ def used_too_early(file: str, page: str) -> list[str]:
         if place not in texts:
             faults.append(f"{file}: the glossary explains '{word}' in {place}, which is not on this page")
             continue
-        if not re.search(form(word), texts[place], re.IGNORECASE):
-            faults.append(f"{file}: the glossary explains '{word}' in {place}, which does not use it")
+        if wrong := explains(word, texts[place]):
+            faults.append(f"{file}: the glossary explains '{word}' in {place}, {wrong}")
         for label in labels[:labels.index(place)]:
             if not label.startswith("section_"):
                 continue
-            for paragraph in re.split(r"\n\n+|\n(?=[-|] )", texts[label]):
+            for paragraph in paragraphs(texts[label]):
                 if f"\\ref {place}" in paragraph:
                     break
                 if re.search(form(word), plain(paragraph), re.IGNORECASE):

@@ -39,7 +39,7 @@ A *threshold* and `inertia`.
 | threshold, slow start | from where on | \ref section_1_8 "1.8" |
 """
 FILES = {
-    "docs/motion.md": PAGE.replace("`inertia`", "a slow\nstart"),
+    "docs/motion.md": PAGE.replace("`inertia`", "a *slow\nstart*"),
     "chapters/1-motion/1.7-drag.cpp": "", "chapters/1-motion/1.8-rest.cpp": "", "chapters/1-motion/problems.hpp": "",
     "include/ansatz/motion/drag.hpp": "struct Drag {\n", "include/ansatz/motion/frame_drag.hpp": "struct FrameDrag {\n",
     "include/ansatz/motion/decay.hpp": "", "include/ansatz/motion/rest.hpp": "inline Motion rest(int a) {\n",
@@ -166,17 +166,26 @@ class Words(unittest.TestCase):
                                                  ("slow start", "section_1_8")])
         for said in ("", "`threshold`", "\\f$ threshold \\f$", "\\snippet a threshold", "thresholding",
                      'Wait (\\ref section_1_8 "1.8") for thresholds.', 'See \\ref section_1_8 "1.8".\n\nA threshold.'):
-            self.assertEqual(course.used_too_early("p", page.replace("Air resists.", said)), [], said)
+            self.assertEqual(course.used_too_early("p", page.replace("Air resists.", said + "\n\n")), [], said)
 
     def test_too_early(self) -> None:
         """Told once for a section; a word that its own section does not use; a section that is not there."""
         page = FILES["docs/motion.md"]
         for said in ("A threshold.", "Two\nThresholds.\n\nA threshold.", "A slow-start.", "- one\n- a threshold"):
-            faults = course.used_too_early("p", page.replace("Air resists.", said))
+            faults = course.used_too_early("p", page.replace("Air resists.", said + "\n\n"))
             self.assertEqual(len(faults), 1, said)
             self.assertIn("section_1_7 uses", faults[0])
         self.assertIn("does not use it", course.used_too_early("p", page.replace("*threshold*", "*limit*"))[0])
         self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
+
+    def test_italics(self) -> None:
+        """Where a word is first used, in whatever it is said; an asterisk that belongs to a name opens and closes nothing."""
+        for said in ("It is a *search*.", "A* is a **best-first\nsearch**.", "*Searches* of A*.", "`search` is a *search*.",
+                     "Nothing.\n\nA *search*, a search."):
+            self.assertEqual(course.explains("search", said), "", said)
+        for said in ("A* is a search of A*.", "A search.\n\nA *search*.", "- a search\n- a *search*", "*One* search *two*."):
+            self.assertIn("does not set it in *italics*", course.explains("search", said), said)
+        self.assertIn("does not use it", course.explains("search", "A `search`."))
 
 
 class Links(unittest.TestCase):
