@@ -9,7 +9,7 @@ A section is a program of chapters/; the rest follows from what its page says at
 "- Exercise: ..."), and from the names of files. Each exercise stands in the row of the section that its README is headed by.
 A section that has none is in WITHOUT_EXERCISE with the reason; an entry that has one, or that is no section, is a fault as well.
 
-A word of a page's glossary ("## Words") names the section that explains it: there it stands in
+The page of a chapter has a glossary ("## Words"), and each of its words names the section that explains it: there it stands in
 *italics* where it is first used. Earlier sections of the page do without it, or point to where it is explained.
 """
 
@@ -304,6 +304,8 @@ def explains(word: str, text: str) -> str:
 def used_too_early(file: str, page: str) -> list[str]:
     """Words of the glossary that their section does not explain, or one before it uses without pointing to it."""
     faults: list[str] = []
+    if re.search(r"^# .*\{#chapter_", page, re.MULTILINE) and not words_of(page):
+        faults.append(f"{file}: the chapter has no glossary, '## Words'")
     # The pieces of the page in their order: the label, and the text below its heading.
     pieces = re.split(r"^#+ .*\{#(\w+)\} *$", page, flags=re.MULTILINE)
     labels = pieces[1::2]

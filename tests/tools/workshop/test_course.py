@@ -177,6 +177,7 @@ class Words(unittest.TestCase):
             self.assertIn("section_1_7 uses", faults[0])
         self.assertIn("does not use it", course.used_too_early("p", page.replace("*threshold*", "*limit*"))[0])
         self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
+        self.assertIn("has no glossary", course.used_too_early("p", page.partition("## Words")[0])[0])
 
     def test_italics(self) -> None:
         """Where a word is first used, in whatever it is said; an asterisk that belongs to a name opens and closes nothing."""
