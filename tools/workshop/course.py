@@ -10,7 +10,8 @@ A section is a program of chapters/; the rest follows from what its page says at
 A section that has none is in WITHOUT_EXERCISE with the reason; an entry that has one, or that is no section, is a fault as well.
 
 The page of a chapter has a glossary ("## Words"), and each of its words names the section that explains it: there it stands in
-*italics* where it is first used. Earlier sections of the page do without it, or point to where it is explained.
+*italics* where it is first used. Earlier sections of the page do without it, or point to where it is explained; terms of several
+words ("critical damping") are looked for in earlier chapters, too, where single ones may be plain English.
 """
 
 from __future__ import annotations
@@ -317,15 +318,39 @@ def used_too_early(file: str, page: str) -> list[str]:
         if wrong := explains(word, texts[place]):
             faults.append(f"{file}: the glossary explains '{word}' in {place}, {wrong}")
         for label in labels[:labels.index(place)]:
-            if not label.startswith("section_"):
+            if uses(word, place, label, texts[label]):
+                faults.append(f"{file}: {label} uses '{word}' before {place} explains it; "
+                              "explain it there, or point to where it is")
+    return faults
+
+
+def uses(word: str, place: str, label: str, text: str) -> bool:
+    """Whether a section says a word before it has pointed to its place."""
+    if not label.startswith("section_"):
+        return False
+    for paragraph in paragraphs(text):
+        if f"\\ref {place}" in paragraph:
+            return False
+        if re.search(form(word), plain(paragraph), re.IGNORECASE):
+            return True
+    return False
+
+
+def used_in_earlier_chapters(pages: Mapping[str, str]) -> list[str]:
+    """Terms of several words that chapters before theirs use without pointing to them, unless their own glossary has them."""
+    faults: list[str] = []
+    numbered = {file: int(found[1]) for file, page in pages.items()
+                if (found := re.match(r"# Chapter (\d+): .*\{#chapter_", page))}
+    chapters = sorted(numbered, key=lambda file: numbered[file])
+    known: set[str] = set()
+    for number, file in enumerate(chapters):
+        for word, place in words_of(pages[file]):
+            if len(re.split(r"[\s-]", word)) < 2 or word in known:
                 continue
-            for paragraph in paragraphs(texts[label]):
-                if f"\\ref {place}" in paragraph:
-                    break
-                if re.search(form(word), plain(paragraph), re.IGNORECASE):
-                    faults.append(f"{file}: {label} uses '{word}' before {place} explains it; "
-                                  "explain it there, or point to where it is")
-                    break
+            for earlier in chapters[:number]:
+                faults += [f"{earlier}: {label} uses '{word}', which {place} of {file} explains; point to it"
+                           for label, (_, text) in text_of_sections(pages[earlier]).items() if uses(word, place, label, text)]
+        known |= {word for word, _ in words_of(pages[file])}
     return faults
 
 
@@ -342,9 +367,9 @@ def main(arguments: list[str]) -> int:
     if parser.parse_args(arguments).asked == "table":
         sys.stdout.buffer.write(table().encode("utf-8", "surrogateescape"))
         return 0
-    faults = holes(WITHOUT_EXERCISE)
-    for file in sorted(glob.glob("docs/*.md")):
-        page = text_of(file)
+    pages = {file: text_of(file) for file in sorted(glob.glob("docs/*.md"))}
+    faults = holes(WITHOUT_EXERCISE) + used_in_earlier_chapters(pages)
+    for file, page in pages.items():
         faults += twice(file, page) + used_too_early(file, page) + broken(file, page)
     for fault in faults:
         print(fault)

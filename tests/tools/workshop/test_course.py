@@ -179,6 +179,23 @@ class Words(unittest.TestCase):
         self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
         self.assertIn("has no glossary", course.used_too_early("p", page.partition("## Words")[0])[0])
 
+    def test_earlier_chapters(self) -> None:
+        """Terms of several words are looked for in chapters before theirs, by their numbers and not by their files' names."""
+        def chapter(number: int, said: str, word: str = "", place: str = "") -> str:
+            return (f"# Chapter {number}: a {{#chapter_{number}}}\n\n## {number} B {{#section_{number}}}\n\n{said}\n\n## Words {{#words}}\n"
+                    + f'\n| {word} | what it is | \\ref {place} "there" |\n')
+        later = chapter(3, "*Critical damping* and *drag*.", "critical damping", "section_3")
+        for said in ("Nothing.", 'See \\ref section_3 "3".\n\nThe critical damping.', 'Critical damping (\\ref section_3 "3").', "A drag.",
+                     "`critical damping`"):
+            self.assertEqual(course.used_in_earlier_chapters({"a": later, "z": chapter(1, said)}), [], said)
+        self.assertEqual(course.used_in_earlier_chapters({"z": chapter(1, "Critical\ndamping."), "a": later}),
+                         ["z: section_1 uses 'critical damping', which section_3 of a explains; point to it"])
+        self.assertEqual(len(course.used_in_earlier_chapters({"c": chapter(20, "Critical damping."), "a": later})), 0)
+        own = chapter(1, "*Critical damping*.", "critical damping", "section_1")
+        self.assertEqual(course.used_in_earlier_chapters({"b": own, "a": later}), [])
+        single = chapter(3, "*Drag*.", "drag", "section_3")
+        self.assertEqual(course.used_in_earlier_chapters({"b": chapter(1, "Drag."), "a": single}), [])
+
     def test_italics(self) -> None:
         """Where a word is first used, in whatever it is said; an asterisk that belongs to a name opens and closes nothing."""
         for said in ("It is a *search*.", "A* is a **best-first\nsearch**.", "*Searches* of A*.", "`search` is a *search*.",
