@@ -63,6 +63,8 @@ WITHOUT_EXERCISE = {
     "7.2.6": "not asked yet: a slope that makes no new crest",
     "7.4.3": "not asked yet: one contact for many columns",
 }
+# The asterisk of A* opens and closes nothing.
+ITALICS = re.compile(r"(?<![\w*])\*{1,2}(?=[^\s*])([^*]+)(?<=\S)\*{1,2}(?!\w)")
 
 
 @functools.lru_cache(maxsize=None)
@@ -131,7 +133,7 @@ def text_of_sections(page: str) -> dict[str, tuple[str, str]]:
             if label:
                 found[label] = (title, "\n".join(lines))
             heading = re.match(r"#+ +(.*?) *\{#(section_[0-9_]+)\} *$", line)
-            title, label = (re.sub("[`*]", "", heading[1]), heading[2]) if heading else ("", "")
+            title, label = (ITALICS.sub(r"\1", heading[1].replace("`", "")), heading[2]) if heading else ("", "")
             lines = []
         else:
             lines.append(line)
@@ -208,9 +210,11 @@ def row(section: Section) -> str:
     page = f"program_{section.module}_" + re.sub("[^A-Za-z0-9]", "_", program.removesuffix(".cpp"))
     tests = list(dict.fromkeys(test for header in section.headers for test in tests_of(header)))
     said = program.removesuffix(".cpp").partition("-")[2].replace("_", " ")
+    names = [os.path.basename(header) for header in section.headers]
     modules = "|".join(os.path.basename(folder).partition("-")[2] for folder in glob.glob("chapters/*-*"))
     return (f'| \\ref {section.label} "{section.number} {section.title}" | \\ref {page} "{said}" | '
-            + ", ".join(f'\\ref ansatz/{header} "{os.path.basename(header)}"' for header in section.headers) + " | "
+            + ", ".join(f'\\ref ansatz/{header} "{header if names.count(os.path.basename(header)) > 1 else os.path.basename(header)}"'
+                        for header in section.headers) + " | "
             + ", ".join(f'\\ref {label} "{re.sub(f"exercise_({modules})_", "", label)}"' for label in section.exercises) + " | "
             + ", ".join(os.path.basename(test) for test in tests) + " |")
 
@@ -290,7 +294,7 @@ def paragraphs(text: str) -> list[str]:
 
 def in_italics(paragraph: str) -> str:
     """What stands between asterisks; the one of A* is none of them."""
-    return "\n".join(re.findall(r"(?<![\w*])\*{1,2}(?=[^\s*])([^*]+)(?<=\S)\*{1,2}(?!\w)", paragraph))
+    return "\n".join(ITALICS.findall(paragraph))
 
 
 def explains(word: str, text: str) -> str:

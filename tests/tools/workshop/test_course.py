@@ -106,6 +106,15 @@ class Table(unittest.TestCase):
             self.assertEqual(course.tests_of("motion/slope.hpp"), ("tests/motion/c.cpp", "tests/motion/b.cpp"))
             self.assertEqual(course.tests_of("motion/decay.hpp"), ("tests/motion/decay.cpp",))
 
+    def test_names(self) -> None:
+        """Two headers of one name are told apart; a title keeps the asterisk of A*."""
+        page = FILES["docs/motion.md"].replace("## 1.8 Rest", "## 1.8 *A* `rest` of A*").replace(
+            '\\ref ansatz::rest "rest"', "`motion/rest.hpp`, `collision/rest.hpp`, `motion/decay.hpp`")
+        with project({"docs/motion.md": page}):
+            self.assertIn('"1.8 A rest of A*" |', course.table())
+            self.assertIn('"motion/rest.hpp", \\ref ansatz/collision/rest.hpp "collision/rest.hpp", \\ref ansatz/motion/decay.hpp "decay.hpp" |',
+                          course.table())
+
     def test_exercise_of_another_module(self) -> None:
         """Named as it is called, without the module."""
         page = FILES["docs/motion.md"].replace("exercise_motion_rest", "exercise_soft_bodies_cloth")
