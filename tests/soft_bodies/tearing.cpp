@@ -5,6 +5,7 @@
 #include <ansatz/soft_bodies/tearing.hpp>
 
 #include <ansatz/soft_bodies/tear.hpp>
+#include <ansatz/soft_bodies/tearable.hpp>
 #include <ansatz/world/save.hpp>
 
 #include "tests/soft_bodies/tear_model.hpp"
