@@ -240,6 +240,7 @@ def holes(without: Mapping[str, str]) -> list[str]:
     """What the table lacks, but for the exercises of those that are without."""
     faults: list[str] = []
     rows = sections()
+    told: set[str] = set()    # of which it is said already that they name no exercise
     faults += [f"section {number} is not there: it leaves the list of those without an exercise (tools/workshop/course.py)"
                for number in without if number not in {section.number for section in rows}]
     for section in rows:
@@ -255,11 +256,12 @@ def holes(without: Mapping[str, str]) -> list[str]:
         faults += [f"{header}, which section {section.number} teaches, has no test" for header in section.headers
                    if not tests_of(header)]
         if not has and section.number not in without:
+            told.add(section.number)
             faults.append(f"section {section.number} has no exercise behind '- Exercise:'")
     for readme in sorted(glob.glob("exercises/*/*/README.md")):
         _, chapter, name, _ = readme.split("/")
         number = (text_of(readme).split(maxsplit=2) + ["", ""])[1]    # of "# 1.7 Drag"
-        if not any(f"exercise_{chapter.partition('-')[2]}_{name}" in section.exercises for section in rows
+        if number not in told and not any(f"exercise_{chapter.partition('-')[2]}_{name}" in section.exercises for section in rows
                    if section.number == number):
             faults.append(f"section {number} does not name its exercise {name} behind '- Exercise:'")
     return faults
