@@ -130,12 +130,18 @@ class Table(unittest.TestCase):
                 ({"docs/motion.md": page.replace('- Library: \\ref ansatz::rest "rest".', "")}, "names no header"),
                 ({"docs/motion.md": page.replace("- Exercise: \\ref exercise_motion_rest", "- See \\ref a")}, "has no exercise"),
                 ({"tests/world/all.cpp": ""}, "motion/rest.hpp, which section 1.8 teaches, has no test"),
-                ({"exercises/1-motion/suvat/README.md": "# 1.5 SUVAT\n"}, "section 1.5 does not name its exercise suvat"),
+                ({"exercises/1-motion/suvat/README.md": "# 1.5 SUVAT\n", "docs/motion.md": page + "\n\\ref exercise_motion_suvat\n"},
+                 "section 1.5 does not name its exercise suvat"),
                 ({"exercises/1-motion/drag/README.md": "# 1.8 Drag\n"}, "section 1.8 does not name its exercise drag"))
         for changed, says in cases:
             with project(changed):
                 self.assertEqual(len(course.holes({})), 1, says)
                 self.assertIn(says, course.holes({})[0])
+
+    def test_linked_nowhere(self) -> None:
+        """Is not told here."""
+        with project({"exercises/1-motion/suvat/README.md": "# 1.5 SUVAT\n"}):
+            self.assertEqual(course.holes({}), [])
 
     def test_without_exercise(self) -> None:
         """Who is in the list needs none; it holds neither sections that have one, nor those that are not there."""
