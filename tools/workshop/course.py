@@ -223,7 +223,7 @@ def row(section: Section) -> str:
 def table() -> str:
     """The page."""
     text = ("# The course in one table {#page_course}\n\nEach section of the notes, with its program, what the library "
-            "has of it, who asks for it, and the tests that hold\nit (in `tests/`). `./workbook section 1.7` runs a program, "
+            "has of it, the exercise that asks for it, and its\ntests (in `tests/`). `./workbook section 1.7` runs a program, "
             "`./workbook exercise drag` an exercise.\n")
     chapter = ""
     for section in sections():
@@ -231,7 +231,7 @@ def table() -> str:
             continue
         if section.chapter != chapter:
             chapter = section.chapter
-            text += (f"\n## {chapter.replace('-', '. ', 1).replace('_', ' ')} {{#course_{section.module}}}\n\n"
+            text += (f"\n## {chapter[0]}. {section.module.replace('_', ' ').capitalize()} {{#course_{section.module}}}\n\n"
                      "| section | program | in the library | exercise | tests |\n|---|---|---|---|---|\n")
         text += row(section) + "\n"
     return text
