@@ -42,7 +42,7 @@ struct Box {
                                                    : "three lengths, finite and greater than zero");
         }
 
-        /// A larger one.
+        /// One whose faces are further out: its corners come further than that.
         In grown(const typename S::Length& by) const {
             In larger(*this);
             auto h = half.value();

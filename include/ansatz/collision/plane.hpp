@@ -61,6 +61,13 @@ struct Plane {
                          .value()),
               offset(S::convert(plane.offset)) {}
 
+        static constexpr bool grows_evenly = true; ///< a higher one holds what is so near, and nothing else
+        /// One that is higher along its normal.
+        [[gnu::always_inline]] In grown(const typename S::Length& by) const {
+            In higher(*this);
+            higher.offset += by;
+            return higher;
+        }
         /// How far a point is above the surface of the plane at position `x`, m; negative below it.
         [[gnu::always_inline]] typename S::Length height(const typename S::Position& point,
                                                          const typename S::Position& x) const {

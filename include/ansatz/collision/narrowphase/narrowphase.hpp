@@ -32,6 +32,15 @@ template <class Scalar, int Dim, int Options>
 struct SpaceOfPosition<boost::units::quantity<unit::Length, Eigen::Matrix<Scalar, Dim, 1, Options, Dim, 1>>> {
     using type = Space<Scalar, Dim>;
 };
+
+/// Which of two shapes is made larger: that with the larger number, 0 for one that cannot be `grown`.
+template <class Shape, class S>
+inline constexpr int how_it_grows = [] {
+    if constexpr (!requires(const Shape& shape, typename S::Length by) { shape.grown(by); }) return 0;
+    else if constexpr (!requires { requires Shape::grows_evenly; }) return 1;
+    else if constexpr (!requires(const Shape& shape, typename S::Position x) { shape.bounds(x, x, x); }) return 2;
+    else return 3;
+}();
 } // namespace detail
 
 /// How two shapes intersect, if they do.
@@ -73,21 +82,27 @@ template <class... T> struct Narrowphase {
     /// Calls `f.template operator()<Kind>()` for each kind of shape.
     template <class F> static void for_each_kind(F&& f) { (f.template operator()<T>(), ...); }
 
-    /// The same for bodies that may be apart by up to `margin`, m; the depth is negative then. Shapes that cannot be
-    /// `grown` are found when they intersect.
+    /// The same for bodies that may be apart by up to `margin`, m; the depth is negative then. One of the two is made
+    /// larger: rather one that is then exactly what is within `margin` of it, as a sphere is and a box is not, whose
+    /// corners come too far. Shapes that cannot be `grown` are found when they intersect.
     template <class S>
     [[gnu::always_inline]] static bool
     nearly_collide(const Shapes<S>& shapes, std::uint32_t a, const typename S::Position& xa, std::uint32_t b,
                    const typename S::Position& xb, const typename S::Length& margin, Touch<S>& touch) {
         bool there = false;
-        with_both(shapes, a, b, [&](const auto& one, const auto& other) {
-            if constexpr (requires { one.grown(margin); }) {
-                there = detail::intersect<S>(one.grown(margin), xa, other, xb, touch);
-                if (there) touch.depth -= margin;
-            } else if constexpr (requires { other.grown(margin); }) {
-                there = detail::intersect<S>(one, xa, other.grown(margin), xb, touch);
-                if (there) touch.depth -= margin;
-            } else there = detail::intersect<S>(one, xa, other, xb, touch);
+        with_both(shapes, a, b, [&]<class One, class Other>(const One& one, const Other& other) {
+            using Scalar = typename S::Scalar;
+            constexpr int first = detail::how_it_grows<One, S>, second = detail::how_it_grows<Other, S>;
+            if constexpr (first == 0 && second == 0) {
+                there = detail::intersect<S>(one, xa, other, xb, touch);
+            } else {
+                if constexpr (first >= second) there = detail::intersect<S>(one.grown(margin), xa, other, xb, touch);
+                else there = detail::intersect<S>(one, xa, other.grown(margin), xb, touch);
+                if (!there) return;
+                touch.depth -= margin;
+                // Half of it is that of the surface that was moved.
+                touch.point += Scalar(first >= second ? 0.5 : -0.5) * margin * touch.normal;
+            }
         });
         return there;
     }
