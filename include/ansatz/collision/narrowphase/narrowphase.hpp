@@ -92,16 +92,17 @@ template <class... T> struct Narrowphase {
         bool there = false;
         with_both(shapes, a, b, [&]<class One, class Other>(const One& one, const Other& other) {
             using Scalar = typename S::Scalar;
-            constexpr int first = detail::how_it_grows<One, S>, second = detail::how_it_grows<Other, S>;
-            if constexpr (first == 0 && second == 0) {
+            constexpr int grows = detail::how_it_grows<One, S>, other_grows = detail::how_it_grows<Other, S>;
+            if constexpr (grows == 0 && other_grows == 0) {
                 there = detail::intersect<S>(one, xa, other, xb, touch);
             } else {
-                if constexpr (first >= second) there = detail::intersect<S>(one.grown(margin), xa, other, xb, touch);
+                if constexpr (grows >= other_grows)
+                    there = detail::intersect<S>(one.grown(margin), xa, other, xb, touch);
                 else there = detail::intersect<S>(one, xa, other.grown(margin), xb, touch);
                 if (!there) return;
                 touch.depth -= margin;
                 // Half of it is that of the surface that was moved.
-                touch.point += Scalar(first >= second ? 0.5 : -0.5) * margin * touch.normal;
+                touch.point += Scalar(grows >= other_grows ? 0.5 : -0.5) * margin * touch.normal;
             }
         });
         return there;
