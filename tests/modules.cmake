@@ -234,6 +234,7 @@ foreach(module IN LISTS folders)
 
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${module}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "/(planted|programs)/")    # what scripts compile; the planted ones have faults
+    include(${module}/sources.cmake OPTIONAL)    # adds those that are made
     sort_out(sources libraries ${module})
     set(measuring ${sources})
     list(FILTER measuring INCLUDE REGEX "\\.perf\\.cpp$")
