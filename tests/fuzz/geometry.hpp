@@ -17,7 +17,7 @@ inline double norm(const Numbers& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1
 struct Body {
     Shape shape;
     int axis;
-    double size; // m: a radius, half a width, or where a plane is
+    double size; // m: a radius, half a width, or how far a plane is above its place
     Numbers place;
 };
 /// How deep two bodies are in each other, m; negative where they are apart. Two planes, and what has no shape, never
@@ -27,7 +27,7 @@ inline double depth_of(const Body& a, const Body& b, int dimension) {
     if (a.shape == Shape::none || b.shape == Shape::none) return never;
     if (a.shape == Shape::plane && b.shape == Shape::plane) return never;
     // Both reach as far along an axis: a ball's radius, half a box.
-    if (a.shape == Shape::plane) return b.size - (b.place[std::size_t(a.axis)] - a.size);
+    if (a.shape == Shape::plane) return b.size - (b.place[std::size_t(a.axis)] - a.place[std::size_t(a.axis)] - a.size);
     if (b.shape == Shape::plane) return depth_of(b, a, dimension);
     if (a.shape == Shape::box && b.shape == Shape::sphere) return depth_of(b, a, dimension);
     double between = 0, least = std::numeric_limits<double>::infinity();

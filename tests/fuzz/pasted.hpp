@@ -15,10 +15,21 @@
 #include <ansatz/world/keep.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace fuzz {
 
+/// How far a place or a velocity is from what it should be, m or m/s.
+inline double apart(const auto& is, const std::array<double, 3>& should) {
+    double sum = 0;
+    for (int k = 0; k < is.value().size(); ++k) {
+        const double d = double(is.value()[k]) - should[std::size_t(k)];
+        sum += d * d;
+    }
+    return std::sqrt(sum);
+}
 /// Whether two bodies are in contact.
 inline bool touch(const auto& world, ansatz::Handle a, ansatz::Handle b) {
     return std::any_of(world.contacts().begin(), world.contacts().end(), [&](const auto& c) {

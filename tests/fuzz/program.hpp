@@ -21,7 +21,7 @@ inline std::string text_of(double x) {
     if (std::isnan(x)) return "std::nan(\"\")";
     if (std::isinf(x)) return x > 0 ? "HUGE_VAL" : "-HUGE_VAL";
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, x).ptr;
+    const auto end = std::to_chars(digits, digits + sizeof digits, x == 0 ? 0.0 : x).ptr;
     std::string text(digits, end);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
@@ -35,6 +35,10 @@ inline std::string text_of(const char* unit, const Numbers& v, int dimension) {
         text += (k > 0 ? ", " : "") + number;
     }
     return text + ")";
+}
+/// `{1, 0.5, 0}`
+inline std::string list_of(const Numbers& v) {
+    return "{" + text_of("", v, 3).substr(1, text_of("", v, 3).size() - 2) + "}";
 }
 inline std::string body_name(int body) { return "b" + std::to_string(body); }
 inline std::string spring_name(int spring) { return "s" + std::to_string(spring); }
@@ -64,15 +68,13 @@ inline std::string text_of_add(const Operation& o, const Facts& facts) {
     switch (o.kind) {
     case Kind::fixed: put("fixed"); break;
     case Kind::moving: put(velocity), put("moving"); break;
-    case Kind::resting:
-        put("resting");
-        if (facts.mass) put(mass);
-        break;
+    case Kind::resting: put("resting"), put(mass); break;
     case Kind::awake:
         put(velocity);
-        if (facts.mass) put(mass);
+        put(mass);
         if (facts.restitution && shaped) put("restitution(" + text_of(o.restitution) + ")");
     }
+    if (facts.friction && shaped) put("friction(0.5)");
     put("datum(" + std::to_string(o.body) + ")");
     return "add(" + text + ")";
 }

@@ -17,7 +17,7 @@ namespace fuzz {
 class Shrinker {
 public:
     /// \param plays how many scenes it may play at most
-    Shrinker(const Subject& subject, std::string law, int plays = 20000)
+    Shrinker(const Subject& subject, std::string law, int plays = 5000)
         : subject_(subject), law_(std::move(law)), plays_(plays) {}
 
     Scene shrunk(Scene scene) {

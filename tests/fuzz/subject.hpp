@@ -28,9 +28,9 @@ struct Facts {
     std::string other;          ///< the same with the broadphase that tests every pair
     int dimension = 3;          ///< 2 or 3
     double epsilon = 0;         ///< of its scalar
-    bool mass = false;          ///< stores masses
     bool collides = false;      ///< has a broadphase and a narrowphase
     bool restitution = false;   ///< stores it
+    bool friction = false;      ///< stores it: all bodies with a shape have 0.5
     bool applied = false;       ///< takes forces from outside
     bool springs = false;       ///< takes springs
     bool rests = false;         ///< puts bodies to sleep
@@ -71,7 +71,7 @@ public:
     virtual int datum(ansatz::Handle body) const = 0;
     virtual Numbers position(ansatz::Handle body) const = 0;
     virtual Numbers velocity(ansatz::Handle body) const = 0;
-    virtual double mass(ansatz::Handle body) const = 0;        ///< kg; 0 where it is infinite or not stored
+    virtual double mass(ansatz::Handle body) const = 0;        ///< kg; 0 where it is infinite
     virtual double restitution(ansatz::Handle body) const = 0; ///< 0 where it is not stored
     virtual std::vector<Pair> contacts() const = 0;
     virtual std::uint64_t hash() const = 0;

@@ -13,7 +13,6 @@
 #include <ansatz/world/keep.hpp>
 #include <ansatz/world/save.hpp>
 
-#include <concepts>
 #include <limits>
 #include <sstream>
 #include <type_traits>
@@ -27,24 +26,24 @@ template <class W> auto vec(const auto& unit, const Numbers& n) {
     if constexpr (W::S::dimension == 2) return vector_of(unit, n[0], n[1]);
     else return vector_of(unit, n[0], n[1], n[2]);
 }
-template <class T, class W> inline constexpr bool has_policy = false;
-template <class T, class... P> inline constexpr bool has_policy<T, World<P...>> = (std::same_as<T, P> || ...);
 
 /// \tparam W the world, or what stands in for it
 template <class W, class Make> class SubjectOf final : public Subject {
     using C = typename W::composition;
     using S = typename W::S;
     static constexpr bool collides = requires(const W& w) { w.contacts(); } && !std::is_void_v<typename C::Narrowphase>;
+    static_assert(C::has_mass, "a composition of the fuzzer stores masses: its laws are about momentum and energy");
     static constexpr bool restitutes = C::template stores<Restitution>;
+    static constexpr bool rubs = C::template stores<Friction>;
     static constexpr bool springs = C::element_keepers::size > 0;
 
 public:
     SubjectOf(Facts facts, Make make) : facts_(std::move(facts)), make_(make), world_(make(false)) {
         facts_.dimension = S::dimension;
         facts_.epsilon = double(std::numeric_limits<typename S::Scalar>::epsilon());
-        facts_.mass = C::has_mass;
         facts_.collides = collides;
         facts_.restitution = restitutes;
+        facts_.friction = rubs;
         facts_.applied = C::template stores<AppliedForce>;
         facts_.springs = springs;
         facts_.history = C::history;
@@ -81,9 +80,7 @@ public:
         case Verb::remove: world_.remove(body()); break;
         case Verb::set_position: world_.set_position(body(), vec<W>(metre, o.place)); break;
         case Verb::set_velocity: world_.set_velocity(body(), vec<W>(metre_per_second, o.vector)); break;
-        case Verb::set_mass:
-            if constexpr (C::has_mass) world_.set_mass(body(), o.mass * kilogram);
-            break;
+        case Verb::set_mass: world_.set_mass(body(), o.mass * kilogram); break;
         case Verb::set_restitution:
             if constexpr (restitutes)
                 world_.template write<Restitution>(body(), Quantity<unit::Dimensionless>(o.restitution));
@@ -91,9 +88,7 @@ public:
         case Verb::apply_force:
             if constexpr (C::template stores<AppliedForce>) world_.apply_force(body(), vec<W>(newton, o.vector));
             break;
-        case Verb::apply_impulse:
-            if constexpr (C::has_mass) world_.apply_impulse(body(), vec<W>(newton_second, o.vector));
-            break;
+        case Verb::apply_impulse: world_.apply_impulse(body(), vec<W>(newton_second, o.vector)); break;
         case Verb::wake: world_.wake(body()); break;
         case Verb::add_spring: add_spring(o, names); break;
         case Verb::remove_spring:
@@ -117,11 +112,8 @@ public:
     Numbers position(Handle body) const override { return numbers(world_.position(body)); }
     Numbers velocity(Handle body) const override { return numbers(world_.velocity(body)); }
     double mass(Handle body) const override {
-        if constexpr (C::has_mass) {
-            const double inverse = double(world_.inverse_mass(body).value());
-            return inverse > 0 ? 1 / inverse : 0;
-        }
-        return 0;
+        const double inverse = double(world_.inverse_mass(body).value());
+        return inverse > 0 ? 1 / inverse : 0;
     }
     double restitution(Handle body) const override {
         if constexpr (restitutes) return double(world_.template read<Restitution>(body).value());
@@ -143,48 +135,45 @@ private:
         return n;
     }
     Handle add(const Operation& o) {
-        if constexpr (collides) {
-            const Sphere ball{o.size * metre};
-            switch (o.shape) {
-            case Shape::sphere: return add_in_shape(o, ball);
-            case Shape::box: {
-                const Box box{vec<W>(metre, {o.size, o.size, o.size})};
-                return o.kind == Kind::fixed ? world_.add(box, at(o), fixed, datum_of(o)) : add_awake(o, box);
-            }
-            case Shape::plane: {
-                Vector<double, S::dimension> normal = Vector<double, S::dimension>::Zero();
-                normal[o.axis] = 1;
-                return world_.add(Plane{normal, -o.size * metre}, fixed, datum_of(o));
-            }
-            case Shape::none: break;
-            }
-            return add_awake(o, shapeless);
-        } else {
-            return add_in_shape(o);
+        if constexpr (!collides) return add_in_shape(o);
+        else if constexpr (rubs) return add_shape(o, friction(0.5));
+        else return add_shape(o);
+    }
+    Handle add_shape(const Operation& o, const auto&... rough) {
+        const Sphere ball{o.size * metre};
+        switch (o.shape) {
+        case Shape::sphere: return add_in_shape(o, ball, rough...);
+        case Shape::box: {
+            const Box box{vec<W>(metre, {o.size, o.size, o.size})};
+            if (o.kind == Kind::fixed) return world_.add(box, at(o), fixed, datum_of(o), rough...);
+            return add_awake(o, box, rough...);
         }
+        case Shape::plane: {
+            Vector<double, S::dimension> normal = Vector<double, S::dimension>::Zero();
+            normal[o.axis] = 1;
+            return world_.add(Plane{normal, -o.size * metre}, fixed, datum_of(o), rough...);
+        }
+        case Shape::none: break;
+        }
+        return world_.add(shapeless, at(o), going(o), ansatz::mass(o.mass * kilogram), datum_of(o));
     }
     Handle add_in_shape(const Operation& o, const auto&... shape) {
         switch (o.kind) {
         case Kind::fixed: return world_.add(shape..., at(o), fixed, datum_of(o));
         case Kind::moving: return world_.add(shape..., at(o), going(o), moving, datum_of(o));
         case Kind::resting:
-            if constexpr (C::rests) {
-                if constexpr (C::has_mass)
-                    return world_.add(shape..., at(o), resting, ansatz::mass(o.mass * kilogram), datum_of(o));
-                else return world_.add(shape..., at(o), resting, datum_of(o));
-            }
+            if constexpr (C::rests)
+                return world_.add(shape..., at(o), resting, ansatz::mass(o.mass * kilogram), datum_of(o));
             break;
         case Kind::awake: break;
         }
         return add_awake(o, shape...);
     }
     Handle add_awake(const Operation& o, const auto&... shape) {
-        if constexpr (C::has_mass && restitutes && sizeof...(shape) > 0)
+        if constexpr (restitutes && sizeof...(shape) > 0)
             return world_.add(shape..., at(o), going(o), ansatz::mass(o.mass * kilogram),
                               ansatz::restitution(o.restitution), datum_of(o));
-        else if constexpr (C::has_mass)
-            return world_.add(shape..., at(o), going(o), ansatz::mass(o.mass * kilogram), datum_of(o));
-        else return world_.add(shape..., at(o), going(o), datum_of(o));
+        else return world_.add(shape..., at(o), going(o), ansatz::mass(o.mass * kilogram), datum_of(o));
     }
     void add_spring(const Operation& o, Names& names) {
         if constexpr (springs) {

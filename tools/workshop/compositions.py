@@ -44,9 +44,10 @@ TEMPLATE = """// SPDX-License-Identifier: BSL-1.0
 
 namespace {{
 auto world(bool every_pair) {{
+    using namespace ansatz;
     return World{{{typed}}};
 }}
-const fuzz::Registered composition{{{number}, fuzz::subject({{
+[[maybe_unused]] const fuzz::Registered composition{{{number}, fuzz::subject({{
     .text = "{text}",
     .other = "{other}",
 {facts}}}, world)}};

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSL-1.0
+// Compiled alone: one of its faults is planted at a time, for the whole program.
+// The fuzzer finds what it is for: a fault of each kind that has been in worlds, planted here (planted.hpp), is found
+// within its minute and shrunk to a program of less than 30 lines.
+// Runs long with the sanitizers.
+
+#include "tests/fuzz/planted.hpp"
+#include "tests/fuzz/hunt.hpp"
+#include "tests/fuzz/pasted.hpp"
+#include "tests/fuzz/subject_of.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace {
+
+/// While it is there, a fault is.
+struct Planted {
+    explicit Planted(fuzz::Plant plant) { fuzz::planted = plant; }
+    Planted(const Planted&) = delete;
+    Planted& operator=(const Planted&) = delete;
+    ~Planted() { fuzz::planted = fuzz::Plant::nothing; }
+};
+
+std::unique_ptr<fuzz::Subject> faulty_subject() {
+    const auto text = [](const std::string& either) {
+        return "SemiImplicitEuler{}, fuzz::Either<fuzz::ShortSighted>{" + either +
+               "}, Narrowphase<Sphere, Plane, Box>{}, fuzz::Bouncing{}, Rest{}, Keep<InverseMass>{}, Datum<int>{}";
+    };
+    return fuzz::subject({.type = "fuzz::Faulty",
+                          .text = text(""),
+                          .other = text("{}, true"),
+                          .closed = true,
+                          .stays = true,
+                          .keeps_energy = true,
+                          .bounded = true},
+                         fuzz::faulty);
+}
+
+void check_found(fuzz::Plant plant, const std::string& law) {
+    const Planted now(plant);
+    const double begin = fuzz::processor_time();
+    const auto subject = faulty_subject();
+    const auto hunt = fuzz::hunt(*subject, 1, 60);
+    REQUIRE(hunt.found);
+    std::cout << hunt.found->program << "in scene " << hunt.scenes << ", " << hunt.found->lines << " lines, "
+              << fuzz::processor_time() - begin << " s\n\n";
+    CHECK(hunt.found->law == law);
+    CHECK(hunt.found->lines < 30);
+}
+
+} // namespace
+
+TEST_CASE("a planted fault is found and shrunk: a slot that is stale after waking", "[fuzz]") {
+    check_found(fuzz::Plant::stale_slot, "a verb touches nobody else");
+}
+TEST_CASE("a planted fault is found and shrunk: energy that is given back twice", "[fuzz]") {
+    check_found(fuzz::Plant::energy_twice, "V3: no energy from nothing");
+}
+TEST_CASE("a planted fault is found and shrunk: a hash that leaves a number out", "[fuzz]") {
+    check_found(fuzz::Plant::forgotten_number, "every number counts in the hash");
+}
+TEST_CASE("a planted fault is found and shrunk: a pair that is not seen", "[fuzz]") {
+    check_found(fuzz::Plant::missed_pair, "another broadphase: the same bits");
+}
+TEST_CASE("without a fault nothing is found in the world of the faults", "[fuzz]") {
+    const auto subject = faulty_subject();
+    const auto hunt = fuzz::hunt(*subject, 1, 1);
+    INFO((hunt.found ? hunt.found->program : ""));
+    CHECK_FALSE(hunt.found);
+}
+
+// What was printed, pasted and laid out, with the fault beside it: each compiles, and fails.
+TEST_CASE("a verb touches nobody else (seed 9)", "[fuzz][!shouldfail]") {
+    const Planted now(fuzz::Plant::stale_slot);
+    fuzz::Faulty world{SemiImplicitEuler{},
+                       fuzz::Either<fuzz::ShortSighted>{},
+                       Narrowphase<Sphere, Plane, Box>{},
+                       fuzz::Bouncing{},
+                       Rest{},
+                       Keep<InverseMass>{},
+                       Datum<int>{}};
+    const auto b3 = world.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), velocity(metres_per_second(0, 0, 0)),
+                              mass(1.0 * kilogram), restitution(0.0), datum(3));
+    const auto b5 = world.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), velocity(metres_per_second(0, 0, 0)),
+                              mass(1.0 * kilogram), restitution(0.0), datum(5));
+    world.step(1.0 * second);
+    const auto before = world;
+    world.set_velocity(b3, metres_per_second(0, 0, 1));
+    CHECK(world.velocity(b5) == before.velocity(b5));
+}
+TEST_CASE("V3: no energy from nothing (seed 10)", "[fuzz][!shouldfail]") {
+    const Planted now(fuzz::Plant::energy_twice);
+    fuzz::Faulty world{SemiImplicitEuler{},
+                       fuzz::Either<fuzz::ShortSighted>{},
+                       Narrowphase<Sphere, Plane, Box>{},
+                       fuzz::Bouncing{},
+                       Rest{},
+                       Keep<InverseMass>{},
+                       Datum<int>{}};
+    world.add(Plane{Eigen::Vector3d(0, 1, 0), -0.0 * metre}, fixed, datum(0));
+    world.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), velocity(metres_per_second(0, -1, 0)),
+              mass(1.0 * kilogram), restitution(1.0), datum(1));
+    const auto before = world;
+    world.step(1.0 * second);
+    CHECK(kinetic_energy(world).value() <= kinetic_energy(before).value() + 5e-13);
+}
+TEST_CASE("every number counts in the hash (seed 1)", "[fuzz][!shouldfail]") {
+    const Planted now(fuzz::Plant::forgotten_number);
+    fuzz::Faulty world{SemiImplicitEuler{},
+                       fuzz::Either<fuzz::ShortSighted>{},
+                       Narrowphase<Sphere, Plane, Box>{},
+                       fuzz::Bouncing{},
+                       Rest{},
+                       Keep<InverseMass>{},
+                       Datum<int>{}};
+    const auto b0 = world.add(shapeless, position(metres(0, 0, 0)), velocity(metres_per_second(0, 0, 0)),
+                              mass(3.6 * kilogram), datum(0));
+    const auto before = world;
+    world.write<Restitution>(b0, Quantity<unit::Dimensionless>(0.5));
+    CHECK(world.hash() != before.hash());
+}

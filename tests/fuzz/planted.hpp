@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// Faults on purpose, one at a time, as they have been in worlds: the fuzzer must find each of them. They are policies
+/// and a world of a user's own, so that the library stays as it is.
+
+#include "tests/fuzz/either.hpp"
+
+#include <ansatz/motion.hpp>
+#include <ansatz/springs.hpp>
+#include <ansatz/world.hpp>
+#include <ansatz/world/keep.hpp>
+
+#include <cstdint>
+#include <utility>
+
+namespace fuzz {
+
+enum class Plant {
+    nothing,
+    stale_slot,       ///< a verb looks a slot up, and then wakes bodies, which changes slots
+    energy_twice,     ///< a bounce is given back twice
+    forgotten_number, ///< the hash leaves a column out
+    missed_pair,      ///< the broadphase does not tell each fourth pair
+    tight_copy        ///< what is assigned has room for what there is, and for nothing that a step needs besides
+};
+inline Plant planted = Plant::nothing; // what is wrong now
+
+/// SortAndSweep that, for the fault, does not tell each fourth pair.
+struct ShortSighted {
+    using role = ansatz::roles::Broadphase;
+    template <class S> class In {
+    public:
+        explicit In(const ShortSighted&) : sweep_(ansatz::SortAndSweep{}) {}
+        template <class F> void find(const ansatz::Boxes<S>& boxes, F&& found) {
+            std::size_t told = 0;
+            sweep_.find(boxes, [&](std::size_t i, std::size_t j) {
+                if (planted == Plant::missed_pair && ++told % 4 == 0) return;
+                found(i, j);
+            });
+        }
+
+    private:
+        ansatz::SortAndSweep::In<S> sweep_;
+    };
+};
+
+/// An impulse, contact by contact, that bounces; for the fault its restitution counts twice.
+struct Bouncing {
+    using role = ansatz::roles::Response;
+    static constexpr ansatz::Level level = ansatz::Level::velocities;
+    using reads = ansatz::Columns<ansatz::Restitution>;
+    using writes = ansatz::Columns<ansatz::Velocity>;
+    template <class S> struct In {
+        explicit In(const Bouncing&) {}
+        void respond(const auto& touch, auto& a, auto& b, const auto&) const {
+            auto& va = a.template get<ansatz::Velocity>();
+            auto& vb = b.template get<ansatz::Velocity>();
+            const auto wa = a.template get<ansatz::InverseMass>(), wb = b.template get<ansatz::InverseMass>();
+            const typename S::Speed along = ansatz::dot(va - vb, touch.normal);
+            if (!(along.value() < 0)) return;
+            const auto e =
+                ansatz::max(a.template get<ansatz::Restitution>(), b.template get<ansatz::Restitution>()).value();
+            const auto given = planted == Plant::energy_twice ? e + e : e;
+            const auto j = (-(typename S::Scalar(1) + given) * along) / (wa + wb);
+            va += (wa * j) * touch.normal;
+            vb -= (wb * j) * touch.normal;
+        }
+    };
+};
+
+/// A world with the verbs that the other faults are in.
+template <class... P> class Faulty : public ansatz::World<P...> {
+    using Base = ansatz::World<P...>;
+
+public:
+    explicit Faulty(P... policies) : Base(policies...) {}
+    Faulty(const Faulty&) = default;
+    Faulty(Faulty&&) = default;
+    Faulty& operator=(const Faulty& other) {
+        if (planted == Plant::tight_copy) {
+            Faulty tight = other;
+            Base::operator=(std::move(tight));
+        } else {
+            Base::operator=(other);
+        }
+        return *this;
+    }
+    Faulty& operator=(Faulty&&) = default;
+    ~Faulty() = default;
+
+    template <class Q> void set_velocity(ansatz::Handle body, const Q& velocity) {
+        if (planted == Plant::stale_slot && this->contains(body)) {
+            std::size_t slot = 0;
+            while (!(this->body_at(slot) == body)) ++slot;
+            Base::wake(body);
+            body = this->body_at(slot);
+        }
+        Base::set_velocity(body, velocity);
+    }
+    std::uint64_t hash() const {
+        if (planted != Plant::forgotten_number) return Base::hash();
+        Base without = *this;
+        for (const auto body : this->handles())
+            without.template write<ansatz::Restitution>(body, ansatz::Quantity<ansatz::unit::Dimensionless>(0.0));
+        return without.hash();
+    }
+};
+template <class... P> Faulty(P...) -> Faulty<P...>;
+
+/// An empty one.
+/// \param every_pair whether its broadphase is the one that tests every pair
+inline auto faulty(bool every_pair = false) {
+    using namespace ansatz;
+    return Faulty{SemiImplicitEuler{},
+                  Either<ShortSighted>{{}, every_pair},
+                  Narrowphase<Sphere, Plane, Box>{},
+                  Bouncing{},
+                  Rest{},
+                  Keep<InverseMass>{},
+                  Datum<int>{}};
+}
+
+} // namespace fuzz
