@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Compiled alone: one of its faults is planted at a time, for the whole program.
-// The fuzzer finds what it is for: a fault of each kind that has been in worlds, planted here (planted.hpp), is found
-// within its minute and shrunk to a program of less than 30 lines.
-// Runs long with the sanitizers.
+// The fuzzer finds what it is for: each fault that is planted here (planted.hpp), of kinds that have been in worlds, is
+// found within its minute and shrunk to a program of less than 30 lines. Runs long with the sanitizers.
 
 #include "tests/fuzz/planted.hpp"
 #include "tests/fuzz/hunt.hpp"

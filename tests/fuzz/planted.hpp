@@ -13,7 +13,6 @@
 #include <ansatz/world/keep.hpp>
 
 #include <cstdint>
-#include <utility>
 
 namespace fuzz {
 
@@ -22,8 +21,7 @@ enum class Plant {
     stale_slot,       ///< a verb looks a slot up, and then wakes bodies, which changes slots
     energy_twice,     ///< a bounce is given back twice
     forgotten_number, ///< the hash leaves a column out
-    missed_pair,      ///< the broadphase does not tell each fourth pair
-    tight_copy        ///< what is assigned has room for what there is, and for nothing that a step needs besides
+    missed_pair       ///< the broadphase does not tell each fourth pair
 };
 inline Plant planted = Plant::nothing; // what is wrong now
 
@@ -76,20 +74,6 @@ template <class... P> class Faulty : public ansatz::World<P...> {
 
 public:
     explicit Faulty(P... policies) : Base(policies...) {}
-    Faulty(const Faulty&) = default;
-    Faulty(Faulty&&) = default;
-    Faulty& operator=(const Faulty& other) {
-        if (planted == Plant::tight_copy) {
-            Faulty tight = other;
-            Base::operator=(std::move(tight));
-        } else {
-            Base::operator=(other);
-        }
-        return *this;
-    }
-    Faulty& operator=(Faulty&&) = default;
-    ~Faulty() = default;
-
     template <class Q> void set_velocity(ansatz::Handle body, const Q& velocity) {
         if (planted == Plant::stale_slot && this->contains(body)) {
             std::size_t slot = 0;

@@ -29,7 +29,7 @@ AXES: dict[str, list[str]] = {
     "applied": ["AppliedForces{}", ""],
     "elements": ["", "Springs<>{}", "Springs<Breaking>{}"],
     "rest": ["Rest{}", "Rest{}", ""],
-    "broadphase": ["SortAndSweep", "UniformGrid", "Octree<>", "BinarySplit<>", "Octree<SortAndSweep>", "AllPairs"],
+    "broadphase": ["SortAndSweep", "UniformGrid<>", "Octree<>", "BinarySplit<>", "Octree<SortAndSweep>", "AllPairs"],
     "narrowphase": [SHAPES + "{}", SHAPES + "{}", f"Swept<{SHAPES}>{{}}"],
     "response": ["Impulse<>{}, Projection{1e-3 * metre}", "SoftSubsteps<Friction>{}", "Impulse<>{}", "SoftSubsteps<>{}",
                  "Impulse<Friction>{}, Projection{}", "Penalty{2e3 * newton_per_metre, 8.0 * newton_second_per_metre}",
@@ -73,7 +73,7 @@ class Composition:
         return {
             "falls": falls,
             "closed": forces == "",
-            "stays": "Projection" not in response and not soft and not swept,
+            "stays": "Projection" not in response and "Penalty" not in response and not soft and not swept,
             "keeps_energy": not falls and "Penalty" not in response,
             "soft": soft,
             "bounded": "Penalty" not in response and self.chosen["elements"] == "",
