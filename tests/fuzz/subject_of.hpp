@@ -149,7 +149,7 @@ private:
             return add_awake(o, box, rough...);
         }
         case Shape::plane: {
-            Vector<double, S::dimension> normal = Vector<double, S::dimension>::Zero();
+            Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // of three numbers, in two dimensions too
             normal[o.axis] = 1;
             return world_.add(Plane{normal, -o.size * metre}, fixed, datum_of(o), rough...);
         }
