@@ -72,8 +72,9 @@ TEST_CASE("without a fault nothing is found in the world of the faults", "[fuzz]
     CHECK_FALSE(hunt.found);
 }
 
-// What was printed, pasted and laid out, with the fault beside it: each compiles, and fails.
-TEST_CASE("a verb touches nobody else (seed 9)", "[fuzz][!shouldfail]") {
+// What was printed, pasted and laid out, with the fault beside it: each compiles, and what its last line says does not
+// hold.
+TEST_CASE("a verb touches nobody else (seed 9)", "[fuzz]") {
     const Planted now(fuzz::Plant::stale_slot);
     fuzz::Faulty world{SemiImplicitEuler{},
                        fuzz::Either<fuzz::ShortSighted>{},
@@ -89,9 +90,9 @@ TEST_CASE("a verb touches nobody else (seed 9)", "[fuzz][!shouldfail]") {
     world.step(1.0 * second);
     const auto before = world;
     world.set_velocity(b3, metres_per_second(0, 0, 1));
-    CHECK(world.velocity(b5) == before.velocity(b5));
+    CHECK_FALSE(world.velocity(b5) == before.velocity(b5));
 }
-TEST_CASE("V3: no energy from nothing (seed 10)", "[fuzz][!shouldfail]") {
+TEST_CASE("V3: no energy from nothing (seed 10)", "[fuzz]") {
     const Planted now(fuzz::Plant::energy_twice);
     fuzz::Faulty world{SemiImplicitEuler{},
                        fuzz::Either<fuzz::ShortSighted>{},
@@ -105,9 +106,9 @@ TEST_CASE("V3: no energy from nothing (seed 10)", "[fuzz][!shouldfail]") {
               mass(1.0 * kilogram), restitution(1.0), datum(1));
     const auto before = world;
     world.step(1.0 * second);
-    CHECK(kinetic_energy(world).value() <= kinetic_energy(before).value() + 5e-13);
+    CHECK_FALSE(kinetic_energy(world).value() <= kinetic_energy(before).value() + 5e-13);
 }
-TEST_CASE("every number counts in the hash (seed 1)", "[fuzz][!shouldfail]") {
+TEST_CASE("every number counts in the hash (seed 1)", "[fuzz]") {
     const Planted now(fuzz::Plant::forgotten_number);
     fuzz::Faulty world{SemiImplicitEuler{},
                        fuzz::Either<fuzz::ShortSighted>{},
@@ -120,5 +121,5 @@ TEST_CASE("every number counts in the hash (seed 1)", "[fuzz][!shouldfail]") {
                               mass(3.6 * kilogram), datum(0));
     const auto before = world;
     world.write<Restitution>(b0, Quantity<unit::Dimensionless>(0.5));
-    CHECK(world.hash() != before.hash());
+    CHECK_FALSE(world.hash() != before.hash());
 }
