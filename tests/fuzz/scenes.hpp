@@ -124,6 +124,7 @@ private:
         if (all.empty()) return;
         o.times = 1;
         double* number = all[std::size_t(dice_.below(int(all.size())))];
+        if (number == &o.restitution && o.verb == Verb::add && (!facts_.restitution || o.shape == Shape::none)) return;
         const bool positive = number == &o.mass || number == &o.size;
         const bool signless =
             number == &o.dt || number == &o.restitution || number == &o.stiffness || number == &o.damping;
