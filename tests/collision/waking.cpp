@@ -216,8 +216,11 @@ TEST_CASE("R12: piles with friction fall asleep, however rough", "[collision][re
             INFO("friction " << mu << ", seed " << seed);
             auto world = between_walls(3, 9.81, mu);
             world.add(Box{metres(10, 1, 10)}, position(metres(0, -1, 0)), fixed, friction(mu));
-            for (const double side : {-1, 1})
+            for (const double side : {-1, 1}) {
                 world.add(Box{metres(10, 10, 1)}, position(metres(0, 9, side * 2.5)), fixed, friction(mu));
+                // The walls that are there leave gaps as wide as a ball.
+                world.add(Box{metres(1, 10, 10)}, position(metres(side * 2.5, 9, 0)), fixed, friction(mu));
+            }
             std::mt19937 random(seed);
             const auto beside = [&] { return 0.08 * (double(random() % 2001) / 1000 - 1); };
             for (int i = 0; i < 160; ++i)
