@@ -4,20 +4,16 @@
 
 // Three axes:
 //
-// - representation: nanoseconds an event, against the number of states, with the same machine by hand and in
-// Boost.Statechart. In
-//   the place of the error stands after how many of 4096 random events the machine was in another state than it should:
-//   none. The events are random, so that the processor cannot learn the way through the machine; a game's events are
-//   kinder. The actions differ from transition to transition, so that a compiler cannot make one of all. Where nothing
-//   is done, it turns a switch by hand into a table of numbers, and that is what Switch and Table are measured against.
-// - compile time: what the compiler takes for a machine of so many states, and how large its code is. A program cannot
-// measure how
-//   it was compiled, so this one writes a source for each row and calls the compiler that it was built with, once each:
-//   CPU time with -O2, and in the place of the work the bytes of code, as the command `size` tells them.
-// - hysteresis: a value stands on the threshold, with normal noise. An update turns the machine when the noise is
-// beyond the far
-//   edge of the band, w sigma away, so that n updates make n erfc(w / sqrt 2) / 2 transitions, give or take the root of
-//   that.
+// - representation: nanoseconds an event against the number of states, beside the same machine by hand and in
+//   Boost.Statechart. In the place of the error stands after how many of 4096 events the machine was in a wrong state:
+//   none. Events are random, so that the processor cannot learn the way through the machine; a game's are kinder.
+//   Actions differ from transition to transition, so that a compiler cannot make one of all. Without actions it turns a
+//   switch by hand into a table of numbers: that is what Switch and Table are measured against.
+// - compile time: what the compiler takes for so many states, and how large its code is. No program can measure how it
+//   was compiled: this one writes a source a row and calls its own compiler on it once. CPU time with -O2, and in the
+//   place of the work the bytes of code, as the command `size` tells them.
+// - hysteresis: a value on the threshold, with normal noise. An update turns the machine when the noise is beyond the
+//   far edge of the band, w sigma away: n updates make n erfc(w / sqrt 2) / 2 transitions, give or take its root.
 
 #include "compared_machines.hpp"
 #include "costs.hpp"

@@ -35,7 +35,7 @@ limited() {
     (
         ulimit -c 0 -t "$CPU_SECONDS" -f $((PRINTED_MEGABYTES * 1024))
         ulimit -v "$MEMORY_LIMIT" 2> /dev/null      # not every system has this limit
-        # What nobody else has written ends itself: timeout is another process.
+        # `others` ends itself by an alarm (main.cpp); a student's program is ended by timeout, which is one process more.
         case $1 in */others) ANSATZ_SECONDS=$((4 * CPU_SECONDS)) exec "$@" ;; esac
         exec timeout -k 1 $((4 * CPU_SECONDS)) "$@"
     ) > "$JUDGE_SCRATCH/printed" 2>&1 <<< "$JUDGES_WORD" &
@@ -190,7 +190,7 @@ read_heads() {
 }
 
 # line_of <the exercise's folder> <wrong answer> <word>: what a wrong answer says of itself: Mistake: ..., Why, Read, Fails;
-# continued lines are joined. (`read` takes a system call a letter.)
+# continued lines are joined. Not found by `read`, which makes a system call for each letter.
 line_of() {
     local key=$'\n'$2$'\t'$3$'\t' rest
     [ "${HEADS_OF:-}" = "$1" ] || read_heads "$1"

@@ -42,7 +42,7 @@ struct Box {
                                                    : "three lengths, finite and greater than zero");
         }
 
-        /// One whose faces are further out: its corners come further than that.
+        /// One whose faces are further out by this; its corners are further out than that.
         In grown(const typename S::Length& by) const {
             In larger(*this);
             auto h = half.value();

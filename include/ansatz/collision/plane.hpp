@@ -61,7 +61,7 @@ struct Plane {
                          .value()),
               offset(S::convert(plane.offset)) {}
 
-        static constexpr bool grows_evenly = true; ///< a higher one holds what is so near, and nothing else
+        static constexpr bool grows_evenly = true; ///< grown by d it is exactly what is within d of it
         /// One that is higher along its normal.
         [[gnu::always_inline]] In grown(const typename S::Length& by) const {
             In higher(*this);

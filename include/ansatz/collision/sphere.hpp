@@ -36,7 +36,7 @@ struct Sphere {
             if (!(radius.value() > 0))
                 refuse_value("Sphere", "radius", sphere.radius, "it is greater than zero in the world's scalar");
         }
-        static constexpr bool grows_evenly = true; ///< a larger one holds what is so near, and nothing else
+        static constexpr bool grows_evenly = true; ///< grown by d it is exactly what is within d of it
         /// A larger one.
         [[gnu::always_inline]] In grown(const typename S::Length& by) const {
             In larger(*this);

@@ -33,7 +33,8 @@ struct SpaceOfPosition<boost::units::quantity<unit::Length, Eigen::Matrix<Scalar
     using type = Space<Scalar, Dim>;
 };
 
-/// Which of two shapes is made larger: that with the larger number, 0 for one that cannot be `grown`.
+/// Of two shapes the one with the larger number is made larger: 0 cannot be `grown`, 1 grows further at its corners (a
+/// box), 2 and 3 grow evenly, and of these one that has a box (3, a sphere) goes before one that has none (2, a plane).
 template <class Shape, class S>
 inline constexpr int how_it_grows = [] {
     if constexpr (!requires(const Shape& shape, typename S::Length by) { shape.grown(by); }) return 0;
