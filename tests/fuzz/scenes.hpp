@@ -4,7 +4,7 @@
 /// \file
 /// Random scenes: bodies close enough to meet, and verbs on them between steps of several lengths.
 
-#include "tests/fuzz/dice.hpp"
+#include "tests/dice.hpp"
 #include "tests/fuzz/subject.hpp"
 
 #include <cmath>
@@ -138,7 +138,7 @@ private:
     }
 
     const Facts& facts_;
-    Dice dice_;
+    ansatz::test::Dice dice_;
     int bodies_ = 0, springs_ = 0, style_ = 0;
     double usual_dt_ = 1.0 / 60;
 };

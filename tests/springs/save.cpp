@@ -4,6 +4,7 @@
 #include <ansatz/world/save.hpp>
 #include <ansatz/world/save_elements.hpp>
 
+#include "tests/dice.hpp"
 #include "tests/springs/support.hpp"
 
 #include <sstream>
@@ -70,6 +71,96 @@ TEST_CASE("a world saved between a change and its next step continues to the bit
     saved_and_loaded();
     world.remove(added);
     saved_and_loaded();
+}
+
+namespace {
+using History = World<Verlet, Gravity, AppliedForces, Springs<>>;
+/// One verb, drawn, for a world and for others that are to be as it is.
+void change(ansatz::test::Dice& dice, std::vector<History*> worlds) {
+    const auto handles = worlds[0]->handles();
+    const auto springs = worlds[0]->elements<Spring>().handles();
+    const auto what = dice.below(8);
+    const auto body = handles[dice.below(handles.size())], other = handles[dice.below(handles.size())];
+    const double x = dice.number(-2, 2), y = dice.number(-2, 2), z = dice.number(-2, 2);
+    const auto link = springs.empty() ? 0 : dice.below(springs.size());
+    for (auto* world : worlds) switch (what) {
+        case 0:
+            if (!(body == other)) world->add(Spring{body, other, 30.0 * N_per_m, 0.5 * N_s_per_m, 0.5 * metre});
+            break;
+        case 1:
+            if (!springs.empty()) world->remove(springs[link]);
+            break;
+        case 2: world->apply_force(body, newtons(5 * x, 5 * y, 5 * z)); break;
+        case 3: world->set_mass(body, (2.5 + x) * kilogram); break;
+        case 4: world->set_position(body, metres(x, y, z)); break;
+        case 5: world->set_velocity(body, metres_per_second(x, y, z)); break;
+        case 6: world->add(position(metres(x, y, z)), mass(1.0 * kilogram)); break;
+        default:
+            if (handles.size() > 3) world->remove(body);
+        }
+}
+} // namespace
+
+TEST_CASE("a world is the same as the one loaded from it, whatever is changed between two steps before and after",
+          "[springs][save]") {
+    const auto empty = [] { return History{Verlet{}, Gravity{}, AppliedForces{}, Springs{}}; };
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        ansatz::test::Dice dice(seed);
+        auto world = empty(), loaded = empty();
+        for (int i = 0; i < 4; ++i) world.add(position(metres(i, 0.1 * i, 0)), mass((1.0 + i) * kilogram));
+        auto copy = world;
+        loaded = world;
+        for (int step = 0; step < 60; ++step) {
+            INFO("seed " << seed << ", step " << step);
+            for (auto changes = dice.below(6); changes > 0; --changes) {
+                change(dice, {&world, &copy, &loaded});
+                if (dice.one_in(3)) {
+                    std::stringstream file;
+                    save(world, file);
+                    load(loaded, file);
+                    copy = world;
+                }
+                REQUIRE(copy.hash() == world.hash());
+                REQUIRE(loaded.hash() == world.hash());
+                for (const auto body : world.handles()) REQUIRE(loaded.velocity(body) == world.velocity(body));
+            }
+            for (auto* one : {&world, &copy, &loaded}) run(*one, 1, 0.01);
+            REQUIRE(copy.hash() == world.hash());
+            REQUIRE(loaded.hash() == world.hash());
+        }
+    }
+}
+
+TEST_CASE("the forces before a change, in a file that lies, are refused with their place", "[springs][save]") {
+    History world{Verlet{}, Gravity{}, AppliedForces{}, Springs{}};
+    const auto a = world.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
+    const auto b = world.add(position(metres(1, 0, 0)), mass(1.0 * kilogram));
+    std::stringstream first;
+    save(world, first);
+    run(world, 1, 0.01);
+    world.add(Spring{a, b, 50.0 * N_per_m});
+    std::stringstream file;
+    save(world, file);
+    const auto good = detail::Json::parse(file.str());
+    const auto refused = [&](auto json, const std::string& sentence) {
+        History loaded{Verlet{}, Gravity{}, AppliedForces{}, Springs{}};
+        const auto before = loaded.hash();
+        std::stringstream lies(json.dump());
+        CHECK_THROWS_WITH(load(loaded, lies, "file"), ContainsSubstring(sentence));
+        CHECK(loaded.hash() == before);
+    };
+    auto few = good;
+    few["forces before a change"].erase(0);
+    refused(few, "file: forces before a change is [[0.0,0.0,0.0]]; expected a list of 2 forces");
+    auto flat = good;
+    flat["forces before a change"][1] = {1.0, 2.0};
+    refused(flat, "file: forces before a change[1] is [1.0,2.0]; expected a list of 3 numbers");
+    auto none = good;
+    none["forces before a change"] = true;
+    refused(none, "file: forces before a change is true; expected a list of forces");
+    auto unmoved = detail::Json::parse(first.str());
+    unmoved["forces before a change"] = detail::Json::array();
+    refused(unmoved, "file: forces before a change is []; expected nothing, because no step was taken");
 }
 
 TEST_CASE("a file of springs that cannot be is refused with its place, and the world is as it was", "[springs][save]") {

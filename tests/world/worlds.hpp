@@ -7,6 +7,7 @@
 
 #include <ansatz/world.hpp>
 
+#include "tests/dice.hpp"
 #include "tests/refusal.hpp"
 
 #include <cstring>
@@ -106,22 +107,5 @@ template <class A, class B> bool same_state(const A& a, const B& b) {
     }
     return true;
 }
-
-/// Numbers that are the same on every machine.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() { // splitmix64
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    std::size_t below(std::size_t n) { return std::size_t(next() % n); }
-    double number(double from, double to) { return from + (to - from) * (double(next() >> 11) * 0x1p-53); }
-
-private:
-    std::uint64_t state_;
-};
 
 } // namespace ansatz::test

@@ -103,9 +103,8 @@ protected:
     /// Whether the laws are asked once for the response and the integrator.
     static constexpr bool shares = C::asked == LawsAsked::beforehand;
 
-    /// Bodies that may come to touch are found by velocities and forces. Pending changes are applied first, as they are
-    /// for a world that is saved now: otherwise the loaded world would search with other values and differ in the last
-    /// bits.
+    /// Bodies that may come to touch are found by velocities and forces, so that a change that waits to be made good is
+    /// made good first.
     void settle() {
         if constexpr (C::coupled)
             if (C::substeps || data_.coupled.changed)

@@ -114,6 +114,11 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
 }
 
 namespace detail {
+/// Calls `f(slot)` for each body whose history takes a change of the forces up: it is awake, and its history has begun.
+template <class C, class F> void for_each_with_history(const WorldData<C>& data, F&& f) {
+    for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake); ++slot)
+        if (!data.waiting(Bodies::Slot(slot))) f(slot);
+}
 /// Where velocity is derived from history with half a step of the present acceleration, a change of the forces (a body
 /// that was removed, a mass that is another) would be a push. The history takes it up: by exactly nothing where the
 /// acceleration is what it was.
@@ -123,22 +128,20 @@ bool make_good([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const typen
     bool changed = false;
     if constexpr (C::history && C::coupled) {
         using S = typename C::S;
-        const auto awake = data.bodies.end(Motion::awake);
-        for (std::size_t slot = 0; slot < awake; ++slot) {
-            if (data.waiting(Bodies::Slot(slot))) continue;
+        for_each_with_history(data, [&](std::size_t slot) {
             auto change = data.lanes.template get<CoupledForce>(slot);
             auto value = change.value();
             for (int k = 0; k < S::dimension; ++k)
                 value[k] -= data.coupled.before[slot * std::size_t(S::dimension) + std::size_t(k)];
             change = decltype(change)::from_value(value);
-            if (change == S::template zero_vector<unit::Force>()) continue;
+            if (change == S::template zero_vector<unit::Force>()) return;
             const auto x = S::template zero_vector<unit::Length>();
             const auto v = S::template zero_vector<unit::Velocity>();
             const auto a = data.lanes.template get<InverseMass>(slot) * change;
             data.lanes.template set<PreviousPosition>(slot, data.lanes.template get<PreviousPosition>(slot) +
                                                                 C::Integrator::history(x, v, a, last));
             changed = true;
-        }
+        });
     }
     return changed;
 }

@@ -11,6 +11,7 @@
 #include <ansatz/motion/rest_step.hpp>
 #include <ansatz/motion/smallest_step.hpp>
 #include <ansatz/motion/step.hpp>
+#include <ansatz/world/fields.hpp>
 
 #include <string_view>
 
@@ -80,6 +81,29 @@ template <class C> void check_still(const WorldData<C>& data, std::uint32_t slot
         if (!(v == C::S::template zero_vector<unit::Velocity>()))
             file.at("velocity").refuse_here("zeros, because the body stands still");
     }
+}
+
+/// Where a change of the forces between bodies waits to be made good, what they were before it is a part of the state:
+/// the velocities are still those that they made.
+inline constexpr const char* forces_before = "forces before a change";
+template <class Files, class C> void save_forces_before(const WorldData<C>& data, auto& list) {
+    list = Files::Json::array();
+    for_each_with_history(data, [&](std::size_t slot) {
+        list.push_back(field_to_file<Files>(data.lanes.template get<CoupledForce>(slot)));
+    });
+}
+template <class C> void load_forces_before(WorldData<C>& data, const auto& list) {
+    if (data.clock.tick() == 0) list.refuse_here("nothing, because no step was taken");
+    std::size_t count = 0;
+    for_each_with_history(data, [&](std::size_t) { ++count; });
+    list.size_is(count, "forces, one for each body that is awake and does not wait");
+    std::size_t i = 0;
+    for_each_with_history(data, [&](std::size_t slot) {
+        auto force = data.lanes.template get<CoupledForce>(slot);
+        field_from_file(force, list.at(i++));
+        data.lanes.template set<CoupledForce>(slot, force);
+    });
+    data.coupled.changed = true;
 }
 
 } // namespace detail
@@ -211,10 +235,6 @@ struct Motion {
     }
 
     // As a value.
-    template <class C> static void on(hook::Waits, const WorldData<C>& data, bool& waits) {
-        if constexpr (C::history && C::coupled) waits = waits || data.coupled.changed;
-    }
-    template <class I> static void on(hook::Settle, const I& inside) { detail::settle(inside); }
     template <class C> static void on(hook::Report, const WorldData<C>& data, Status& status) {
         status.unsolved = data.unsolved;
     }
@@ -230,13 +250,21 @@ struct Motion {
     template <class C>
     static void on(hook::Hash, [[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] auto& hash) {
         if constexpr (C::history) hash.add_number(data.last_part.value());
+        if constexpr (C::history && C::coupled)
+            if (data.coupled.changed) hash.add(1);
     }
     template <class C> static void on(hook::HashBody, const WorldData<C>& data, std::uint32_t slot, auto& hash) {
         hash.add(data.waiting(slot));
+        if constexpr (C::history && C::coupled)
+            if (data.coupled.changed && data.bodies.motion(slot) == ansatz::Motion::awake && !data.waiting(slot))
+                for (int k = 0; k < C::S::dimension; ++k)
+                    hash.add_number(data.lanes.template lane<CoupledForce>(k)[slot]);
     }
     template <class C, class Files> static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
         file["unsolved"] = data.unsolved;
         if constexpr (C::history) file["last part"] = Files::number(data.last_part.value());
+        if constexpr (C::history && C::coupled)
+            if (data.coupled.changed) detail::save_forces_before<Files>(data, file[detail::forces_before]);
     }
     template <class C> static void on(hook::SaveBody, const WorldData<C>& data, std::uint32_t slot, auto& file) {
         if constexpr (C::history) file["waiting"] = data.waiting(slot);
@@ -249,6 +277,8 @@ struct Motion {
             if ((data.clock.tick() > 0) != (data.last_part.value() > 0) || data.last_part.value() < 0)
                 last.refuse_here("the length of the last step, or of its last part: 0 before the first");
         }
+        if constexpr (C::history && C::coupled)
+            if (file.has(detail::forces_before)) detail::load_forces_before(data, file.at(detail::forces_before));
     }
     template <class C> static void on(hook::LoadBody, WorldData<C>& data, std::uint32_t slot, const auto& file) {
         const auto kind = data.bodies.motion(slot);

@@ -51,7 +51,8 @@ struct Starts {
 };
 
 /// Whether the column CoupledForce holds the forces between bodies of the present state, as a step of these lengths
-/// asks for them. A cache: neither hashed nor saved, and a step comes to the same bits without it.
+/// asks for them. A cache: neither hashed nor saved, and a step comes to the same bits without it. Only while a change
+/// waits to be made good, the column is a part of the state.
 template <class S> struct CoupledSums {
     bool current = false;
     bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it

@@ -277,12 +277,6 @@ private:
     auto inside() { return Inside<composition, Data, Policies>{data_, policies_, bound_}; }
     auto inside() const { return Inside<composition, const Data, const Policies>{data_, policies_, bound_}; }
     template <class Hook, class... A> void tell(A&&... argument) { inside().template tell<Hook>(argument...); }
-    /// Whether no change waits to be made good, which would be a part of the state.
-    bool is_settled() const {
-        bool waits = false;
-        data_.template ask<hook::Waits>(waits);
-        return !waits;
-    }
 
     // What keeps it whole: whole.hpp.
     void assign(const World& other);

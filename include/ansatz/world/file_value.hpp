@@ -39,6 +39,8 @@ struct FileValue {
         return levels == 0 ||
                std::any_of(json.begin(), json.end(), [&](const Json& part) { return deeper_than(part, levels - 1); });
     }
+    /// Whether an object has a value of this name: for what stands there only at times.
+    bool has(const char* key) const { return json.is_object() && json.contains(key); }
     FileValue at(const char* key) const {
         if (!json.is_object()) refuse_here(std::string("an object with \"") + key + "\"");
         const auto found = json.find(key);

@@ -85,8 +85,6 @@ struct Save {};       ///< `(data, file, files)`: into a JSON object, with what 
 struct SaveBody {};   ///< `(data, slot, file)`
 struct Load {};       ///< `(data, file)`: from one, when the bodies are there
 struct LoadBody {};   ///< `(data, slot, file)`
-struct Settle {};     ///< `(inside)`: a change that waits to be made good is made good
-struct Waits {};      ///< `(data, waits)`: makes `waits` true where one does
 struct Report {};     ///< `(data, status)`
 /// @}
 } // namespace hook

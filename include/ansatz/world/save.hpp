@@ -57,11 +57,6 @@ struct Archive {
         if (world.lost_) world.refuse_lost("save");
         using detail::number_to_file;
         using C = typename World<P...>::composition;
-        if (!world.is_settled()) { // a change that waits to be made good is part of the state
-            auto settled = world;
-            settled.template tell<hook::Settle>();
-            return write(settled);
-        }
         const auto& data = world.data_;
         detail::Json file;
         file["format"] = "ansatz world";

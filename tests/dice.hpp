@@ -4,10 +4,10 @@
 /// \file
 /// Numbers that are the same on every machine and with every standard library.
 
-#include <cstddef>
+#include <concepts>
 #include <cstdint>
 
-namespace fuzz {
+namespace ansatz::test {
 
 class Dice {
 public:
@@ -18,7 +18,7 @@ public:
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
         return z ^ (z >> 31);
     }
-    int below(int n) { return int(next() % std::uint64_t(n)); }
+    template <std::integral T> T below(T n) { return T(next() % std::uint64_t(n)); }
     bool one_in(int n) { return below(n) == 0; }
     double number(double from, double to) { return from + (to - from) * (double(next() >> 11) * 0x1p-53); }
 
@@ -26,4 +26,4 @@ private:
     std::uint64_t state_;
 };
 
-} // namespace fuzz
+} // namespace ansatz::test
