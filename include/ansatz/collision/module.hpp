@@ -155,8 +155,18 @@ struct Collision {
     }
 
     // Changes from outside. Whatever of a body changes, the pairs of the next step are found anew.
-    template <class... Column> static void on(hook::BeforeChange<Column...>, const auto& inside) {
+    template <class... Column, class I> static void on(hook::BeforeChange<Column...>, const I& inside) {
+        contacts_change<I>(inside);
         inside.data.collisions.make_stale();
+    }
+    /// Contacts that are forces: what they were stands in the sums until the change is made good, since those that are
+    /// found anew differ in the last bits at least.
+    template <class I> static void contacts_change(const I& inside) {
+        using C = typename I::Composition_;
+        if constexpr (C::history && C::coupled && C::acts_next && !C::substeps) detail::forces_change(inside);
+    }
+    template <class Policy> static void on(hook::BeforeSet<Policy>, const auto& inside) {
+        if constexpr (PlaysRole<Policy, roles::Filter>) contacts_change(inside);
     }
     template <class Column, class C> static constexpr bool looks_at = C::template collisions_read<Column>;
     template <class Policy> static void on(hook::AfterSet<Policy>, const auto& inside) {

@@ -37,7 +37,7 @@ template <class StepT> void elements_will_change(StepT& step) {
         // The velocity now is what the forces made it, those of what goes, too; what is left is made good.
         if constexpr (C::history)
             if (!step.data.coupled.changed) {
-                derive_velocities(step.data, step.policies, step.context.dt());
+                derive_velocities(step.data, step.policies, step.after().dt());
                 step.data.coupled.current = false;
                 refresh_coupled(step.data, step.policies, step.after());
                 step.data.coupled.changed = true;

@@ -169,6 +169,14 @@ template <class C, class Data> struct MotionState {
         else return C::S::Time::from_value(static_cast<typename C::S::Scalar>(self().clock.last().value()));
     }
 
+    /// How long the last part of a step was that is done: a driver takes it in parts, and velocities are derived from
+    /// the last of them.
+    /// \param whole the length of the step
+    typename C::S::Time last_part_of([[maybe_unused]] const typename C::S::Time& whole) const {
+        if constexpr (C::history) return last_part;
+        else return whole;
+    }
+
     /// Whether something waits for this body.
     bool waiting([[maybe_unused]] std::uint32_t slot) const {
         if constexpr (C::history) return starts.waiting(self().bodies.id(slot));

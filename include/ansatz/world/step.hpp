@@ -43,7 +43,10 @@ template <class C, class Policies, class TransientT = typename C::transient, boo
     /// What policy `P` may see.
     template <class P> ObserverView<S, P> view_of() const { return ObserverView<S, P>(std::as_const(data)); }
     /// Behind this step: the next one, if it has the same length.
-    Context<S> after() const { return Context<S>(data.clock.now(), TimeStep<S>(context.dt(), context.dt())); }
+    Context<S> after() const {
+        const typename S::Time last = data.last_part_of(context.dt());
+        return Context<S>(data.clock.now(), TimeStep<S>(last, last));
+    }
     /// Tells the modules.
     template <class Hook, class... A> void tell(A&&... argument) const {
         detail::tell<Hook>(typename C::modules{}, *this, argument...);
