@@ -151,3 +151,50 @@ TEST_CASE("what a body lies on pushes it no longer, and its velocity is what it 
     world.step(0.01 * second); // Verlet with gravity alone
     CHECK(abs(world.velocity(ball).value()[1] - (before - 0.01 * 9.81)) <= 1e-12);
 }
+
+namespace {
+/// Two balls in each other, and two on dampers beside them that touch nothing at first.
+template <class... P> void check_momentum(double tolerance, P... policies) {
+    World world{policies..., Gravity{}, SortAndSweep{}, Narrowphase<Sphere, Plane, Box>{}};
+    using S = typename decltype(world)::S;
+    std::vector<Handle> balls;
+    for (const double y : {0.0, 0.3, 1.8, 4.8})
+        balls.push_back(world.add(Sphere{0.5 * metre}, position(vector_in<S, unit::Length>(0, y)),
+                                  velocity(vector_in<S, unit::Velocity>(0.1 * y, 0)), mass((1.0 + y) * kilogram)));
+    for (std::size_t i = 0; i < 4; ++i)
+        world.add(Spring{balls[i], balls[(i + 2) % 4], 3.0 * newton_per_metre, 1.0 * newton_second_per_metre});
+    for (int n = 0; n < 50; ++n) {
+        const auto before = total_momentum(world).value();
+        const auto dt = (n % 5 == 0 ? 0.02 : 0.01) * second;
+        world.step(dt);
+        auto gained = total_momentum(world).value();
+        gained -= before;
+        gained[1] += typename S::Scalar(10.9 * 9.81 * dt.value());
+        INFO("step " << n);
+        REQUIRE(double(gained.norm()) <= tolerance);
+    }
+}
+} // namespace
+
+TEST_CASE("momentum is kept where contacts give some bodies a velocity and dampers pull at others, under Verlet",
+          "[collision][restart]") {
+    check_momentum(1e-11, Verlet{}, Springs{}, SoftSubsteps<>{});
+    check_momentum(1e-12, Verlet{}, Springs{}, Impulse{}, Projection{});
+}
+
+TEST_CASE("a sleeper without a shape is saved with what pulled at it", "[collision][restart]") {
+    const World empty{SemiImplicitEuler{}, Gravity{}, Springs{}, Rest{}, AllPairs{}, Narrowphase<Sphere>{}, Impulse{}};
+    auto world = empty;
+    const auto bob = world.add(shapeless, position(metres(0, -1, 0)), mass(1.0 * kilogram));
+    world.add(
+        Spring{bob, metres(0, 0, 0), 9.81 / 0.001 * newton_per_metre, 30.0 * newton_second_per_metre, 0.999 * metre});
+    for (int n = 0; n < 200; ++n) world.step(0.01 * second);
+    REQUIRE(world.motion(bob) == Motion::resting);
+    std::stringstream file;
+    save(world, file);
+    auto loaded = empty;
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+    for (auto* one : {&world, &loaded}) one->wake(bob), one->step(0.01 * second);
+    CHECK(loaded.hash() == world.hash());
+}

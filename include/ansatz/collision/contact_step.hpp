@@ -90,6 +90,15 @@ public:
         data_.displace(slot, to - data_.lanes.template get<Position>(slot));
     }
 
+    /// Where contacts gave some bodies a velocity, all have theirs for good: the forces between bodies will be other
+    /// ones, and those who have a history would take the half step of the difference as a push, the others not.
+    void hold_velocities() {
+        if constexpr (C::history && C::coupled)
+            if (!data_.starts.none())
+                for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot)
+                    if (!data_.waiting(Slot(slot))) data_.set_velocity(Slot(slot), value<Velocity>(Slot(slot)));
+    }
+
 private:
     /// What a response sees of a body.
     template <class R> using Body = Row<S, union_of<writes_of<R>, reads_of<R>, Columns<InverseMass>>>;

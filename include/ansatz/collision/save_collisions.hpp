@@ -10,6 +10,7 @@
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/data.hpp>
+#include <ansatz/world/fields.hpp>
 #include <ansatz/world/held_parameters.hpp>
 
 #include <cstdint>
@@ -38,11 +39,10 @@ struct CollisionArchive {
                 using Kind = std::remove_cvref_t<decltype(description)>;
                 Files::parameters(shape[std::string(Kind::name)] = Json::object(), description);
             });
-            if constexpr (C::rests)
-                for (int k = 0; k < C::S::dimension; ++k)
-                    shape["pull"].push_back(Files::number(collisions.pulls_[id].value()[k]));
+            if constexpr (C::rests) shape["pull"] = detail::field_to_file<Files>(collisions.pulls_[id]);
             shapes.push_back(std::move(shape));
         }
+        if constexpr (C::rests) write_pulls_of_shapeless<C, Files>(file, data);
         auto& contacts = file["contacts"] = Json::array();
         for (const auto& c : collisions.contacts) {
             if (!collisions.lasts(data.bodies, c)) continue;
@@ -84,6 +84,8 @@ struct CollisionArchive {
         const auto shapes = file.at("shapes");
         const auto count = shapes.size("shapes");
         for (std::size_t i = 0; i < count; ++i) read_shape<C>(data, shapes.at(i));
+        if constexpr (C::rests)
+            if (file.has(pulls)) read_pulls_of_shapeless(data, file.at(pulls));
         const auto contacts = file.at("contacts");
         const auto most = contacts.size("contacts");
         std::pair<std::uint32_t, std::uint32_t> last{};
@@ -123,6 +125,27 @@ struct CollisionArchive {
     }
 
 private:
+    static constexpr const char* pulls = "pulls of bodies without a shape";
+    /// What pulled at sleepers without a shape when they fell asleep; nothing is written where nothing did.
+    template <class C, class Files, class Data>
+    static void write_pulls_of_shapeless(typename Files::Json& file, const Data& data) {
+        for (std::uint32_t id = 0; id < data.bodies.ids(); ++id) {
+            if (!data.bodies.alive(id) || data.collisions.shapes.has(id) || data.collisions.is_sensor(id)) continue;
+            const auto pull = data.collisions.pull_when_it_slept(id);
+            if (pull == C::S::template zero_vector<unit::Acceleration>()) continue;
+            file[pulls].push_back(typename Files::Json{{"body", id}, {"pull", detail::field_to_file<Files>(pull)}});
+        }
+    }
+    template <class Data, class File> static void read_pulls_of_shapeless(Data& data, const File& list) {
+        const auto count = list.size("pulls");
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto json = list.at(i);
+            const auto id = body(data, json.at("body"));
+            if (data.collisions.shapes.has(id) || data.collisions.is_sensor(id))
+                json.at("body").refuse_here("a body that has no shape");
+            detail::field_from_file(data.collisions.pulls_[id], json.at("pull"));
+        }
+    }
     template <class C>
     using Contact_ =
         typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
@@ -156,14 +179,7 @@ private:
             }
         });
         if (!known && !collisions.is_sensor(id)) json.refuse_here("a shape that the narrowphase of this world knows");
-        if constexpr (C::rests) {
-            const auto pull = json.at("pull");
-            pull.size_is(std::size_t(S::dimension), "numbers");
-            auto value = collisions.pulls_[id].value();
-            for (int k = 0; k < S::dimension; ++k)
-                value[k] = pull.at(std::size_t(k)).template number<typename S::Scalar>();
-            collisions.pulls_[id] = S::Acceleration::from_value(value);
-        }
+        if constexpr (C::rests) detail::field_from_file(collisions.pulls_[id], json.at("pull"));
     }
     template <class Data, class File> static void read_siblings(Data& data, const File& file) {
         std::vector<std::uint32_t> next(data.bodies.ids());

@@ -61,6 +61,7 @@ public:
         }
         auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
         respond(typename C::template responses<Level::velocities>{});
+        contacts.hold_velocities();
         if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
         respond(typename C::template responses<Level::positions>{});
         if constexpr (C::sweeps && C::parts) { // a body that was pushed far must not be pushed through another

@@ -83,10 +83,15 @@ public:
     [[gnu::flatten]] void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before,
                                   const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
         if (pushed) pushed->resize(bodies.size());
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
+        const std::size_t awake = data_.bodies.end(Motion::awake);
+        // Who has a history would take half a step of what a damper does to it from now on as a push, the others not.
+        bool all = false;
+        if constexpr (C::history && C::template couplings_read<Velocity>)
+            for (std::size_t slot = 0; slot < awake && !all; ++slot) all = !(bodies[slot].u == before[slot]);
+        for (std::size_t slot = 0; slot < awake; ++slot) {
             const typename Body::Raw by = bodies[slot].u - before[slot];
             if (pushed) (*pushed)[slot] = by;
-            if (bodies[slot].u == before[slot]) continue;
+            if (!all && bodies[slot].u == before[slot]) continue;
             data_.set_velocity(Slot(slot), velocity(Slot(slot), last) + S::Velocity::from_value(by));
         }
     }

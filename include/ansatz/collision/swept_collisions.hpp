@@ -212,8 +212,11 @@ private:
         w.boxes.set_active(w.boxes.size() < w.boxes.active() ? w.boxes.size() : w.boxes.active());
         w.pairs.clear();
         if (!w.finder) w.finder.emplace(std::get<Broadphase>(policies));
-        w.finder->find(w.boxes,
-                       [&](std::size_t i, std::size_t j) { pair(data, policies, std::uint32_t(i), std::uint32_t(j)); });
+        // A body that another takes along leaves its box: of those that it meets there, the same are looked at
+        // whatever the broadphase, which may name pairs whose boxes are apart.
+        w.finder->find(w.boxes, [&](std::size_t i, std::size_t j) {
+            if (w.boxes.touch(i, j)) pair(data, policies, std::uint32_t(i), std::uint32_t(j));
+        });
         if constexpr (Narrowphase::any_unbounded)
             Narrowphase::for_each_kind([&]<class Kind>() {
                 if constexpr (!Kind::bounded)

@@ -34,6 +34,7 @@ struct Starts {
         state.reserve(n);
         list.reserve(n);
     }
+    bool none() const { return list.empty(); }
     void make_room_for(const Starts& other) {
         state.reserve(other.state.size());
         list.reserve(other.list.size());
