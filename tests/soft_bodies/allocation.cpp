@@ -101,6 +101,14 @@ TEST_CASE("A warm step that tears a sheet and splits its vertices allocates noth
         in_steps_that_tear(World{SemiImplicitEuler{}, Springs<Breaking>{}, Xpbd{2, 2}, tearing}, 0.0 * joule, 0);
     CHECK(held == 0);
     CHECK(parted > 2);
+    const auto [coloured, coloured_split] = in_steps_that_tear(
+        World{SemiImplicitEuler{}, Springs<Breaking>{}, ColouredXpbd{2, 2}, tearing}, 0.0 * joule, 0);
+    CHECK(coloured == 0);
+    CHECK(coloured_split > 2);
+    const auto [descended, descended_split] = in_steps_that_tear(
+        World{SemiImplicitEuler{}, Springs<Breaking>{}, VertexBlockDescent{2, 3}, tearing}, 0.0 * joule, 0);
+    CHECK(descended == 0);
+    CHECK(descended_split > 2);
 }
 
 TEST_CASE("A warm step with hinges and sails allocates nothing", "[soft_bodies][bending][wind]") {

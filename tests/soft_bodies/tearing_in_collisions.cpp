@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSL-1.0
 // Vertices that split in a world of collisions: whom the new bodies touch, by looking at all pairs; that what lay still
-// lies still; copies and files; what a user keeps of each body.
+// lies still; copies and files; what a user keeps of each body; that a warm step allocates nothing.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/soft_bodies/unjoined.hpp>
 #include <ansatz/world/save.hpp>
 
+#include "tests/before_allocation.hpp"
 #include "tests/soft_bodies/letting_go.hpp"
 #include "tests/soft_bodies/support.hpp"
 
@@ -42,11 +43,14 @@ auto resting_in_parts() {
     world.add(Plane::ground(), fixed, restitution(0), friction(0.5));
     return world;
 }
-template <class World_> ClothParts lay(World_& world, std::size_t n, std::size_t m, double height, auto&&... property) {
+Cloth level(std::size_t n, std::size_t m, double height) {
     auto cloth = woven(n, m);
     cloth.mesh = TriangleMesh::grid(n, m, metres(0.1 * double(n - 1), 0, 0), metres(0, 0, 0.1 * double(m - 1)),
                                     metres(0, height, 0));
-    return add_cloth(world, cloth, Sphere{radius * metre}, restitution(0), property...);
+    return cloth;
+}
+template <class World_> ClothParts lay(World_& world, std::size_t n, std::size_t m, double height, auto&&... property) {
+    return add_cloth(world, level(n, m, height), Sphere{radius * metre}, restitution(0), property...);
 }
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
@@ -103,6 +107,49 @@ struct Were {
         return false;
     }
 };
+
+std::size_t allocations = 0;
+bool count_one(std::size_t) noexcept {
+    ++allocations;
+    return true;
+}
+/// A sheet is pressed together, so that there are more contacts than ever after, and spread again; then it tears.
+template <class World_> void tear_when_warm(World_ world) {
+    auto copy = world;
+    for (World_* one : {&world, &copy}) {
+        std::vector<VectorQuantity<unit::Length>> places;
+        for (const Handle body : one->handles()) places.push_back(one->position(body));
+        const auto spread = [&](double by) { // over the ground, which is the first body
+            const auto bodies = one->handles();
+            for (std::size_t i = 1; i < bodies.size(); ++i) {
+                one->set_position(bodies[i], metres(by * places[i].value()[0], 0.05, by * places[i].value()[2]));
+                one->set_velocity(bodies[i], metres_per_second(0, 0, 0));
+            }
+        };
+        std::size_t most = 0, later = 0;
+        for (const double by : {0.2, 0.2, 0.2, 0.2, 1.0}) {
+            spread(by);
+            for (int i = 0; i < 6; ++i) {
+                one->step(2e-3 * second);
+                most = std::max(most, one->contacts().size());
+            }
+        }
+        CHECK(one->tearing().split == 0);
+        std::mt19937 random(8);
+        allocations = 0;
+        for (int i = 0; i < 60; ++i) {
+            let_some_go(*one, random, 2);
+            ansatz::test::before_allocation = count_one;
+            one->step(2e-3 * second);
+            ansatz::test::before_allocation = nullptr;
+            later = std::max(later, one->contacts().size());
+        }
+        CHECK(allocations == 0);
+        CHECK(one->tearing().split > 10);
+        CHECK(later > 10);
+        CHECK(later < most); // or the lists of contacts would grow
+    }
+}
 
 } // namespace
 
@@ -257,4 +304,28 @@ TEST_CASE("Copies and worlds from files go on bit for bit where vertices split a
     }
     CHECK(world.tearing().split > early);
     for (const Handle body : world.handles()) CHECK(world.datum(body) == copy.datum(body));
+}
+
+TEST_CASE("A warm step allocates nothing where vertices split among collisions", "[soft_bodies][tearing][contact]") {
+    allocations = 0;
+    ansatz::test::before_allocation = count_one;
+    std::vector<int>(3).at(0) = 1;
+    ansatz::test::before_allocation = nullptr;
+    REQUIRE(allocations > 0); // the count counts
+    auto struck = colliding(300);
+    lay(struck, 9, 8, 0.05);
+    tear_when_warm(struck);
+    auto held = resting_in_parts();
+    lay(held, 9, 8, 0.05);
+    tear_when_warm(held);
+    World pushed{SemiImplicitEuler{},
+                 Gravity{},
+                 Springs<Breaking>{},
+                 Tearing<Splitting>{.room = 300},
+                 UniformGrid<SortAndSweep>{},
+                 Swept<Narrowphase<Sphere, Plane>>{},
+                 Penalty{20.0 * newton_per_metre, 0.01 * newton_second_per_metre}};
+    pushed.add(Plane::ground(), fixed);
+    add_cloth(pushed, level(9, 8, 0.05), Sphere{radius * metre});
+    tear_when_warm(pushed);
 }

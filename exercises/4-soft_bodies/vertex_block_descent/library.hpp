@@ -67,6 +67,7 @@ struct Star {
 
     double h() const { return step; }
     std::size_t awake() const { return places.size(); }
+    std::size_t room() const { return places.size(); }
     Vec position(std::size_t i) const { return places[i]; }
     Vec velocity(std::size_t) const { return Vec(0, 0, 0); }
     double weight(std::size_t i) const { return i == 0 ? 1 / mass : 0.0; }

@@ -54,11 +54,14 @@ public:
     /// Whether steps of this world divide bodies.
     static constexpr bool divides = detail::any_brings_bodies<typename C::keepers, S>;
 
-    /// Room for so many bodies.
+    /// Room for so many bodies; where steps make some, in all that a step looks at them with.
     void reserve(std::size_t n) {
         shapes.reserve(n);
         sensors_.reserve(n);
-        if constexpr (divides) this->siblings_.reserve(n);
+        if constexpr (divides) {
+            this->siblings_.reserve(n);
+            working_.value.reserve(n);
+        }
     }
     /// Room for a body with this id.
     void make_room(std::uint32_t id) {
@@ -207,7 +210,7 @@ private:
         gather(data);
         auto pair = [&](std::size_t i, std::size_t j) { look(data, policies, w.ids[i], w.ids[j]); };
         if constexpr (Narrowphase::any_bounded) {
-            if (!w.finder) w.finder.emplace(std::get<Broadphase>(policies));
+            if (!w.finder) detail::make_finder<divides>(w.finder, std::get<Broadphase>(policies), w.ids.capacity());
             Unfinished unfinished{&w.finder};
             w.finder->find(w.boxes, pair);
             unfinished.finder = nullptr;
@@ -255,6 +258,17 @@ private:
         [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent>
             pushes; // only where they are used
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near; // these, too
+
+        void reserve(std::size_t n) {
+            boxes.reserve(n);
+            ids.reserve(n);
+            order.reserve(n);
+            before.reserve(n);
+            if constexpr (C::anticipates) ahead.reserve(n);
+            if constexpr (C::as_one) pushes.reserve(n);
+            if constexpr (C::holds_near) near.reserve(n);
+            if (finder) detail::reserve_finder(*finder, n);
+        }
     };
 
     /// A search that was broken off leaves nothing behind that the next one could stumble over.

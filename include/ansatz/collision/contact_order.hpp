@@ -20,6 +20,11 @@ namespace ansatz {
 /// Sorts contacts; keeps the room that it needs.
 template <class S> class ContactOrder {
 public:
+    /// Room for so many ids.
+    void reserve(std::size_t ids) {
+        begin_.reserve(ids + 1);
+        next_.reserve(ids + 1);
+    }
     /// \param ids one more than the largest id
     void sort(std::vector<Contact<S>>& contacts, std::size_t ids) {
         begin_.assign(ids + 1, 0);

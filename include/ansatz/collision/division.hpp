@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -119,6 +120,18 @@ protected:
 
 namespace detail {
 
+/// Room for so many boxes in a broadphase that is bound, if it says how.
+template <class Finder> void reserve_finder(Finder& finder, std::size_t n) {
+    if constexpr (requires { finder.reserve(n); }) finder.reserve(n);
+}
+/// Binds a broadphase.
+/// \tparam Divides whether steps make bodies, for which it gets room
+/// \param  n       for how many bodies there is room
+template <bool Divides, class Finder>
+void make_finder(std::optional<Finder>& finder, const auto& broadphase, [[maybe_unused]] std::size_t n) {
+    finder.emplace(broadphase);
+    if constexpr (Divides) reserve_finder(*finder, n);
+}
 /// Room for what divided bodies take along: as much again as there is.
 template <class T> void make_room_for_copies(std::vector<T>& all) {
     if (all.capacity() < 2 * all.size()) all.reserve(4 * all.size());

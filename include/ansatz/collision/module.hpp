@@ -100,7 +100,17 @@ struct Collision {
     // Room.
     template <class C>
     static constexpr bool assigns_in_place = C::Narrowphase::template Collisions<C>::assigns_in_place;
-    static void on(hook::Reserve, auto& data, std::size_t n) { data.collisions.reserve(n); }
+    template <class C> static void on(hook::Reserve, WorldData<C>& data, std::size_t n) {
+        data.collisions.reserve(n);
+        if constexpr (decltype(data.collisions)::divides) { // a step makes some of them, and allocates nothing
+            if constexpr (C::row_givers::size > 0) data.rows.value.reserve(n);
+            if constexpr (C::substeps) {
+                auto& kept = data.template state<
+                    typename detail::FirstIn<typename C::template responses<Level::substeps>>::type>();
+                if constexpr (requires { kept.reserve(n); }) kept.reserve(n);
+            }
+        }
+    }
     static void on(hook::MakeRoom, auto& data, std::uint32_t id, bool) { data.collisions.make_room(id); }
     static void on(hook::MakeRoomFor, auto& data, const auto& other) {
         data.collisions.make_room_for(other.collisions);

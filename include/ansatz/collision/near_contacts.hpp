@@ -29,6 +29,8 @@ public:
     std::vector<Contact<S>> all; ///< their depth is negative, or zero where they touch
     Scalar step{};               ///< s, which was taken
 
+    /// Room for so many bodies.
+    void reserve(std::size_t n) { reach_.reserve(n); }
     /// How far each body is taken.
     /// \param pull     a function of a slot: the acceleration of an awake body, m/s^2
     /// \param velocity a function of a slot: its velocity, m/s

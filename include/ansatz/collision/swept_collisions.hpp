@@ -40,6 +40,11 @@ public:
     using Narrowphase = typename C::Narrowphase; ///< of the world
     using Broadphase = typename C::Broadphase;   ///< of the world
 
+    /// Room for so many bodies.
+    void reserve(std::size_t n) {
+        Base::reserve(n);
+        if constexpr (Base::divides) sweep_.value.reserve(n);
+    }
     /// Where everybody is before they move.
     template <class Data> void remember(const Data& data) {
         auto& moved = sweep_.value.moved;
@@ -129,6 +134,14 @@ private:
         std::vector<Event> events;
         std::vector<Event> impacts;
         bool pushed = false;
+
+        void reserve(std::size_t n) {
+            moved.reserve(n);
+            travellers.reserve(n);
+            slow.reserve(n);
+            boxes.reserve(n);
+            if (finder) detail::reserve_finder(*finder, n);
+        }
     };
 
     /// Half of the smallest extent of a shape, m; nothing for one without end.
@@ -211,7 +224,7 @@ private:
         auto& w = sweep_.value;
         w.boxes.set_active(w.boxes.size() < w.boxes.active() ? w.boxes.size() : w.boxes.active());
         w.pairs.clear();
-        if (!w.finder) w.finder.emplace(std::get<Broadphase>(policies));
+        if (!w.finder) detail::make_finder<Base::divides>(w.finder, std::get<Broadphase>(policies), w.moved.capacity());
         // A body that another takes along leaves its box: of those that it meets there, the same are looked at
         // whatever the broadphase, which may name pairs whose boxes are apart.
         w.finder->find(w.boxes, [&](std::size_t i, std::size_t j) {

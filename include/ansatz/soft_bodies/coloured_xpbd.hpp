@@ -83,7 +83,7 @@ struct ColouredXpbd {
             system.each_policy([&](const auto& policy, const auto& view) {
                 if constexpr (requires { policy.network(view); }) {
                     Network& network = room.networks[networks++];
-                    network.springs.colour(policy.network(view), system.bodies().size());
+                    network.springs.colour(policy.network(view), system.bodies().size(), system.room());
                     network.multipliers.assign(network.springs.size(), Scalar(0));
                 }
             });

@@ -83,6 +83,11 @@ public:
     }
     /// All of them, for a solver that moves many at once.
     std::span<Body> bodies() { return bodies_; }
+    /// How many bodies there will be room for, however many a step makes by dividing others; 0 where none does.
+    std::size_t room() const {
+        if constexpr (detail::any_brings_bodies<typename C::keepers, S>) return step_.data.lanes.room();
+        else return 0;
+    }
     /// Calls `f(policy, view)` for each policy that gives constraints, bound, with what it keeps.
     template <class F> void each_policy(F&& f) const {
         [&]<class... Q>(Types<Q...>) {

@@ -36,9 +36,11 @@ public:
 
     /// Colours the springs of a network, unless they are those that it has; in room that it has, once warm.
     /// \param bodies how many slots there are
-    void colour(const auto& network, std::size_t bodies) {
+    /// \param room   how many there may be another time
+    void colour(const auto& network, std::size_t bodies, std::size_t room = 0) {
         if (network.arrangement() == made_of_) return;
         const auto& pairs = network.pairs();
+        taken_.reserve(room);
         taken_.assign(bodies, 0);
         which_.resize(pairs.size());
         begin_.fill(0);

@@ -102,6 +102,7 @@ struct VertexBlockDescent {
         /// Lessens the energy behind one substep.
         void solve(auto& system, auto& kept) const {
             gather(system, kept);
+            kept.moved.reserve(system.room());
             kept.moved.assign(system.awake(), Vec::Zero());
             for (int i = 0; i < iterations_; ++i) {
                 each_type(kept, [&](auto& of) { linearise_wide(system, of); });
@@ -113,12 +114,16 @@ struct VertexBlockDescent {
         /// Who is held by what; in room that it has, once warm.
         static void gather(auto& system, auto& kept) {
             kept.order.clear();
+            kept.order.reserve(system.room());
             system.each_by_id([&](std::size_t slot) {
                 if (system.weight(slot) > Scalar(0)) kept.order.push_back(std::uint32_t(slot));
             });
             each_type(kept, [&](auto& of) { of.all.clear(); });
             system.each([&]<class K>(const K& constraint) { std::get<Of<K>>(kept.of).all.push_back(constraint); });
-            each_type(kept, [&](auto& of) { index(of, system.awake()); });
+            each_type(kept, [&](auto& of) {
+                of.first.reserve(system.room() + 1);
+                index(of, system.awake());
+            });
         }
         template <class K> static void index(Of<K>& of, std::size_t awake) {
             of.first.assign(awake + 1, 0);

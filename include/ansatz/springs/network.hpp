@@ -294,6 +294,8 @@ public:
     }
     /// Room for the notes of a step.
     void reserve_notes() { ids_.reserve_notes(); }
+    /// Room for bodies that a step may make by dividing others: so many there are then.
+    void make_room_for_bodies(std::size_t bodies) { named_by_.reserve(bodies); }
     /// Room for all that may break in a step.
     void reserve_notes_of_step() {
         if constexpr (Breaks) broken_.reserve(std::max(ids(), links_.capacity()));

@@ -188,8 +188,9 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     /// Room for bodies that a step may make by dividing others.
     void make_room_to_come(std::size_t n) {
         tell<hook::MakeRoomToCome>(n);
-        states.for_each([](auto& state) {
+        states.for_each([&](auto& state) {
             if constexpr (requires { state.make_room_to_come(); }) state.make_room_to_come();
+            if constexpr (requires { state.make_room_for_bodies(n); }) state.make_room_for_bodies(bodies.ids() + n);
         });
         if constexpr (notes_divisions) divisions.value.reserve(n);
     }

@@ -31,6 +31,10 @@ public:
     NamedBy& operator=(NamedBy&&) noexcept = default;
     ~NamedBy() = default;
 
+    /// Room for so many bodies, if it was ever asked for.
+    void reserve(std::size_t bodies) {
+        if (!first_.empty()) first_.reserve(bodies + 1);
+    }
     /// Whether `each` may be asked.
     bool known() const { return known_; }
     /// Finds it, unless it is known. This may fail, and what follows cannot.

@@ -46,8 +46,31 @@ template <class S> void steps_of_all(const char* space) {
     });
 }
 
+/// With room for all, a broadphase finds the pairs of ever more bodies, whatever it has found before.
+template <class S> void more_and_more() {
+    each_policy([&](const char* name, const auto& policy) {
+        using Bound = typename std::remove_cvref_t<decltype(policy)>::template In<S>;
+        const auto scene = seeded_scene(4);
+        const auto all = boxes_of<S>(scene);
+        Bound bound(policy);
+        if constexpr (requires { bound.reserve(all.size()); }) bound.reserve(all.size());
+        std::size_t pairs = 0;
+        for (std::size_t n = all.size() / 2; n <= all.size(); ++n) {
+            auto boxes = all;
+            boxes.resize(n);
+            boxes.set_active(n);
+            forbidden = n > all.size() / 2 + 1;
+            bound.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
+            forbidden = false;
+        }
+        if (pairs == 0) std::puts("no pairs: the case has lost its point"), std::exit(1);
+        std::printf("%s, more and more: nothing allocated\n", name);
+    });
+}
+
 int main() {
     ansatz::test::before_allocation = allowed;
+    more_and_more<Space<>>();
     steps_of_all<Space<>>("space");
     steps_of_all<Space<float, 2>>("plane");
 }

@@ -50,6 +50,8 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
     public:
         explicit In(const BinarySplit& split)
             : threshold_(std::size_t(split.threshold)), depth_(split.depth), recursion_(split.inside) {}
+        /// Room for so many boxes.
+        void reserve(std::size_t n) { recursion_.reserve(n); }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             constexpr double copies = 1.4; // two parts of 0.7 of the bodies are as much work as all of them in one
             auto divide = [&](const detail::TreeCell<S>& cell, const std::uint32_t* members, std::size_t count,

@@ -35,6 +35,8 @@ public:
         Scalar upper(std::size_t k) const { return -bounds[std::size_t(S::dimension) + k]; } ///< m
     };
 
+    /// That `make_room` of so many places, or fewer, does not allocate.
+    void reserve(std::size_t n) { items_.reserve(n); }
     /// Room for so many places. It only grows, so that a warm broadphase allocates nothing.
     void make_room(std::size_t n) {
         if (n > items_.size()) items_.resize(n);

@@ -48,6 +48,8 @@ template <class Inside = BoundingBoxes> struct Octree {
     public:
         explicit In(const Octree& octree)
             : threshold_(std::size_t(octree.threshold)), depth_(octree.depth), recursion_(octree.inside) {}
+        /// Room for so many boxes.
+        void reserve(std::size_t n) { recursion_.reserve(n); }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             // A part holds a quarter of its bodies when the eight hold twice as many: still half of the work.
             constexpr double copies = 2;

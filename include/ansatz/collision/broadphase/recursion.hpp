@@ -40,6 +40,13 @@ public:
     static constexpr std::size_t sides = std::size_t(1) << dimension;
 
     explicit Recursion(const Inside& inside) : inside_(inside) {}
+    /// Room for so many boxes.
+    void reserve(std::size_t n) {
+        members_.reserve(likely * n);
+        masks_.reserve(likely * n);
+        lot_.reserve(n);
+        if constexpr (requires { inside_.reserve(n); }) inside_.reserve(n);
+    }
 
     /// \param threshold cells of so many bodies, or fewer, are not divided
     /// \param depth     nor are cells that are so many divisions deep
@@ -50,8 +57,8 @@ public:
         if (boxes.active() == 0 || boxes.size() < 2) return;
         const std::uint32_t* order = inside_.order(boxes);
         // Bodies move, and another time other cells are divided: room for all that is likely, at once.
-        members_.reserve(8 * boxes.size());
-        masks_.reserve(8 * boxes.size());
+        members_.reserve(likely * boxes.size());
+        masks_.reserve(likely * boxes.size());
         lot_.make_room(boxes.size());
         members_.clear();
         for (std::size_t p = 0; p < boxes.size(); ++p) members_.push_back(order ? order[p] : std::uint32_t(p));
@@ -79,6 +86,8 @@ public:
     std::size_t cells() const { return cells_; }
 
 private:
+    static constexpr std::size_t likely = 8; // places a body takes in the lists, at most
+
     static TreeCell<S> bounds(const Boxes<S>& boxes) {
         TreeCell<S> all;
         for (int k = 0; k < dimension; ++k) {

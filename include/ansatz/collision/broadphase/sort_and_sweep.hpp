@@ -48,6 +48,12 @@ struct SortAndSweep {
         using Scalar = typename S::Scalar; ///< of the space
 
         explicit In(const SortAndSweep& policy) : sorting_(policy.sorting) {}
+        /// Room for so many boxes.
+        void reserve(std::size_t n) {
+            keys_.reserve(n);
+            order_.reserve(n);
+            lot_.reserve(n);
+        }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             sort(boxes);
             lot_.make_room(keys_.size());

@@ -64,6 +64,15 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
 
     public:
         explicit In(const UniformGrid& grid) : cell_(double(S::convert(grid.cell).value())), inside_(grid.inside) {}
+        /// Room for so many boxes, on each level that is in use.
+        void reserve(std::size_t n) {
+            room_ = n;
+            needs_.reserve(n);
+            level_of_.reserve(n);
+            places_.reserve(n);
+            lot_.reserve(n);
+            if constexpr (requires { inside_.reserve(n); }) inside_.reserve(n);
+        }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             if (boxes.active() == 0 || boxes.size() < 2) return;
             const std::uint32_t* order = inside_.order(boxes);
@@ -128,7 +137,7 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
             std::size_t first = 0;
             for (Level& level : levels_) {
                 level.few = level.count <= fewest;
-                if (!level.few) level.lay_out(first);
+                if (!level.few) level.lay_out(first, room_);
                 level.first = first;
                 level.last = first += level.few ? 0 : level.count;
             }
@@ -178,7 +187,8 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
         double cell_;
         bool one_size_ = false;
         typename Inside::template In<S> inside_;
-        std::size_t few_ = 0; // where in the lot those begin that are in no grid
+        std::size_t room_ = 0; // for how many boxes there shall be room
+        std::size_t few_ = 0;  // where in the lot those begin that are in no grid
         std::vector<double> needs_;
         std::vector<std::uint8_t> level_of_;
         std::vector<std::uint32_t> places_; // first the cell of each body

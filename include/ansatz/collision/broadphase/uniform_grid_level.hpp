@@ -62,7 +62,8 @@ public:
         }
     }
     /// Chooses how many cells there are on each axis: all that the bodies need, or so few that they wrap around.
-    void lay_out(std::size_t first_place) {
+    /// \param room how many bodies there may be another time
+    void lay_out(std::size_t first_place, std::size_t room) {
         first = first_place;
         std::array<double, std::size_t(dimension)> needed{};
         for (std::size_t k = 0; k < std::size_t(dimension); ++k) {
@@ -70,7 +71,7 @@ public:
             needed[k] = double(index_of(k, bounds_[k].high)) + 1;
             cells_[k] = needed[k];
         }
-        const double most = std::max(64.0, cells_a_body * double(count));
+        const double most = most_cells(count);
         auto all = [&] {
             double product = 1;
             for (const double c : cells_) product *= c;
@@ -85,7 +86,7 @@ public:
             size_[k] = std::int64_t(cells_[k]);
             per_cells_[k] = 1 / cells_[k];
         }
-        starts_.reserve(std::size_t(most) + 2); // bodies move: for the next times as well
+        starts_.reserve(std::size_t(most_cells(std::max(count, room))) + 2); // for the next times as well
         starts_.assign(std::size_t(all()) + 2, 0);
     }
     /// The cell of a body, which is counted in it.
@@ -139,6 +140,7 @@ public:
 
 private:
     static constexpr double cells_a_body = 4;
+    static double most_cells(std::size_t bodies) { return std::max(64.0, cells_a_body * double(bodies)); }
 
     /// The cell on an axis, counted from the lowest.
     /// Behind the lowest cutting off is rounding down; before it there is no body, and 0 is as good as any.

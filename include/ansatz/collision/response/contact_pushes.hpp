@@ -75,6 +75,14 @@ public:
     std::vector<Body> bodies; ///< those that are in a contact
     std::vector<Push> pushes; ///< the contacts
 
+    /// Room for so many bodies.
+    void reserve(std::size_t n) {
+        bodies.reserve(n);
+        place_.reserve(n);
+        scratch_.reserve(n);
+        before_.reserve(n);
+        roots_.reserve(n);
+    }
     /// None.
     void clear(std::size_t slots) {
         for (const auto& body : bodies)

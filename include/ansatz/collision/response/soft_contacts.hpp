@@ -273,6 +273,16 @@ public:
     /// @{
     void begin_step() {}    ///< Nothing to forget.
     void reserve_notes() {} ///< Nothing to make room for.
+    /// Room for so many bodies, of which steps make some.
+    void reserve(std::size_t n) {
+        bodies.reserve(n);
+        kicks.reserve(n);
+        pushed.reserve(n);
+        impacts.reserve(n);
+        loads_.reserve(n);
+        island_.reserve(n);
+        islands_.reserve(n);
+    }
     /// Room for the contacts of bodies that a step may make by dividing others.
     void make_room_to_come() { detail::make_room_for_copies(all); }
     /// A body has been divided: the new one takes its share of the impulses, since it has that share of the load.

@@ -90,6 +90,8 @@ public:
             if (pair != pairs.end() && pair->which == old.which) pair->met = old.met;
         }
     }
+    /// Room for so many bodies.
+    void reserve(std::size_t n) { bodies_.reserve(n); }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SoftImpacts& other) {
         pairs.reserve(other.pairs.size());

@@ -48,6 +48,11 @@ public:
             if (bodies[slot].weight > Scalar(0)) bodies[slot].u = before[slot];
         contacts.warm_start();
     }
+    /// Room for so many bodies.
+    void reserve(std::size_t n) {
+        nets_.reserve(n);
+        over_.reserve(n);
+    }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SoftLoads& other) {
         nets_.reserve(other.nets_.size());

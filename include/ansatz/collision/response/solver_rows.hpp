@@ -57,6 +57,8 @@ public:
     using Raw = Vector<Scalar, S::dimension>; ///< raw SI
     using Body = SolverBody<S>;               ///< what is solved for
 
+    /// Room for so many bodies.
+    void reserve(std::size_t n) { without_contacts_.reserve(n); }
     /// Before those of a substep are given.
     void clear() { all_.clear(); }
     /// One of them; those between bodies that nothing moves are left out.
