@@ -56,11 +56,11 @@ public:
 
     /// Room for so many bodies; where steps make some, in all that a step looks at them with.
     void reserve(std::size_t n) {
-        shapes.reserve(n);
-        sensors_.reserve(n);
+        detail::reserve_each(n, shapes, sensors_);
         if constexpr (divides) {
-            this->siblings_.reserve(n);
-            working_.value.reserve(n);
+            auto& w = working_.value;
+            detail::reserve_each(n, this->siblings_, w.boxes, w.ids, w.finder, w.order, w.before, w.pushes, w.near);
+            if constexpr (C::anticipates) w.ahead.reserve(n);
         }
     }
     /// Room for a body with this id.
@@ -254,21 +254,9 @@ private:
         ContactOrder<S> order;
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         std::vector<Ahead> ahead;                         // by slot, of those that are looked at before they touch
-        std::vector<Contact<S>> touching;
-        [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent>
-            pushes; // only where they are used
-        [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near; // these, too
-
-        void reserve(std::size_t n) {
-            boxes.reserve(n);
-            ids.reserve(n);
-            order.reserve(n);
-            before.reserve(n);
-            if constexpr (C::anticipates) ahead.reserve(n);
-            if constexpr (C::as_one) pushes.reserve(n);
-            if constexpr (C::holds_near) near.reserve(n);
-            if (finder) detail::reserve_finder(*finder, n);
-        }
+        std::vector<Contact<S>> touching;                 // what follows only where it is used
+        [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes;
+        [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near;
     };
 
     /// A search that was broken off leaves nothing behind that the next one could stumble over.
@@ -402,12 +390,10 @@ private:
 
     friend struct CollisionArchive;
     template <class> friend class SweptCollisions;
-
     bool somebody_removed_ = false;               // since the last step
     bool stale_ = false;                          // what follows from where the bodies are does not any more
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
-
     detail::Cache<Working> working_;
 };
 

@@ -120,17 +120,21 @@ protected:
 
 namespace detail {
 
-/// Room for so many boxes in a broadphase that is bound, if it says how.
-template <class Finder> void reserve_finder(Finder& finder, std::size_t n) {
-    if constexpr (requires { finder.reserve(n); }) finder.reserve(n);
+/// Room for so many in each of some lists; what has none, or is not there, is left out.
+template <class T> void reserve_one(std::size_t n, T& list) {
+    if constexpr (requires { list.reserve(n); }) list.reserve(n);
+    else if constexpr (requires { list->reserve(n); }) {
+        if (list) list->reserve(n);
+    }
 }
+template <class... T> void reserve_each(std::size_t n, T&... list) { (reserve_one(n, list), ...); }
 /// Binds a broadphase.
 /// \tparam Divides whether steps make bodies, for which it gets room
 /// \param  n       for how many bodies there is room
 template <bool Divides, class Finder>
 void make_finder(std::optional<Finder>& finder, const auto& broadphase, [[maybe_unused]] std::size_t n) {
     finder.emplace(broadphase);
-    if constexpr (Divides) reserve_finder(*finder, n);
+    if constexpr (Divides) reserve_one(n, *finder);
 }
 /// Room for what divided bodies take along: as much again as there is.
 template <class T> void make_room_for_copies(std::vector<T>& all) {

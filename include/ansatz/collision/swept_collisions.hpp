@@ -43,7 +43,10 @@ public:
     /// Room for so many bodies.
     void reserve(std::size_t n) {
         Base::reserve(n);
-        if constexpr (Base::divides) sweep_.value.reserve(n);
+        if constexpr (Base::divides) {
+            auto& w = sweep_.value;
+            detail::reserve_each(n, w.moved, w.travellers, w.slow, w.boxes, w.finder);
+        }
     }
     /// Where everybody is before they move.
     template <class Data> void remember(const Data& data) {
@@ -134,14 +137,6 @@ private:
         std::vector<Event> events;
         std::vector<Event> impacts;
         bool pushed = false;
-
-        void reserve(std::size_t n) {
-            moved.reserve(n);
-            travellers.reserve(n);
-            slow.reserve(n);
-            boxes.reserve(n);
-            if (finder) detail::reserve_finder(*finder, n);
-        }
     };
 
     /// Half of the smallest extent of a shape, m; nothing for one without end.

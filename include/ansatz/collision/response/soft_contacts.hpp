@@ -274,15 +274,7 @@ public:
     void begin_step() {}    ///< Nothing to forget.
     void reserve_notes() {} ///< Nothing to make room for.
     /// Room for so many bodies, of which steps make some.
-    void reserve(std::size_t n) {
-        bodies.reserve(n);
-        kicks.reserve(n);
-        pushed.reserve(n);
-        impacts.reserve(n);
-        loads_.reserve(n);
-        island_.reserve(n);
-        islands_.reserve(n);
-    }
+    void reserve(std::size_t n) { detail::reserve_each(n, bodies, kicks, pushed, impacts, loads_, island_, islands_); }
     /// Room for the contacts of bodies that a step may make by dividing others.
     void make_room_to_come() { detail::make_room_for_copies(all); }
     /// A body has been divided: the new one takes its share of the impulses, since it has that share of the load.
@@ -350,7 +342,6 @@ public:
     /// They hold no body.
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
-
 private:
     static constexpr int most_given = 16; // found by trial on columns of six: 4 and 16 come to rest, 0.5 and 1 do not
     /// Bodies that contacts of this step join, through no body that is not moved.
@@ -398,7 +389,6 @@ private:
             c.rubbing = now;
         }
     }
-
     std::vector<Constraint> old_;
     std::vector<std::uint32_t> acting_; // which of all act in this step
     SoftLoads<S> loads_;
