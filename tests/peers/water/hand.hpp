@@ -99,9 +99,9 @@ void sines(const std::vector<HandWave>& waves, std::size_t n, float dx, std::vec
 }
 
 /// Saint-Venant's equations of first order, HLL with hydrostatic reconstruction, over four arrays, a pass for each job.
-class HandShallow {
+template <class T> class HandShallow {
 public:
-    HandShallow(std::size_t nx, std::size_t nz, float dx)
+    HandShallow(std::size_t nx, std::size_t nz, T dx)
         : nx_(nx),
           nz_(nz),
           over_(1 / dx),
@@ -111,13 +111,13 @@ public:
           hw(nx * nz),
           u_(nx * nz),
           w_(nx * nz) {
-        for (auto* lane : {&mass_, &low_, &high_, &along_}) lane->assign(nx, 0.0F);
+        for (auto* lane : {&mass_, &low_, &high_, &along_}) lane->assign(nx, T(0));
         for (auto* lane : {&mass_z_, &low_z_, &high_z_, &along_z_, &mass_s_, &high_s_, &along_s_})
-            lane->assign(nx, 0.0F);
+            lane->assign(nx, T(0));
     }
-    void step(float dt) {
+    void step(T dt) {
         speeds(nx_ * nz_, height.data(), hu.data(), hw.data(), u_.data(), w_.data());
-        const float by = dt * over_;
+        const T by = dt * over_;
         for (std::size_t j = 0; j < nz_; ++j) {
             const std::size_t n = j * nx_;
             if (j == 0) wall(n, high_s_, mass_s_, along_s_);
@@ -138,65 +138,64 @@ public:
     }
 
 private:
-    static constexpr float g = 9.81F;
-    static float stop(float h, float u) { return h * u * (u + (std::abs(u) + std::sqrt(g * h))); }
-    void wall(std::size_t n, std::vector<float>& push, std::vector<float>& mass, std::vector<float>& along) {
+    static constexpr T g = T(9.81);
+    static T stop(T h, T u) { return h * u * (u + (std::abs(u) + std::sqrt(g * h))); }
+    void wall(std::size_t n, std::vector<T>& push, std::vector<T>& mass, std::vector<T>& along) {
         const bool south = n == 0;
         for (std::size_t i = 0; i < nx_; ++i) {
             mass[i] = along[i] = 0;
             push[i] = south ? stop(height[n + i], -w_[n + i]) : stop(height[n + i], w_[n + i]);
         }
     }
-    static void speeds(std::size_t count, const float* __restrict h, const float* __restrict hu,
-                       const float* __restrict hw, float* __restrict u, float* __restrict w) {
+    static void speeds(std::size_t count, const T* __restrict h, const T* __restrict hu, const T* __restrict hw,
+                       T* __restrict u, T* __restrict w) {
         for (std::size_t n = 0; n < count; ++n) {
-            const float over = 1 / std::max(h[n], 1e-5F);
+            const T over = 1 / std::max(h[n], T(1e-5));
             u[n] = hu[n] * over;
             w[n] = hw[n] * over;
         }
     }
-    static void faces(std::size_t count, const float* __restrict h1, const float* __restrict b1,
-                      const float* __restrict u1, const float* __restrict t1, const float* __restrict h2,
-                      const float* __restrict b2, const float* __restrict u2, const float* __restrict t2,
-                      float* __restrict mass, float* __restrict low, float* __restrict high, float* __restrict along) {
+    static void faces(std::size_t count, const T* __restrict h1, const T* __restrict b1, const T* __restrict u1,
+                      const T* __restrict t1, const T* __restrict h2, const T* __restrict b2, const T* __restrict u2,
+                      const T* __restrict t2, T* __restrict mass, T* __restrict low, T* __restrict high,
+                      T* __restrict along) {
         for (std::size_t i = 0; i < count; ++i) {
-            const float sill = std::max(b1[i], b2[i]);
-            const float a = std::max(0.0F, h1[i] + b1[i] - sill), b = std::max(0.0F, h2[i] + b2[i] - sill);
-            const float ca = std::sqrt(g * a), cb = std::sqrt(g * b);
-            const float slow = std::min(0.0F, std::min(u1[i] - ca, u2[i] - cb));
-            const float fast = std::max(0.0F, std::max(u1[i] + ca, u2[i] + cb));
-            const float qa = a * u1[i], qb = b * u2[i], pa = 0.5F * g * a * a, pb = 0.5F * g * b * b;
-            const float over = 1 / (fast - slow + 1e-30F);
-            const float m = (fast * qa - slow * qb + fast * slow * (b - a)) * over;
-            const float p = (fast * (qa * u1[i] + pa) - slow * (qb * u2[i] + pb) + fast * slow * (qb - qa)) * over;
+            const T sill = std::max(b1[i], b2[i]);
+            const T a = std::max(T(0), h1[i] + b1[i] - sill), b = std::max(T(0), h2[i] + b2[i] - sill);
+            const T ca = std::sqrt(g * a), cb = std::sqrt(g * b);
+            const T slow = std::min(T(0), std::min(u1[i] - ca, u2[i] - cb));
+            const T fast = std::max(T(0), std::max(u1[i] + ca, u2[i] + cb));
+            const T qa = a * u1[i], qb = b * u2[i], pa = T(0.5) * g * a * a, pb = T(0.5) * g * b * b;
+            const T over = 1 / (fast - slow + T(1e-30));
+            const T m = (fast * qa - slow * qb + fast * slow * (b - a)) * over;
+            const T p = (fast * (qa * u1[i] + pa) - slow * (qb * u2[i] + pb) + fast * slow * (qb - qa)) * over;
             mass[i] = m;
             low[i] = p - pa;
             high[i] = p - pb;
             along[i] = m * (m > 0 ? t1[i] : t2[i]);
         }
     }
-    void update(std::size_t n, float by) {
-        float* __restrict h = &height[n];
-        float* __restrict qu = &hu[n];
-        float* __restrict qw = &hw[n];
-        const float first = stop(h[0], -u_[n]);
+    void update(std::size_t n, T by) {
+        T* __restrict h = &height[n];
+        T* __restrict qu = &hu[n];
+        T* __restrict qw = &hw[n];
+        const T first = stop(h[0], -u_[n]);
         for (std::size_t i = 0; i < nx_; ++i) {
-            const float west_m = i > 0 ? mass_[i - 1] : 0, west_p = i > 0 ? high_[i - 1] : first,
-                        west_t = i > 0 ? along_[i - 1] : 0;
+            const T west_m = i > 0 ? mass_[i - 1] : 0, west_p = i > 0 ? high_[i - 1] : first,
+                    west_t = i > 0 ? along_[i - 1] : 0;
             h[i] += by * ((west_m - mass_[i]) + (mass_s_[i] - mass_z_[i]));
             qu[i] += by * ((west_p - low_[i]) + (along_s_[i] - along_z_[i]));
             qw[i] += by * ((west_t - along_[i]) + (high_s_[i] - low_z_[i]));
         }
     }
     std::size_t nx_, nz_;
-    float over_;
+    T over_;
 
 public:
-    std::vector<float> height, bed, hu, hw; ///< m, m, m^2/s, m^2/s
+    std::vector<T> height, bed, hu, hw; ///< m, m, m^2/s, m^2/s
 
 private:
-    std::vector<float> u_, w_, mass_, low_, high_, along_, mass_z_, low_z_, high_z_, along_z_, mass_s_, high_s_,
-        along_s_;
+    std::vector<T> u_, w_, mass_, low_, high_, along_, mass_z_, low_z_, high_z_, along_z_, mass_s_, high_s_, along_s_;
 };
 
 } // namespace peers
