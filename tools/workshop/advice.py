@@ -18,8 +18,9 @@ Elsewhere a sentence that compares what policies cost names its row, in the same
 
 Several stand behind each other with a semicolon. `A < 0.5 B` asks for less than half of the time, for each number of
 bodies that both were measured with, or `from 25`, `to 64`, `at 1024`; `at error 1e-3` compares what so small an error
-takes. `Octree@1` is the row whose parameter is 1, `*` every problem, and `work` or `error` before the first name compares
-these in place of the time. Not every comparison is one of costs: a paragraph that names its test (tests/...) is not asked.
+takes. `Octree@1` is the row whose parameter is 1, a name with blanks stands in quotes, `*` is every problem, and `work` or
+`error` before the first name compares these in place of the time. Not every comparison is one of costs: a paragraph that
+names its test (tests/...) is not asked.
 """
 
 from __future__ import annotations
@@ -41,18 +42,19 @@ BEGIN = re.compile(r" *<!-- from costs: ([a-z]+) ([^>]*?) *-->")
 END = "<!-- end of costs -->"
 CLAIMS = re.compile(r"<!-- costs: (.*?) *-->", re.DOTALL)
 CLAIM = re.compile(
-    r"(?P<module>\w+) (?P<axis>[\w-]+)(?:/(?P<problem>[^:]*))?: (?:(?P<what>work|error) )?(?P<a>\S+) (?P<op>[<>]) "
-    r"(?:(?P<factor>[0-9.]+) )?(?P<b>\S+?)(?: (?P<where>from|to|at|at error) (?P<bound>[0-9.e+-]+))?$")
+    r"(?P<module>\w+) (?P<axis>[\w-]+(?: [\w-]+)*)(?:/(?P<problem>[^:]*))?: (?:(?P<what>work|error) )?"
+    r"(?P<a>\"[^\"]+\"\S*|\S+) (?P<op>[<>]) (?:(?P<factor>[0-9.]+) )?(?P<b>\"[^\"]+\"\S*|\S+?)(?: (?P<where>from|to|at|at error) (?P<bound>[0-9.e+-]+))?$")
 PRICE = re.compile(
     r"\b(?:nothing (?:\w+ )?is faster|fast(?:er|est)|slow(?:er|est)|cheap(?:er|est)?|dear(?:er|est)|pays? (?:off|for|from)"
     r"|(?:times|twice|half) as (?:long|fast|dear|cheap)|(?:half|third|quarter|tenth|ninth) of (?:the|its) time"
     r"|(?:less|more|twice|half|times) (?:the )?time\b|takes (?:less|more|longer)|costs? (?:less|more|twice|half|the same))",
     re.IGNORECASE)
 # Whose comparisons are of motion, not of price: "approaches that are not faster than `threshold`".
-OF_MOTION = re.compile(r"(?:faster|slower) than (?:a |the |its )?(?:\*|`)?threshold|m/s|fastest body|fall\w* (?:ever )?faster",
+OF_MOTION = re.compile(r"(?:faster|slower) than (?:a |the |its )?(?:\*|`)?threshold|m/s|fastest body|fall\w* (?:ever )?faster"
+                       r"|fastest (?:wave|that anything swings)|waves [^.;]* faster",
                        re.IGNORECASE)
-# Pages whose sentences have no rows yet; each that gets them leaves this list.
-NOT_YET = frozenset(("docs/paths.md", "docs/soft_bodies.md", "docs/states.md", "docs/water.md"))
+# Where a path or a plan has a cost, these words are of that.
+OF_PATHS = re.compile(r"cheap|dear|costs? ", re.IGNORECASE)
 
 
 def read(file: str) -> str:
@@ -90,6 +92,12 @@ def rounded(number: float) -> str:
 def time_text(nanoseconds: float) -> str:
     """Two digits."""
     return rounded(nanoseconds)
+
+
+def told_apart(problems: list[str]) -> list[str]:
+    """Their short names, or whole ones where the short ones are the same."""
+    names = [short(problem) for problem in problems]
+    return names if len(set(names)) == len(names) else problems
 
 
 def short(problem: str) -> str:
@@ -164,7 +172,7 @@ def crossings_block(words: str) -> list[str]:
     module, axis = place.split(" ", 1)
     rows = table_of(module).of(axis)
     problems = cost_rows.different(row.problem for row in rows)
-    lines = ["| the first is faster than the second from | " + " | ".join(map(short, problems)) + " |",
+    lines = ["| the first is faster than the second from | " + " | ".join(told_apart(problems)) + " |",
              "|---" * (len(problems) + 1) + "|"]
     for contest in contests.split(", "):
         a, b = contest.split(" : ")
@@ -225,7 +233,7 @@ def generated(text: str) -> str:
 # ---------------------------------------------------------------- claims
 def named(rows: list[Row], name: str) -> list[Row]:
     """The rows of Octree, or of Octree@64."""
-    choice, _, key = name.partition("@")
+    choice, _, key = name.replace('"', "").partition("@")
     found = [row for row in rows if row.choice == choice and (not key or row.key == float(key))]
     if not found:
         raise Fault(f"there is no row of {name}")
@@ -237,7 +245,7 @@ def pairs_of(rows: list[Row], claim: re.Match[str]) -> list[tuple[float, float]]
     a, b = named(rows, claim["a"]), named(rows, claim["b"])
     what = claim["what"] or "time"
     if claim["where"] == "at error":
-        times = tuple(cost_rows.time_for(rows, claim[name].partition("@")[0], float(claim["bound"])) for name in "ab")
+        times = tuple(cost_rows.time_for(rows, claim[name].replace('"', "").partition("@")[0], float(claim["bound"])) for name in "ab")
         return [(times[0], times[1])] if times[0] is not None and times[1] is not None else []
     value = operator.attrgetter(what)
     if "@" in claim["a"] or "@" in claim["b"]:
@@ -331,7 +339,8 @@ def faults_of_text(file: str, text: str, names: set[str]) -> list[str]:
         if claims or re.search(r"tests/[\w/]+\.\w+|workbook peers", told):
             continue
         for sentence in re.split(r"(?<=[.:!?]) +(?=[A-Z*`(])", told):
-            price = PRICE.search(sentence)
+            price = next((word for word in PRICE.finditer(sentence)
+                          if "paths/" not in file or not OF_PATHS.match(word[0])), None)
             if price and not OF_MOTION.search(sentence) and (of_itself or names_in(sentence, names)):
                 faults.append(f"{file}:{number}: '{price[0]}' has no row: \"{sentence[:100]}\" names it by "
                               "<!-- costs: ... -->, or stands in a block that is generated (tools/workshop/advice.py)")
@@ -345,7 +354,7 @@ def faults_of_page(file: str, text: str, names: set[str]) -> list[str]:
     except Fault as fault:
         return [f"{file}: {fault}"]
     return ([f"{file}: its tables are not those of docs/costs; advice.py write makes them anew"] if stale else []) \
-        + ([] if file in NOT_YET else faults_of_text(file, text, names))
+        + faults_of_text(file, text, names)
 
 
 # ---------------------------------------------------------------- what it is asked for

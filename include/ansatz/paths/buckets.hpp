@@ -2,7 +2,9 @@
 #pragma once
 
 /// \file
-/// `Buckets`: the open list as a ring of buckets, each for a span of f; two to four times as fast as a heap.
+/// `Buckets`: the open list as a ring of buckets, each for a span of f, faster than a heap.
+/// <!-- costs: paths cost number/*: "Buckets, uint32" < 0.9 "Heap, uint32"; paths successors/*: "EveryEdge, Buckets" <
+/// 0.9 "EveryEdge, Heap" -->
 ///
 /// Putting in and taking out cost the same however long the list is. What lies in one bucket comes out last in, first
 /// out, so that the order is right only to a bucket's width. The search makes good for it: it opens nodes again, and

@@ -7,7 +7,7 @@
 /// Takes any cost and hands out the least f exactly; of equal f the one with the least h, which lies nearer to the
 /// goal, and in every build the same. A node whose f fell is put in again instead of being moved, and its old entry is
 /// passed over when it comes up: that is faster than to keep track of places. For whole-number costs Buckets are faster
-/// still.
+/// still. <!-- costs: paths cost number/*: "Buckets, uint32" < 0.9 "Heap, uint32" -->
 ///
 /// \see D. B. Johnson, "Priority queues with update and finding minimum spanning trees", Information Processing Letters
 /// 4 (1975), for heaps of more than two children.

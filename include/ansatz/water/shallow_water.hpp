@@ -7,8 +7,9 @@
 ///
 /// Use it where water runs: a dam that breaks, a flood over dry ground, a bore, anything with a front. Not for ripples
 /// on a pool: it is of first order, so that it smears low waves, and costs several times what WaterColumns does
-/// (SecondOrderShallowWater smears less, and costs more); and not for waves that are short against the depth, which
-/// shallow water has not.
+/// (SecondOrderShallowWater smears less, and costs more <!-- costs: water wave/seiche: ShallowWater > 3 WaterColumns;
+/// water wave/seiche: SecondOrderShallowWater > 2 ShallowWater -->); and not for waves that are short against the
+/// depth, which shallow water has not.
 ///
 /// \f[ \partial_t \begin{pmatrix} h \\ hu \\ hw \end{pmatrix} + \partial_x \begin{pmatrix} hu \\ hu^2 + \frac g 2 h^2 \\ huw \end{pmatrix} + \partial_z \begin{pmatrix} hw \\ huw \\ hw^2 + \frac g 2 h^2 \end{pmatrix} = -g h \begin{pmatrix} 0 \\ \partial_x b \\ \partial_z b \end{pmatrix} \f]
 ///
