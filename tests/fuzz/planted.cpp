@@ -65,6 +65,18 @@ TEST_CASE("a planted fault is found and shrunk: a hash that leaves a number out"
 TEST_CASE("a planted fault is found and shrunk: a pair that is not seen", "[fuzz]") {
     check_found(fuzz::Plant::missed_pair, "another broadphase: the same bits");
 }
+TEST_CASE("a planted fault is found and shrunk: a push that is none for one of two", "[fuzz]") {
+    check_found(fuzz::Plant::uneven_push, "momentum is kept");
+}
+TEST_CASE("a planted fault is found and shrunk: a verb that is refused when it has begun", "[fuzz]") {
+    check_found(fuzz::Plant::half_changed, "a refusal changes nothing");
+}
+TEST_CASE("a planted fault is found and shrunk: a copy that leaves a number out", "[fuzz]") {
+    check_found(fuzz::Plant::poor_copy, "a copy continues to the bit");
+}
+TEST_CASE("a planted fault is found and shrunk: a step that takes memory", "[fuzz]") {
+    check_found(fuzz::Plant::lasting_garbage, "a warm step does not allocate");
+}
 TEST_CASE("without a fault nothing is found in the world of the faults", "[fuzz]") {
     const auto subject = faulty_subject();
     const auto hunt = fuzz::hunt(*subject, 1, 1);

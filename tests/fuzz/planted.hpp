@@ -13,6 +13,7 @@
 #include <ansatz/world/keep.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace fuzz {
 
@@ -21,7 +22,11 @@ enum class Plant {
     stale_slot,       ///< a verb looks a slot up, and then wakes bodies, which changes slots
     energy_twice,     ///< a bounce is given back twice
     forgotten_number, ///< the hash leaves a column out
-    missed_pair       ///< the broadphase does not tell each fourth pair
+    missed_pair,      ///< the broadphase does not tell each fourth pair
+    uneven_push,      ///< one of two that bounce gets half of what the other gets
+    half_changed,     ///< a verb stops the body before it finds that its argument is none
+    poor_copy,        ///< a copy leaves a column out
+    lasting_garbage   ///< each bounce takes memory from the heap
 };
 inline Plant planted = Plant::nothing; // what is wrong now
 
@@ -44,7 +49,10 @@ struct ShortSighted {
     };
 };
 
-/// An impulse, contact by contact, that bounces; for the fault its restitution counts twice.
+inline std::vector<int> garbage;
+
+/// An impulse, contact by contact, that bounces; for the faults its restitution counts twice, the second body gets half
+/// of it, or it allocates.
 struct Bouncing {
     using role = ansatz::roles::Response;
     static constexpr ansatz::Level level = ansatz::Level::velocities;
@@ -63,7 +71,8 @@ struct Bouncing {
             const auto given = planted == Plant::energy_twice ? e + e : e;
             const auto j = (-(typename S::Scalar(1) + given) * along) / (wa + wb);
             va += (wa * j) * touch.normal;
-            vb -= (wb * j) * touch.normal;
+            vb -= (wb * j) * touch.normal * typename S::Scalar(planted == Plant::uneven_push ? 0.5 : 1);
+            if (planted == Plant::lasting_garbage) std::vector<int>(1).swap(garbage);
         }
     };
 };
@@ -74,6 +83,13 @@ template <class... P> class Faulty : public ansatz::World<P...> {
 
 public:
     explicit Faulty(P... policies) : Base(policies...) {}
+    Faulty(const Faulty& other) : Base(other) {
+        if (planted == Plant::poor_copy) forget_restitution();
+    }
+    Faulty(Faulty&&) = default;
+    Faulty& operator=(const Faulty&) = default;
+    Faulty& operator=(Faulty&&) = default;
+    ~Faulty() = default;
     template <class Q> void set_velocity(ansatz::Handle body, const Q& velocity) {
         if (planted == Plant::stale_slot && this->contains(body)) {
             std::size_t slot = 0;
@@ -81,14 +97,21 @@ public:
             Base::wake(body);
             body = this->body_at(slot);
         }
+        if (planted == Plant::half_changed && this->contains(body) && !ansatz::is_finite(velocity))
+            Base::set_velocity(body, Base::S::template zero_vector<ansatz::unit::Velocity>());
         Base::set_velocity(body, velocity);
     }
     std::uint64_t hash() const {
         if (planted != Plant::forgotten_number) return Base::hash();
-        Base without = *this;
+        Faulty without = *this;
+        without.forget_restitution();
+        return without.Base::hash();
+    }
+
+private:
+    void forget_restitution() {
         for (const auto body : this->handles())
-            without.template write<ansatz::Restitution>(body, ansatz::Quantity<ansatz::unit::Dimensionless>(0.0));
-        return without.hash();
+            this->template write<ansatz::Restitution>(body, ansatz::Quantity<ansatz::unit::Dimensionless>(0.0));
     }
 };
 template <class... P> Faulty(P...) -> Faulty<P...>;

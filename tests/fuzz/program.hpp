@@ -56,8 +56,7 @@ inline std::string text_of_add(const Operation& o, const Facts& facts) {
         case Shape::plane: {
             Numbers normal{};
             normal[std::size_t(o.axis)] = 1;
-            put("Plane{" + text_of(dimension == 2 ? "Eigen::Vector2d" : "Eigen::Vector3d", normal, dimension) + ", " +
-                text_of(-o.size) + " * metre}");
+            put("Plane{" + text_of("Eigen::Vector3d", normal, 3) + ", " + text_of(-o.size) + " * metre}");
             break;
         }
         case Shape::none: put("shapeless"); break;

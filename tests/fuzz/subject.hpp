@@ -37,6 +37,7 @@ struct Facts {
     bool history = false;       ///< its velocity is made of two places
     bool falls = false;         ///< has gravity
     bool closed = false;        ///< no force from outside acts: momentum is kept
+    bool settles = false;       ///< what falls on something may come to rest there: contacts take its velocity
     bool stays = false;         ///< contacts are where the step left the bodies: nothing moves them apart afterwards
     bool keeps_energy = false;  ///< V3: no step has more kinetic energy than the one before
     bool soft = false;          ///< and that only as long as nobody was put into another body

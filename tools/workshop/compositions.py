@@ -73,6 +73,7 @@ class Composition:
         return {
             "falls": falls,
             "closed": forces == "",
+            "settles": falls and response != "Projection{}",
             "stays": "Projection" not in response and "Penalty" not in response and not soft and not swept,
             "keeps_energy": not falls and "Penalty" not in response,
             "soft": soft,

@@ -117,9 +117,7 @@ private:
     /// The same where others stand in other slots now.
     void see_who_woke() {
         bodies_.place(contacts_.bodies, contacts_.kicks);
-        const auto met = std::move(contacts_.impacts.pairs);
-        begin_contacts();
-        contacts_.impacts.keep_met(met);
+        contacts_.impacts.find_again([&] { begin_contacts(); });
         if constexpr (shares) {
             data_.own.value.known = false;
             this->know_own(context_);

@@ -81,14 +81,16 @@ public:
     }
     /// By how much a body has moved less than its last velocity says, m: it was struck at some time within the substep.
     const Raw& late(std::size_t slot) const { return bodies_[slot].late; }
-    /// The pairs were found anew within a step: those that have met in it still have.
-    /// \param earlier the pairs before, by contact as these
-    void keep_met(const std::vector<Pair>& earlier) {
+    /// The pairs are found anew within a step, by `find_them`: those that have met in it still have.
+    template <class Find> void find_again(const Find& find_them) {
+        earlier_.swap(pairs);
+        find_them();
         auto pair = pairs.begin();
-        for (const auto& old : earlier) {
+        for (const auto& old : earlier_) {
             while (pair != pairs.end() && pair->which < old.which) ++pair;
             if (pair != pairs.end() && pair->which == old.which) pair->met = old.met;
         }
+        earlier_.clear();
     }
     /// Room for so many bodies.
     void reserve(std::size_t n) { bodies_.reserve(n); }
@@ -245,6 +247,7 @@ private:
 
     std::vector<Struck> bodies_;         // by slot
     std::vector<std::uint32_t> meeting_; // of `pairs`: those that are answered now
+    std::vector<Pair> earlier_;          // while they are found again: those before
 };
 
 } // namespace ansatz
