@@ -43,7 +43,8 @@ END = "<!-- end of costs -->"
 CLAIMS = re.compile(r"<!-- costs: (.*?) *-->", re.DOTALL)
 CLAIM = re.compile(
     r"(?P<module>\w+) (?P<axis>[\w-]+(?: [\w-]+)*)(?:/(?P<problem>[^:]*))?: (?:(?P<what>work|error) )?"
-    r"(?P<a>\"[^\"]+\"\S*|\S+) (?P<op>[<>]) (?:(?P<factor>[0-9.]+) )?(?P<b>\"[^\"]+\"\S*|\S+?)(?: (?P<where>from|to|at|at error) (?P<bound>[0-9.e+-]+))?$")
+    r"(?P<a>\"[^\"]+\"\S*|\S+) (?P<op>[<>]) (?:(?P<factor>[0-9.]+) )?(?P<b>\"[^\"]+\"\S*|\S+?)"
+    r"(?: (?P<where>from|to|at|at error) (?P<bound>[0-9.e+-]+))?$")
 PRICE = re.compile(
     r"\b(?:nothing (?:\w+ )?is faster|fast(?:er|est)|slow(?:er|est)|cheap(?:er|est)?|dear(?:er|est)|pays? (?:off|for|from)"
     r"|(?:times|twice|half) as (?:long|fast|dear|cheap)|(?:half|third|quarter|tenth|ninth) of (?:the|its) time"
@@ -245,7 +246,8 @@ def pairs_of(rows: list[Row], claim: re.Match[str]) -> list[tuple[float, float]]
     a, b = named(rows, claim["a"]), named(rows, claim["b"])
     what = claim["what"] or "time"
     if claim["where"] == "at error":
-        times = tuple(cost_rows.time_for(rows, claim[name].replace('"', "").partition("@")[0], float(claim["bound"])) for name in "ab")
+        bound = float(claim["bound"])
+        times = tuple(cost_rows.time_for(rows, claim[name].replace('"', "").partition("@")[0], bound) for name in "ab")
         return [(times[0], times[1])] if times[0] is not None and times[1] is not None else []
     value = operator.attrgetter(what)
     if "@" in claim["a"] or "@" in claim["b"]:

@@ -27,11 +27,13 @@ def row(choice: str, n: int, time: Optional[float], problem: str = "spread, wide
 ROWS = [entry for n in (10, 100, 1000) for entry in (
     row("QuickStart", n, 2.1 * n), row("SteadyPace", n, 100.0), row("SlowMarch", n, 400.0 + n),
     row("RoundAbout", n, 101.0))]
+WORDY = [row(choice, 10, time, axis="open list", problem=f"a map, {problem}") for problem in ("rooms", "blocks")
+         for choice, time in (("Ring, wide", 1.0), ("Ring, narrow", 3.0), ("Circle", 2.0), ("Square", 4.0))]
 LADDER = [row("ShortStep", 2, 1 / dt, axis="steps", error=dt, error_norm="waste | of it", parameter=f"dt = {dt:g} s") for dt in (1.0, 0.1, 0.01)] + [
     row("LongStride", 2, 5 / dt, axis="steps", error=dt * dt, parameter=f"dt = {dt:g} s") for dt in (1.0, 0.1, 0.01)] + [
     row("LostWay", 2, 7.0, axis="steps", error=0.5, parameter="dt = 1 s", diverged=True)]
 RUN = {"machine": {"cpu": "a processor", "compiler": "g++ 12.2 (x)", "flags": "-O3", "date": "2026-01-02T03:04:05Z",
-                   "repeats": 15}, "rows": ROWS + LADDER}
+                   "repeats": 15}, "rows": ROWS + LADDER + WORDY}
 
 
 @contextlib.contextmanager
@@ -99,6 +101,7 @@ class Blocks(unittest.TestCase):
             self.assertEqual([line.split("|")[2].strip() for line in told], ["50", "never", "always", "never"])
             with self.assertRaises(advice.Fault):
                 advice.crossings_block("walks search: Nobody : QuickStart")
+            self.assertIn("a map, rooms | a map, blocks", advice.crossings_block("walks open list: Circle : Square")[0])
 
     def test_errors(self) -> None:
         """The cheaper, the factor of the other; who does not get there is not told."""
@@ -134,6 +137,10 @@ class Claims(unittest.TestCase):
                 self.assertEqual(len(advice.faults_of_claim(rows + claim)), 1, claim)
             self.assertEqual(len(advice.faults_of_claim("walks steps/*: ShortStep < LongStride at error 0.001")), 1)
             self.assertEqual(len(advice.faults_of_claim("nothing search/spread: A < B")), 1)
+            wordy = "walks open list/*: "
+            self.assertEqual(advice.faults_of_claim(wordy + '"Ring, wide" < 0.5 "Ring, narrow"'), [])
+            for claim in ('"Ring, narrow" < "Ring, wide"', '"Ring, low" < "Ring, wide"', 'Ring, wide < "Ring, narrow"'):
+                self.assertEqual(len(advice.faults_of_claim(wordy + claim)), 1, claim)
 
     def test_sentences(self) -> None:
         """About what policies cost are asked for their row; about motion, or with a row or a test, they are not."""
@@ -157,6 +164,13 @@ class Claims(unittest.TestCase):
                 ("/// \\file\n/// Nothing here\n/// is faster.\n#include <a>\n", 1),
                 ("/// Nothing is faster. <!-- costs: walks search/*: SteadyPace < SlowMarch -->\n", 0),
                 ("int faster = 0;\nint cheapest();\n", 0)):
+            with project({file: text}):
+                self.assertEqual(len(said("check", file)), faults, text)
+
+    def test_paths(self) -> None:
+        """Where a path has a cost, dear and cheap are of that."""
+        file = "include/ansatz/paths/steady_pace.hpp"
+        for text, faults in (("/// The cheapest way costs less than others.\n", 0), ("/// Nothing here is faster.\n", 1)):
             with project({file: text}):
                 self.assertEqual(len(said("check", file)), faults, text)
 
