@@ -60,7 +60,7 @@ TEST_CASE("a hundred thousand random additions, removals, sleeps and wakes leave
     for (int operation = 0; operation < 100'000; ++operation) {
         // Grows, shrinks to nothing and grows again, so that ids are used many times.
         const bool growing = (operation / 5000) % 2 == 0;
-        const auto what = dice.below(10);
+        const auto what = dice.below(10U);
         if (alive.empty() || what < (growing ? 4u : 1u)) {
             const auto motion = Motion(dice.below(4));
             const auto promised = bodies.next_id();
@@ -113,7 +113,7 @@ TEST_CASE("a body that is added, removed, moved or put to sleep takes nothing fr
     std::vector<Handle> gone;
     int next = 1;
     for (int operation = 0; operation < 20'000; ++operation) {
-        const auto what = dice.below(8);
+        const auto what = dice.below(8U);
         if (alive.empty() || what < 3) {
             const auto heat = with<Heat>(next * joule);
             const auto heavy = mass(next * kilogram);
