@@ -4,6 +4,7 @@
 //
 // All sides of a Surface are walls. So the flow through a channel is held at its ends from outside, as the columns of a
 // state can be: this is also how who needs an inflow of his own gets one.
+// Compiled alone: its g and its Lake are those of shallow water, and other files that run long have theirs.
 // Runs long with the sanitizers.
 
 #include "tests/water/shallow_cases.hpp"
