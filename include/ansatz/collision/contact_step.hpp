@@ -90,8 +90,9 @@ public:
         data_.displace(slot, to - data_.lanes.template get<Position>(slot));
     }
 
-    /// Where contacts gave some bodies a velocity, all have theirs for good: the forces between bodies will be other
-    /// ones, and those who have a history would take the half step of the difference as a push, the others not.
+    /// Once contacts have given some bodies a velocity, every other body is given the one that it has, too. The forces
+    /// between bodies change by what the contacts did. A velocity that is derived from a history would change with them
+    /// by half a step, and one that was given would not, so that momentum would be lost.
     void hold_velocities() {
         if constexpr (C::history && C::coupled)
             if (!data_.starts.none())

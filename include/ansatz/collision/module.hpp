@@ -169,8 +169,8 @@ struct Collision {
         contacts_change<I>(inside);
         inside.data.collisions.make_stale();
     }
-    /// Contacts that are forces: what they were stands in the sums until the change is made good, since those that are
-    /// found anew differ in the last bits at least.
+    /// Before contacts that are forces are found anew: the forces of the present ones are kept until the change is made
+    /// good, because the new ones differ, if only in the last bits.
     template <class I> static void contacts_change(const I& inside) {
         using C = typename I::Composition_;
         if constexpr (C::history && C::coupled && C::acts_next && !C::substeps) detail::forces_change(inside);

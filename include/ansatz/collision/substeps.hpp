@@ -84,7 +84,7 @@ public:
                                   const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
         if (pushed) pushed->resize(bodies.size());
         const std::size_t awake = data_.bodies.end(Motion::awake);
-        // Who has a history would take half a step of what a damper does to it from now on as a push, the others not.
+        // Where dampers pull, all bodies are given their velocities if any is: see ContactStep::hold_velocities.
         bool all = false;
         if constexpr (C::history && C::template couplings_read<Velocity>)
             for (std::size_t slot = 0; slot < awake && !all; ++slot) all = !(bodies[slot].u == before[slot]);

@@ -220,8 +220,8 @@ private:
         w.boxes.set_active(w.boxes.size() < w.boxes.active() ? w.boxes.size() : w.boxes.active());
         w.pairs.clear();
         if (!w.finder) detail::make_finder<Base::divides>(w.finder, std::get<Broadphase>(policies), w.moved.capacity());
-        // A body that another takes along leaves its box: of those that it meets there, the same are looked at
-        // whatever the broadphase, which may name pairs whose boxes are apart.
+        // A broadphase may name pairs whose boxes are apart (AllPairs does). A body that a platform takes along leaves
+        // its box, and would meet more bodies with such a broadphase than with another.
         w.finder->find(w.boxes, [&](std::size_t i, std::size_t j) {
             if (w.boxes.touch(i, j)) pair(data, policies, std::uint32_t(i), std::uint32_t(j));
         });

@@ -114,10 +114,14 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
 }
 
 namespace detail {
-/// Calls `f(slot)` for each body whose history takes a change of the forces up: it is awake, and its history has begun.
+/// Whether a body's velocity depends on the present forces: it is awake, and its history has begun.
+template <class C> bool has_history(const WorldData<C>& data, std::size_t slot) {
+    return slot < data.bodies.end(Motion::awake) && !data.waiting(Bodies::Slot(slot));
+}
+/// Calls `f(slot)` for each such body.
 template <class C, class F> void for_each_with_history(const WorldData<C>& data, F&& f) {
     for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake); ++slot)
-        if (!data.waiting(Bodies::Slot(slot))) f(slot);
+        if (has_history(data, slot)) f(slot);
 }
 /// Where velocity is derived from history with half a step of the present acceleration, a change of the forces (a body
 /// that was removed, a mass that is another) would be a push. The history takes it up: by exactly nothing where the

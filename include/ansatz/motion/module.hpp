@@ -83,8 +83,8 @@ template <class C> void check_still(const WorldData<C>& data, std::uint32_t slot
     }
 }
 
-/// Where a change of the forces between bodies waits to be made good, what they were before it is a part of the state:
-/// the velocities are still those that they made.
+/// While a change of the forces between bodies waits to be made good, the forces before it are a part of the state,
+/// because the velocities still follow from them.
 inline constexpr const char* forces_before = "forces before a change";
 template <class Files, class C> void save_forces_before(const WorldData<C>& data, auto& list) {
     list = Files::Json::array();
@@ -256,7 +256,7 @@ struct Motion {
     template <class C> static void on(hook::HashBody, const WorldData<C>& data, std::uint32_t slot, auto& hash) {
         hash.add(data.waiting(slot));
         if constexpr (C::history && C::coupled)
-            if (data.coupled.changed && data.bodies.motion(slot) == ansatz::Motion::awake && !data.waiting(slot))
+            if (data.coupled.changed && detail::has_history(data, slot))
                 for (int k = 0; k < C::S::dimension; ++k)
                     hash.add_number(data.lanes.template lane<CoupledForce>(k)[slot]);
     }

@@ -170,8 +170,8 @@ template <class C, class Data> struct MotionState {
         else return C::S::Time::from_value(static_cast<typename C::S::Scalar>(self().clock.last().value()));
     }
 
-    /// How long the last part of a step was that is done: a driver takes it in parts, and velocities are derived from
-    /// the last of them.
+    /// The length from which velocities are derived behind a step: a driver may have taken it in parts, and the last
+    /// two positions are those of the last part.
     /// \param whole the length of the step
     typename C::S::Time last_part_of([[maybe_unused]] const typename C::S::Time& whole) const {
         if constexpr (C::history) return last_part;
