@@ -88,3 +88,18 @@ TEST_CASE("a range without room is refused", "[water]") {
               Surface(ClampedColumns{{mps}, {-1.0 * metre, 2.0 * metre}}, grid, 2.0 * metre);
           }) == "ClampedColumns: low is -1 m; it must be finite and not negative");
 }
+
+TEST_CASE("water that is to be spread begins within its range; what is counted may begin anywhere", "[water]") {
+    const auto begin = [](double level, Excess excess) {
+        return Surface(ClampedColumns{{mps}, {0.5 * metre, 1.0 * metre, excess}}, ColumnGrid(3, 3, 1.0 * metre),
+                       level * metre);
+    };
+    CHECK(refusal([&] { begin(2, Excess::spread); }) ==
+          "ClampedColumns: the level is 2 m; it must be from low, 0.5 m, to high, 1 m: no column would have room for "
+          "the rest");
+    CHECK(refusal([&] { begin(0.25, Excess::spread); }).find("the level is 0.25 m") != std::string::npos);
+    for (const double level : {0.5, 1.0}) CHECK(begin(level, Excess::spread).volume() == 9 * level * cubic_metre);
+    auto water = begin(2, Excess::counted);
+    water.step(0.01 * second);
+    CHECK(water.state().cut_off == Approx(9));
+}

@@ -75,3 +75,23 @@ TEST_CASE("a grid refuses what is no grid, and names it", "[water]") {
     CHECK(refusal([&] { (void)grid.volume(std::span<const double>(four)); }) ==
           "ColumnGrid::volume: the number of heights is 4; there is one for each of the 3 columns");
 }
+
+TEST_CASE("faces that were read from a file are those that the widths make", "[water]") {
+    const auto read = [](std::size_t face, double at) {
+        auto grid = ColumnGrid(widths(5, 0.3), widths(3, 0.3)).at(-7.0 * metre, 1e6 * metre);
+        ColumnGrid::fields(grid, [&](std::string_view name, auto& numbers) {
+            if (name == "faces_x") numbers[face] = at;
+        });
+        return refusal([&] { grid.check(); });
+    };
+    const auto grid = ColumnGrid(widths(5, 0.3), widths(3, 0.3)).at(-7.0 * metre, 1e6 * metre);
+    CHECK_NOTHROW(grid.check());
+    CHECK_NOTHROW(grid.at(1e12 * metre, -3e-9 * metre).check());
+    CHECK(grid.at(1e12 * metre, -3e-9 * metre).at(-7.0 * metre, 1e6 * metre) == grid);
+    CHECK(read(0, -7) == "nothing");
+    CHECK(read(2, -6).find("ColumnGrid: face 2 along x is -6 m; it must be finite, and by the widths before it at") ==
+          0);
+    CHECK(read(5, 1e300).find("face 5 along x is 1e+300 m") != std::string::npos);
+    CHECK(read(0, not_a_number).find("face 0 along x is nan m") != std::string::npos);
+    CHECK(read(1, -HUGE_VAL).find("face 1 along x is -inf m") != std::string::npos);
+}

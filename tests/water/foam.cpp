@@ -131,6 +131,10 @@ TEST_CASE("what foam cannot be is refused", "[water]") {
         },
         "the grid of the surface"));
     CHECK(said([&] { foam.set_parts(std::vector<double>(3, 0.0)); }, "16 columns"));
+    CHECK(sentence<std::out_of_range>([&] { (void)foam.part(1, 4); }) ==
+          "Foam::part: a column is (1, 4); there are 4 x 4, counted from 0");
+    CHECK(sentence<std::out_of_range>([&] { (void)foam.part(4, 1); }) ==
+          "Foam::part: a column is (4, 1); there are 4 x 4, counted from 0");
     CHECK(said([&] { foam.set_parts(std::vector<double>(16, 1.1)); }, "a part is 1.1"));
     CHECK(foam == before);
 }

@@ -58,6 +58,18 @@ TEST_CASE("the group runs at the speed of groups, and a crest at its own", "[wat
     }
 }
 
+TEST_CASE("under the moon's gravity rings run slower by its root", "[water]") {
+    Ripples here(1), moon(1, water::bottomless * metre, 9.81 / 4 * metre_per_second_squared);
+    auto one = drop(0, 0, 0);
+    one.damping = 1e-9 * hertz;
+    here.begin(one);
+    moon.begin(one);
+    const auto copy = moon;
+    for (double x = 0; x < 4; x += 0.1) {
+        CHECK(height(moon, x, 0, 3) == Approx(height(here, x, 0, 1.5)).margin(1e-9));
+        CHECK(height(copy, x, 0, 3) == height(moon, x, 0, 3));
+    }
+}
 TEST_CASE("slopes are those of the heights, in the middle too, and rings add", "[water]") {
     Ripples rings(3), first(1), other(1);
     const auto a = drop(0, 0, 0), b = drop(1.5, -1, 0.7);
@@ -106,6 +118,9 @@ TEST_CASE("a ring refuses what it cannot have", "[water]") {
           "Ripples::begin: damping is 0 1/s; it must be finite and greater than zero");
     CHECK(rings.size() == 0);
     CHECK(refusal([] { Ripples(0); }) == "Ripples: most is 0; at least 1 ring is kept");
+    CHECK(refusal([] { Ripples(SIZE_MAX); }).find("Ripples: most is 18446744073709551615; there is room for ") == 0);
+    CHECK(refusal([] { Ripples(1, 2.0 * metre, 0.0 * metre_per_second_squared); }) ==
+          "Ripples: gravity is 0 m/s^2; it must be finite and greater than zero");
     CHECK(refusal([] { Ripples(1, -1.0 * metre); }) ==
           "Ripples: depth is -1 m; it must be greater than zero, or infinite");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A body of water as a value: its copies, its level between columns, and what it refuses.
 
+#include <ansatz/water/clamped_columns.hpp>
+#include <ansatz/water/pipes.hpp>
 #include <ansatz/water/pool.hpp>
 #include <ansatz/water/surface.hpp>
 #include <ansatz/water/water_columns.hpp>
@@ -134,7 +136,42 @@ TEST_CASE("what water cannot be is refused, and nothing is changed", "[water]") 
     CHECK(refusal([&] {
               Surface(WaterColumns{mps, -1.0 / second}, grid, 1.0 * metre);
           }) == "WaterColumns: damping is -1 1/s; it must be finite and not negative");
+    CHECK(refusal([&] { Surface<WaterColumns, float>(WaterColumns{mps}, grid, 1e300 * metre); }) ==
+          "Surface: level, in its scalar, is inf m; it must be finite");
     CHECK(refusal([&] {
               (void)Surface(WaterColumns{mps}, unequal(3, 3), 1.0 * metre).height_map();
           }).find("unequal footprints") != std::string::npos);
+}
+
+TEST_CASE("it goes on from no state that water cannot have", "[water]") {
+    const ColumnGrid grid(4, 3, 1.0 * metre);
+    const auto bad = [&]<class Policy>(const Policy& policy, auto&& spoil) {
+        auto state = Surface(policy, grid, 1.0 * metre).state();
+        spoil(state);
+        return refusal([&] { Surface(policy, grid, 1.0 * metre, state); });
+    };
+    CHECK(bad(WaterColumns{mps}, [](auto& s) { s.height[5] = not_a_number; }) ==
+          "Surface: height at column (1, 1) is nan; it must be finite, in the scalar of this water");
+    CHECK(bad(WaterColumns{mps}, [](auto& s) { s.rate[0] = HUGE_VAL; }).find("rate at column (0, 0) is inf") !=
+          std::string::npos);
+    CHECK(bad(Pipes{}, [](auto& s) { s.height[11] = -1; }) ==
+          "Surface: the height at column (3, 2) is -1 m; it must be finite and not negative");
+    CHECK(bad(Pipes{}, [](auto& s) { s.flow_z[2] = not_a_number; }).find("flow_z") != std::string::npos);
+    CHECK(bad(ClampedColumns{{mps}, {0.5 * metre, 2.0 * metre}}, [](auto& s) { s.cut_off = not_a_number; }) ==
+          "Surface: cut_off is nan; it must be finite");
+    // Columns that pull at each other know no ground: such a state is one of theirs.
+    CHECK(bad(WaterColumns{mps}, [](auto& s) { s.height[5] = -1; }) == "nothing");
+    auto high = Surface(WaterColumns{mps}, grid, 1.0 * metre).state();
+    high.height[0] = 1e300;
+    CHECK(refusal([&] {
+              Surface<WaterColumns, float>(WaterColumns{mps}, grid, 1.0 * metre, high);
+          }).find("is inf; it must be finite, in the scalar of this water") != std::string::npos);
+}
+
+TEST_CASE("no step makes numbers of dry ground that are none", "[water]") {
+    Surface<Pipes, float> dry(Pipes{}, ColumnGrid(3, 3, 1.0 * metre), 0.0 * metre);
+    CHECK(std::isinf(dry.longest_step().value()));
+    CHECK(refusal([&] { dry.step(1e39 * second); }) == "Surface::step: dt, in its scalar, is inf s; it must be finite");
+    dry.step(1e30 * second);
+    for (const float h : dry.heights()) CHECK(h == 0);
 }

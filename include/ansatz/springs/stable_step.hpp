@@ -20,6 +20,7 @@
 /// E. I. Jury, Theory and Application of the z-Transform Method (1964), for the conditions.
 
 #include <ansatz/motion/concepts.hpp>
+#include <ansatz/motion/present.hpp>
 #include <ansatz/springs/measured_stiffness.hpp>
 #include <ansatz/units/requirements.hpp>
 #include <ansatz/world/world.hpp>
@@ -137,30 +138,25 @@ struct StiffnessScratch {
     std::vector<double> damped; ///< that of the dampings, N s/m
 };
 
-/// A bound of the stiffness of a world's springs, from one look at each of them.
-///
-/// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body;
-/// alone
-/// with these shares it would swing with \f$ \omega^2 = K_a/m_a + K_b/m_b \f$, where K is the sum of the stiffnesses at a body,
-/// and the whole swings no faster than the fastest of its parts. For two bodies and a spring it is exact.
-template <class... P> Stiffness stiffness_of(const World<P...>& world, StiffnessScratch& scratch) {
-    using W = World<P...>;
+namespace detail {
+template <class W, class Data> Stiffness stiffness_in(const W& world, const Data& data, StiffnessScratch& scratch) {
     using C = typename W::composition;
     Stiffness all;
     if constexpr (C::coupled) {
-        const auto weight = world.template lane<InverseMass>();
+        const std::size_t size = data.bodies.size();
+        const auto weight = data.lanes.template lane<InverseMass>(0);
         auto& stiff = scratch.stiff;
         auto& damped = scratch.damped;
-        stiff.assign(world.size() + 1, 0);
-        damped.assign(world.size() + 1, 0);
+        stiff.assign(size + 1, 0);
+        damped.assign(size + 1, 0);
         double least_ratio = std::numeric_limits<double>::infinity(), most_ratio = 0, largest = 0, damping = 0;
         auto each = [&](auto&& f) {
-            detail::for_each_stiff<W>([&]<class Q>() {
-                detail::Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(world.template view<Q>(), f);
+            for_each_stiff<W>([&]<class Q>() {
+                Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(ObserverView<typename W::S, Q>(data), f);
             });
         };
         auto moves = [&](std::size_t slot) {
-            return slot < world.size() && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0;
+            return slot < size && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0;
         };
         each([&](std::size_t a, std::size_t b, const auto& k, const auto& c) {
             stiff[a] += static_cast<double>(k);
@@ -182,11 +178,22 @@ template <class... P> Stiffness stiffness_of(const World<P...>& world, Stiffness
     }
     return all;
 }
+} // namespace detail
 
-/// The same, once.
+/// A bound of the stiffness of a world's springs, from one look at each of them.
+///
+/// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body;
+/// alone
+/// with these shares it would swing with \f$ \omega^2 = K_a/m_a + K_b/m_b \f$, where K is the sum of the stiffnesses at a body,
+/// and the whole swings no faster than the fastest of its parts. For two bodies and a spring it is exact.
+/// It is of what the forces saw last; where something was changed since, ask without scratch.
+template <class... P> Stiffness stiffness_of(const World<P...>& world, StiffnessScratch& scratch) {
+    return detail::stiffness_in(world, detail::Key::inside(world).data, scratch);
+}
+/// The same, once, for the world as it is now.
 template <class... P> Stiffness stiffness_of(const World<P...>& world) {
     StiffnessScratch scratch;
-    return stiffness_of(world, scratch);
+    return detail::stiffness_in(world, detail::at_present(detail::Key::inside(world)), scratch);
 }
 
 /// The largest time step that integrator `I` takes without growing, whatever such springs do, s.

@@ -23,9 +23,10 @@
 /// moves makes waves. A body that is fixed or moves by itself displaces, too. Drag is not given to the water's flow.
 ///
 /// The level is the mean of the ring. There is no added mass, so that a body bobs a little faster than a real one, and
-/// boxes stay upright. Without drag a body that waves push aside goes on, and may leave a pool that has no walls of
-/// bodies. The surface that a step begins with acts during all its stages. A drag that would turn a body round within a
-/// step only stops it against the water.
+/// boxes stay upright. A body lies in the water as on a spring of rho g A, so that a step much longer than
+/// sqrt(m / (rho g A)) gives light things energy: `stable_step` knows it, and StepLimit holds to it. Without drag a
+/// body that waves push aside goes on, and may leave a pool that has no walls of bodies. The surface that a step begins
+/// with acts during all its stages. A drag that would turn a body round within a step only stops it against the water.
 
 #include <ansatz/motion/roles.hpp>
 #include <ansatz/water/floating.hpp>
@@ -82,12 +83,13 @@ struct Buoyancy {
                 add(slot, view.size(), by_position, by_velocity);
             });
         }
-        /// How stiff and how damped the water holds each body as it is now.
+        /// How stiff the water can hold each body, however deep it comes to lie, and how damped as it moves now. A ball
+        /// in the air over a pool meets in one step what `stable_step` has to know before it.
         /// \param f called with the slot of the body, `view.size()`, N/m and N s/m
         void stiffnesses(const auto& view, auto&& f) const {
             each(view, [&](std::size_t slot, const Row& row, const Vec& x, const Vec& w, const Scalar& inverse_mass) {
                 const auto now = row.settled(row.beside.level - x[1], inverse_mass);
-                f(slot, view.size(), row.stiffness(now), row.resistance(now, w));
+                f(slot, view.size(), row.largest_stiffness(inverse_mass), row.resistance(now, w));
             });
         }
 

@@ -20,8 +20,8 @@ namespace ansatz {
 
 /// What becomes of the water that a clamp cuts off.
 enum class Excess {
-    spread,  ///< it is given to the columns that have room; volume is kept
-    counted, ///< it is gone, and `cut_off()` says how much
+    spread,  ///< it is given to the columns that have room; volume is kept as long as one has
+    counted, ///< it is gone, and `state().cut_off` says how much
 };
 /// The range of heights.
 struct Clamp {
@@ -123,8 +123,14 @@ struct ClampedColumns {
     public:
         using Time = Quantity<unit::Time>; ///< s
         /// As that of WaterColumns.
+        /// \throws std::invalid_argument where water that is to be spread begins beyond the range: none has room
         In(const ClampedColumns& policy, const ColumnGrid& grid, Quantity<unit::Length> level)
-            : clamp_(policy.clamp), grid_(grid), columns_(policy.columns, grid, level) {}
+            : clamp_(policy.clamp), grid_(grid), columns_(policy.columns, grid, level) {
+            if (clamp_.excess == Excess::spread && !(level >= clamp_.low && level <= clamp_.high))
+                refuse_value(name, "the level", level,
+                             detail::joined({"it must be from low, ", describe(clamp_.low), ", to high, ",
+                                             describe(clamp_.high), ": no column would have room for the rest"}));
+        }
         /// All columns at rest.
         void prepare(State<Scalar>& state, Quantity<unit::Length>) const {
             state.rate.assign(state.height.size(), Scalar(0));

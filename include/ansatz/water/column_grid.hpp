@@ -64,8 +64,11 @@ public:
         return std::all_of(widths_.begin(), widths_.end(), [&](double w) { return w == widths_.front(); });
     }
     bool covers(double x) const { return x >= begin() && x <= end(); } // false for NaN
-    void move(double by) {
-        for (double& face : faces_) face += by;
+    /// From the widths, so that a grid that has been elsewhere is to the bit one that has not.
+    void move_to(double begin) {
+        double length = 0;
+        faces_.front() = begin;
+        for (std::size_t i = 0; i < count(); ++i) faces_[i + 1] = begin + (length += widths_[i]);
     }
     /// The column that contains x, which is covered; a face belongs to the column after it, the last to the last.
     std::size_t column(double x) const {
@@ -106,11 +109,17 @@ private:
         same.faces_.clear();
         count_checked(which, widths_.size());
         same.finish(which);
-        const bool ordered = faces_.size() == same.faces_.size() && std::is_sorted(faces_.begin(), faces_.end());
-        if (!ordered || !is_finite(faces_.front() * metre) || !is_finite(faces_.back() * metre))
+        if (faces_.size() != same.faces_.size())
             refuse_value("ColumnGrid", joined({"the number of faces along ", which}), std::to_string(faces_.size()),
-                         joined({"there is one more than the ", std::to_string(widths_.size()),
-                                 " columns, finite and in ascending order"}));
+                         joined({"there is one more than the ", std::to_string(widths_.size()), " columns"}));
+        const double rounding = 1e-9 * (same.faces_.back() + std::abs(faces_.front()));
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            const double expected = faces_.front() + same.faces_[i];
+            if (!(std::abs(faces_[i] - expected) <= rounding) || !is_finite(faces_[i] * metre))
+                refuse_value(
+                    "ColumnGrid", joined({"face ", std::to_string(i), " along ", which}), faces_[i] * metre,
+                    joined({"it must be finite, and by the widths before it at ", describe(expected * metre)}));
+        }
     }
     std::vector<double> widths_, faces_;
 };
@@ -143,8 +152,8 @@ public:
         require_finite("ColumnGrid::at", "x", x);
         require_finite("ColumnGrid::at", "z", z);
         ColumnGrid moved = *this;
-        moved.x_.move(x.value() - x_.begin());
-        moved.z_.move(z.value() - z_.begin());
+        moved.x_.move_to(x.value());
+        moved.z_.move_to(z.value());
         return moved;
     }
 
@@ -152,11 +161,21 @@ public:
     std::size_t columns_z() const { return z_.count(); }                                  ///< how many along z
     std::size_t size() const { return columns_x() * columns_z(); }                        ///< how many columns
     std::size_t index(std::size_t i, std::size_t j) const { return j * columns_x() + i; } ///< in a span of heights
-    bool uniform() const { return x_.uniform() && z_.uniform(); }                         ///< whether all are alike
-    Length centre_x(std::size_t i) const { return x_.centre(known(i, x_)) * metre; }      ///< of column i along x, m
-    Length centre_z(std::size_t j) const { return z_.centre(known(j, z_)) * metre; }      ///< of column j along z, m
-    Length width_x(std::size_t i) const { return x_.width(known(i, x_)) * metre; }        ///< dx of column i, m
-    Length width_z(std::size_t j) const { return z_.width(known(j, z_)) * metre; }        ///< dz of column j, m
+    /// The same of a column that is there.
+    /// \throws std::out_of_range, with how many there are, if it is not
+    std::size_t known_index(std::string_view where, std::size_t i, std::size_t j) const {
+        if (i >= columns_x() || j >= columns_z())
+            refuse(
+                Refusal::out_of_range,
+                detail::joined({where, ": a column is (", std::to_string(i), ", ", std::to_string(j), "); there are ",
+                                std::to_string(columns_x()), " x ", std::to_string(columns_z()), ", counted from 0"}));
+        return index(i, j);
+    }
+    bool uniform() const { return x_.uniform() && z_.uniform(); }                    ///< whether all are alike
+    Length centre_x(std::size_t i) const { return x_.centre(known(i, x_)) * metre; } ///< of column i along x, m
+    Length centre_z(std::size_t j) const { return z_.centre(known(j, z_)) * metre; } ///< of column j along z, m
+    Length width_x(std::size_t i) const { return x_.width(known(i, x_)) * metre; }   ///< dx of column i, m
+    Length width_z(std::size_t j) const { return z_.width(known(j, z_)) * metre; }   ///< dz of column j, m
     /// dx dz of column (i, j), m^2.
     Quantity<unit::Area> footprint(std::size_t i, std::size_t j) const { return width_x(i) * width_z(j); }
     /// Of all columns, m^2.

@@ -206,6 +206,11 @@ template <class S> struct FloatingRow {
         const Scalar slope = Scalar(1) - beside.feedback * beside.room * now.waterline;
         return slope > Scalar(0) ? beside.weight * now.waterline / slope : Scalar(0);
     }
+    /// The largest stiffness that it has at any depth, N/m: where its section is widest.
+    Scalar largest_stiffness(const Scalar& inverse_mass) const {
+        const Scalar depth = shaped() ? Scalar(0) : std::numeric_limits<Scalar>::min();
+        return stiffness(sunk(depth, beside, inverse_mass));
+    }
     /// Where it is seen from above, for the ring around it.
     Footprint footprint(const Vec& at, const WaterBeside<Scalar>& water) const {
         auto d = [](const Scalar& x) { return static_cast<double>(x); };

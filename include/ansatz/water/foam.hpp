@@ -56,7 +56,8 @@ public:
     /// The parts of all columns, from 0 to 1, x fastest.
     std::span<const Scalar> parts() const { return part_; }
     /// That of column (i, j).
-    const Scalar& part(std::size_t i, std::size_t j) const { return part_[grid_.index(i, j)]; }
+    /// \throws std::out_of_range if there is no such column
+    const Scalar& part(std::size_t i, std::size_t j) const { return part_[grid_.known_index("Foam::part", i, j)]; }
     /// Gives every column its part, e.g. of a saved foam.
     /// \throws std::invalid_argument unless there is one for each, from 0 to 1; nothing is changed then
     void set_parts(std::span<const Scalar> parts) {

@@ -173,9 +173,8 @@ template <class W, class C> class WaterDoor {
 public:
     /// A pool, to be asked: `world.water(pool).level(x, z)`.
     /// \throws std::out_of_range for a stale handle
-    template <class Policy> WaterView<Policy, typename C::S::Scalar> water(PoolHandle<Policy> pool) const {
-        const auto& table = static_cast<const W&>(*this).template elements<Pool<Policy>>();
-        return WaterView<Policy, typename C::S::Scalar>(table.row(table.id(pool, "World::water")));
+    template <class Policy> WaterView<Policy, typename C::S> water(PoolHandle<Policy> pool) const {
+        return {static_cast<const W&>(*this).template elements<Pool<Policy>>(), pool};
     }
     /// Pours water into the column that stands there, or takes some out of it.
     /// \param x,z    m

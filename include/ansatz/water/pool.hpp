@@ -46,6 +46,8 @@ struct SurfaceLanes {
     template <class S> static void advance(S& surface, Quantity<unit::Time> dt) {
         surface.bound_.advance(surface.state_, dt);
     }
+    /// \throws std::invalid_argument for lanes that no water has
+    template <class S> static void check(const S& surface, std::string_view where) { surface.check_state(where); }
     template <class S> static bool weighs(const S& surface, double gravity) {
         if constexpr (requires { surface.policy_.gravity; }) return surface.policy_.gravity.value() == gravity;
         else return true;
@@ -120,6 +122,8 @@ template <class Policy, class Scalar> struct PoolRow {
             auto state = surface ? surface->state() : typename Surface_::State{};
             each(policy, grid, level, state, field);
             grid.check();
+            // Before there is memory for all columns that a file names: it may name more than it holds.
+            if (surface || !state.height.empty()) grid.require_one_each("Pool", "height", state.height.size());
             surface.emplace(policy, grid, level);
             SurfaceLanes::of(*surface) = state; // check looks at it
         } else {
@@ -144,13 +148,15 @@ template <class Policy, class Scalar> struct PoolRow {
         Surface_::State::fields(surface->state(), [&](std::string_view name, const auto& x) {
             if (size_of(x) != sizes[lane++]) surface->grid().require_one_each("Pool", name, size_of(x));
         });
-        surface->grid().require_one_each("Pool", "pressed", pressed.size());
+        const auto& grid = surface->grid();
+        grid.require_one_each("Pool", "pressed", pressed.size());
         require_positive("Pool", "density", static_cast<double>(density) * kilogram_per_cubic_metre);
-        if constexpr (Policy::has_bed)
-            for (const Scalar& h : surface->state().height)
-                if (h < Scalar(0))
-                    refuse_value("Pool", "a height", Quantity<unit::Length, Scalar>::from_value(h),
-                                 "it must not be negative");
+        SurfaceLanes::check(*surface, "Pool");
+        // A column that ran dry may owe what was pressed up there, so that no height bounds it.
+        for (const Scalar& h : pressed)
+            if (!is_finite(h) || h < Scalar(0))
+                refuse_value("Pool", "pressed, of a column,", Quantity<unit::Length, Scalar>::from_value(h),
+                             "it must be finite and not negative");
     }
 
 private:

@@ -52,18 +52,23 @@ template <class Policy> struct Pools {
 };
 
 /// A pool of a world, to be asked: what it says is the state that the last step has made, or whatever was done since.
-/// It looks into the world, which must stay.
-template <class Policy, class Scalar> class WaterView {
+/// It looks into the world, which must stay where it is; other pools may come and go. Where its own is removed, it says
+/// so.
+/// \tparam Policy what moves it
+/// \tparam S the space of the world
+template <class Policy, class S> class WaterView {
 public:
-    using Length = Quantity<unit::Length>;         ///< places, m
-    using Height = Quantity<unit::Length, Scalar>; ///< heights, m
-    using Row = detail::PoolRow<Policy, Scalar>;   ///< what the world keeps
+    using Scalar = typename S::Scalar;                       ///< of its heights
+    using Length = Quantity<unit::Length>;                   ///< places, m
+    using Height = Quantity<unit::Length, Scalar>;           ///< heights, m
+    using Table = typename Pools<Policy>::template State<S>; ///< what the world keeps
 
-    /// Of a row of a world.
-    explicit WaterView(const Row& row) : row_(&row) {}
+    /// Of a table of pools.
+    /// \throws std::out_of_range for a stale handle
+    WaterView(const Table& table, PoolHandle<Policy> pool) : table_(&table), pool_(pool) { (void)row(); }
 
     /// The columns, with what bodies have pressed up.
-    const Surface<Policy, Scalar>& surface() const { return *row_->surface; }
+    const Surface<Policy, Scalar>& surface() const { return *row().surface; }
     /// Where they stand.
     const ColumnGrid& grid() const { return surface().grid(); }
     /// Whether there is a column; elsewhere it is dry.
@@ -93,14 +98,17 @@ public:
     /// How much water there is, m^3, without what bodies have pressed up.
     auto volume() const { return surface().volume() - displaced(); }
     /// How much bodies have pressed up, m^3.
-    auto displaced() const { return grid().volume(std::span<const Scalar>(row_->pressed)); }
+    auto displaced() const { return grid().volume(std::span<const Scalar>(row().pressed)); }
     /// Its density, kg/m^3.
     Quantity<unit::Density, Scalar> density() const {
-        return Quantity<unit::Density, Scalar>::from_value(row_->density);
+        return Quantity<unit::Density, Scalar>::from_value(row().density);
     }
 
 private:
-    const Row* row_;
+    using Row = detail::PoolRow<Policy, Scalar>;
+    const Row& row() const { return table_->row(table_->id(pool_, "World::water")); }
+    const Table* table_;
+    PoolHandle<Policy> pool_;
 };
 
 } // namespace ansatz

@@ -42,14 +42,21 @@ public:
 
     /// \param most  how many rings are kept, at least 1; they are all the memory that is ever taken
     /// \param depth of the water, m, positive, infinite by default
+    /// \param gravity m/s^2, finite, positive: that of the world, where there is one
     /// \throws std::invalid_argument for other values
-    explicit Ripples(std::size_t most, Length depth = water::bottomless * metre) : most_(most), depth_(depth) {
+    explicit Ripples(std::size_t most, Length depth = water::bottomless * metre,
+                     Quantity<unit::Acceleration> gravity = 9.81 * metre_per_second_squared)
+        : most_(most), depth_(depth), gravity_(gravity) {
         if (most == 0) refuse_value("Ripples", "most", most, "at least 1 ring is kept");
+        if (most > rings_.max_size())
+            refuse_value("Ripples", "most", most,
+                         detail::joined({"there is room for ", std::to_string(rings_.max_size()), " rings"}));
         if (!(depth.value() > 0)) refuse_value("Ripples", "depth", depth, "it must be greater than zero, or infinite");
+        require_positive("Ripples", "gravity", gravity);
         rings_.reserve(most);
     }
     /// A copy has room for as many.
-    Ripples(const Ripples& other) : most_(other.most_), depth_(other.depth_) {
+    Ripples(const Ripples& other) : most_(other.most_), depth_(other.depth_), gravity_(other.gravity_) {
         rings_.reserve(most_);
         rings_ = other.rings_;
     }
@@ -81,8 +88,8 @@ public:
                         1 / ripple.width.value(),
                         ripple.damping.value(),
                         water::wave_number(ripple.wavelength).value(),
-                        water::angular_frequency(ripple.wavelength, depth_).value(),
-                        water::group_speed(ripple.wavelength, depth_).value()};
+                        water::angular_frequency(ripple.wavelength, depth_, gravity_).value(),
+                        water::group_speed(ripple.wavelength, depth_, gravity_).value()};
         if (rings_.size() < most_) {
             rings_.push_back(ring);
             return;
@@ -133,6 +140,7 @@ private:
     };
     std::size_t most_;
     Length depth_;
+    Quantity<unit::Acceleration> gravity_;
     std::vector<Ring> rings_;
 };
 

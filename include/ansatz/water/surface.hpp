@@ -104,18 +104,21 @@ public:
     /// Goes on from a state.
     /// \param level m, with which it began: what walls hold that hold
     /// \param state as `state()` of another surface has it, also in another scalar
-    /// \throws std::invalid_argument where it has not one number for each column
+    /// \throws std::invalid_argument where it has not one number for each column, or one that is no number of water
     template <detail::KeptOfColumns OtherState>
     Surface(const Policy& policy, ColumnGrid grid, Length level, const OtherState& state)
         : Surface(policy, std::move(grid), level) {
         take(state);
+        check_state("Surface");
     }
 
     /// Advances the water.
-    /// \param dt s, finite, positive, at most longest_step()
+    /// \param dt s, finite in this scalar too, positive, at most longest_step()
     /// \throws std::invalid_argument for another step, before anything moves
     void step(Time dt) {
         require_positive("Surface::step", "dt", dt);
+        require_finite("Surface::step", "dt, in its scalar,",
+                       Quantity<unit::Time, Scalar>::from_value(Scalar(dt.value())));
         const Time longest = longest_step();
         if (!(dt <= longest))
             refuse_value("Surface::step", "dt", dt,
@@ -187,6 +190,20 @@ public:
 
 private:
     friend struct detail::SurfaceLanes;
+    /// Every number of a state is finite, and over a bed no column holds less than nothing. Columns that pull at each
+    /// other may: they do not know where the ground is.
+    void check_state(std::string_view where) const {
+        State::fields(state_, [&](std::string_view name, const auto& x) {
+            if constexpr (requires { x.size(); }) {
+                for (std::size_t n = 0; n < x.size(); ++n)
+                    if (!is_finite(x[n]))
+                        refuse_value(where, place(name, n), x[n], "it must be finite, in the scalar of this water");
+            } else if constexpr (!std::is_integral_v<std::remove_cvref_t<decltype(x)>>)
+                if (!is_finite(x)) refuse_value(where, name, x, "it must be finite");
+        });
+        if constexpr (Policy::has_bed)
+            for (std::size_t n = 0; n < state_.height.size(); ++n) require_height(where, n, state_.height[n]);
+    }
     /// Lane by lane; one that the other scalar does not need stays as prepared.
     template <class From> void take(const From& from) {
         std::vector<const std::remove_cvref_t<decltype(from.height)>*> lanes;
@@ -208,6 +225,7 @@ private:
     static const Policy& checked(const Policy& policy, Length level) {
         policy.check();
         require_not_negative("Surface", "level", level);
+        require_finite("Surface", "level, in its scalar,", meters(Scalar(level.value())));
         return policy;
     }
     static Height meters(const Scalar& value) { return Height::from_value(value); }
@@ -219,14 +237,7 @@ private:
         if (!is_finite(height) || height < Scalar(0))
             refuse_value(where, place("the height", n), meters(height), "it must be finite and not negative");
     }
-    std::size_t known(std::size_t i, std::size_t j) const {
-        if (i >= grid_.columns_x() || j >= grid_.columns_z())
-            refuse(Refusal::out_of_range,
-                   detail::joined({"Surface: a column is (", std::to_string(i), ", ", std::to_string(j),
-                                   "); there are ", std::to_string(grid_.columns_x()), " x ",
-                                   std::to_string(grid_.columns_z()), ", counted from 0"}));
-        return grid_.index(i, j);
-    }
+    std::size_t known(std::size_t i, std::size_t j) const { return grid_.known_index("Surface", i, j); }
     Scalar surface_at(std::size_t n) const {
         if constexpr (Policy::has_bed) return state_.bed[n] + state_.height[n];
         else return state_.height[n];
