@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A flow field holds the true costs: Bellman and Ford's on graphs made at random, those of the files on MovingAI's
 // maps; its steps are steps of the graph and add up to them.
+// Compiled with optimisation: it asks for the true cost of every tile of large maps, which takes a minute without.
 // Runs long with the sanitizers.
 
 #include "tests/paths/support.hpp"
