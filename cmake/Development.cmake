@@ -87,6 +87,7 @@ endif()
 target_compile_definitions(ansatz_measured INTERFACE ANSATZ_FLAGS="${flags}")
 
 include(cmake/ThirdParty.cmake)
+include(cmake/Together.cmake)
 
 foreach(tree tests chapters exercises)
     if(EXISTS ${PROJECT_SOURCE_DIR}/${tree}/CMakeLists.txt)

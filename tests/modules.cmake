@@ -137,62 +137,9 @@ if(NOT ANSATZ_TIMED_TESTS)
     ansatz_note("tests that measure time: switched off (.ci/run times), their instructions are counted")
 endif()
 
-# Most of a compiler's time for a test goes into what its neighbours need too: the headers, the worlds of support.hpp. So the
-# files of a module are compiled several at a time, each in a namespace of its own, with the includes of all before them: 0.6 of
-# the time (springs 0.58, motion 0.60, measured). Each stays a file that compiles by itself: the program test_<module> of them is
-# built when it is asked for, and by `./workbook test --touched`.
-# A file that cannot stand in a namespace says so in a line of its own, "// Compiled alone: why".
+# Files of a module are compiled several at a time (cmake/Together.cmake). Each stays a file that compiles by itself: the program
+# test_<module> of them is built when it is asked for, and by `./workbook test --touched`.
 option(ANSATZ_TESTS_TOGETHER "Compile the tests of a module several files at a time: quicker in all, slower for one" ON)
-set(bytes_together 100000)
-# What compiles many worlds needs memory: no more at a time than the machine has room for.
-if(ANSATZ_TESTS_TOGETHER)
-    cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)    # MiB
-    math(EXPR at_a_time "${memory} / 3000")
-    if(at_a_time LESS 1)
-        set(at_a_time 1)
-    endif()
-    set_property(GLOBAL APPEND PROPERTY JOB_POOLS tests_together=${at_a_time})
-endif()
-
-# The files of a program, several in one source where that is wished for.
-function(ansatz_together program sources_variable)
-    set(alone)
-    set(groups 0)
-    set(bytes 0)
-    foreach(source IN LISTS ${sources_variable})
-        get_source_file_property(not_precompiled ${source} SKIP_PRECOMPILE_HEADERS)
-        file(STRINGS ${source} apart LIMIT_COUNT 1
-            REGEX "^// Compiled alone: |^namespace (ansatz|std|Eigen|Catch|boost)|^template <> ")
-        if(not_precompiled OR apart)
-            list(APPEND alone ${source})
-            continue()
-        endif()
-        file(SIZE ${source} size)
-        math(EXPR bytes "${bytes} + ${size}")
-        if(groups EQUAL 0 OR bytes GREATER bytes_together)
-            math(EXPR groups "${groups} + 1")
-            set(bytes ${size})
-            set(includes_${groups})
-            set(text_${groups})
-        endif()
-        file(STRINGS ${source} includes REGEX "^#include ")
-        list(APPEND includes_${groups} ${includes})
-        cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE place)
-        string(MAKE_C_IDENTIFIER ${place} name)
-        string(APPEND text_${groups} "namespace ${name} {\n#include \"${place}\"\n}\n")
-    endforeach()
-    set(together)
-    if(groups GREATER 0)
-        foreach(group RANGE 1 ${groups})
-            list(REMOVE_DUPLICATES includes_${group})
-            list(JOIN includes_${group} "\n" includes)
-            set(file ${CMAKE_CURRENT_BINARY_DIR}/together/${program}_${group}.cpp)
-            file(CONFIGURE OUTPUT ${file} CONTENT "${includes}\n\n${text_${group}}" @ONLY)
-            list(APPEND together ${file})
-        endforeach()
-    endif()
-    set(${sources_variable} ${together} ${alone} PARENT_SCOPE)
-endfunction()
 
 # A program of test cases, each a test of its own: with the precompiled header of this target, and further options.
 function(ansatz_tests target module libraries precompiled options)
@@ -201,7 +148,7 @@ function(ansatz_tests target module libraries precompiled options)
     if(ANSATZ_TESTS_TOGETHER)
         list(APPEND programs ${target}_together)
         set(sources_of_${target}_together ${ARGN})
-        ansatz_together(${target} sources_of_${target}_together)
+        ansatz_together(${target} sources_of_${target}_together BYTES 100000)
     endif()
     foreach(program IN LISTS programs)
         add_executable(${program} ${sources_of_${program}})
@@ -212,7 +159,7 @@ function(ansatz_tests target module libraries precompiled options)
     list(GET programs -1 tested)
     if(ANSATZ_TESTS_TOGETHER)
         set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
-        set_target_properties(${tested} PROPERTIES JOB_POOL_COMPILE tests_together)
+        set_target_properties(${tested} PROPERTIES JOB_POOL_COMPILE together)
     endif()
     catch_discover_tests(${tested} TEST_PREFIX "${module}."
         PROPERTIES LABELS ${module} TIMEOUT ${hangs_after} SKIP_REGULAR_EXPRESSION "${skipped}")

@@ -15,6 +15,8 @@ build=${ANSATZ_BUILD:-${ANSATZ_SCRATCH%/*/*}}
 rm -rf "$ANSATZ_SCRATCH/pictures"
 mkdir -p "$ANSATZ_SCRATCH/pictures"
 cd "$project"
+# shellcheck source=/dev/null
+. tools/docs/section_program.sh
 shopt -s nullglob
 faults=0
 fault() { printf 'recordings: %s\n' "$*"; faults=$((faults + 1)); }
@@ -46,9 +48,9 @@ for source in "${programs[@]}"; do
     number=${name%%-*}
     recording=docs/recordings/$number.txt
     if [ ! -f "$recording" ]; then fault "section $number has no recording; tools/docs/record $number makes it"; continue; fi
-    program=$build/chapters/section_$number
-    if [ ! -x "$program" ]; then fault "section $number is not built: there is no $program"; continue; fi
-    if ! ANSATZ_PICTURES=$ANSATZ_SCRATCH/pictures "$program" > "$ANSATZ_SCRATCH/$number.txt" 2> "$ANSATZ_SCRATCH/$number.log" < /dev/null; then
+    program=$(section_program "$build" "$source")
+    if [ -z "$program" ]; then fault "section $number is not built: there is no section_$number in $build/chapters"; continue; fi
+    if ! ANSATZ_PICTURES=$ANSATZ_SCRATCH/pictures "$program" "$number" > "$ANSATZ_SCRATCH/$number.txt" 2> "$ANSATZ_SCRATCH/$number.log" < /dev/null; then
         fault "section $number failed: $(tail -n 1 "$ANSATZ_SCRATCH/$number.log")"
         continue
     fi

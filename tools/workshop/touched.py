@@ -39,6 +39,7 @@ MISTAKE = 1.0     # seconds that the compiler takes to refuse one
 KEYWORDS = {"alignas", "alignof", "decltype", "explicit", "if", "noexcept", "requires", "sizeof", "static_assert"}
 TOKEN = re.compile(r"[A-Za-z_]\w*")
 INCLUDE = re.compile(r'^#include (?:"([^"]+)"|<(ansatz/[^>]+)>)', flags=re.MULTILINE)
+OF_SECTION = re.compile(r"chapters/CMakeFiles/section_([0-9.]+)\.dir/(.*\.cpp)\.o$")
 OF_TEST = re.compile(r"tests/CMakeFiles/test_([a-z_]+)\.dir/(.*\.cpp)\.o$")
 
 
@@ -118,22 +119,24 @@ class Library:
 
 
 def read_by(project: Path, source: Path) -> list[str]:
-    """The project's files that a source includes, as far as they are named by their place: what is known of one that was never
-    built. More than the compiler reads, where an include is left out by a condition."""
+    """The project's files that a source includes, by their place in it, in tools or beside the source: what is known of one that was
+    never built. More than the compiler reads, where an include is left out by a condition."""
     found: dict[Path, None] = {source: None}
     to_read = [source]
     while to_read:
-        for quoted, bracketed in INCLUDE.findall(to_read.pop().read_text(encoding="utf-8", errors="replace")):
-            place = project / quoted if quoted else project / "include" / bracketed
-            if place.is_file() and place not in found:
+        reader = to_read.pop()
+        for quoted, bracketed in INCLUDE.findall(reader.read_text(encoding="utf-8", errors="replace")):
+            places = ([folder / quoted for folder in (reader.parent, project, project / "tools")] if quoted
+                      else [project / "include" / bracketed])
+            if (place := next((one for one in places if one.is_file()), None)) and place not in found:
                 found[place] = None
                 to_read.append(place)
     return [str(place) for place in found]
 
 
 def deps_of(project: Path, build: Path) -> dict[str, list[str]]:
-    """The files that each object was made from, as ninja knows it. Of the tests, which are compiled together (see
-    tests/modules.cmake), those that were never built by themselves have what their text includes; anything else that was never
+    """The files that each object was made from, as ninja knows it. Of tests and sections, which are compiled together (see
+    cmake/Together.cmake), those that were never built by themselves have what their text includes; anything else that was never
     built has nothing."""
     objects: dict[str, list[str]] = {}
     targets = subprocess.run(["ninja", "-C", str(build), "-t", "targets", "all"], capture_output=True, text=True, check=True)
@@ -147,8 +150,9 @@ def deps_of(project: Path, build: Path) -> dict[str, list[str]]:
         elif line.startswith("    ") and not line.startswith("    /usr/"):
             current.append(line[4:])
     for name, files in objects.items():
-        if not files and (match := OF_TEST.match(name)) and (source := project / "tests" / match[2]).is_file():
-            files.extend(read_by(project, source))
+        for tree, pattern in (("tests", OF_TEST), ("chapters", OF_SECTION)):
+            if not files and (match := pattern.match(name)) and (source := project / tree / match[2]).is_file():
+                files.extend(read_by(project, source))
     return objects
 
 
@@ -250,7 +254,7 @@ def main(arguments: list[str]) -> int:
     objects = deps_of(project, build)
     chosen, left = choose(project, build, changed, objects)
     ignored = re.compile(r"^peers/|/peer[^/]*\.dir/|_perf\.dir/|costs_[a-z_]+\.dir/|/(student|measured)\.dir/|/play\.|"
-                         r"_together\.dir/|\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
+                         r"_together\.dir/|/sections_[a-z_]+\.dir/|\.(student|measured)\.dir/|test_precompiled\.dir/|test_main\.dir/|third_party")
     kept = [name for name in chosen if not ignored.search(name)]
     mistakes = mistakes_of(project, changed)
     if len(arguments) == 3:
@@ -263,7 +267,7 @@ def main(arguments: list[str]) -> int:
         kept = taken
     modules = sorted({match[1] for name in kept if (match := OF_TEST.match(name))})
     for name in kept:
-        if match := re.match(r"chapters/CMakeFiles/section_([0-9.]+)\.dir/", name):
+        if match := OF_SECTION.match(name):
             print("section", match[1])
         elif match := re.match(r"exercises/CMakeFiles/exercise\.([a-z_]+\.[a-z_0-9]+)\.others\.dir/", name):
             print("exercise", match[1])

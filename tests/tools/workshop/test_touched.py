@@ -152,6 +152,20 @@ class Touched(unittest.TestCase):
         self.assertEqual({str(Path(file).relative_to(self.project)) for file in files},
                          {"tests/motion/one.cpp", "tests/help.hpp", "include/ansatz/drag.hpp", "include/ansatz/units.hpp"})
 
+    def test_section_never_built(self) -> None:
+        """The same of a section, whose helpers lie beside it and in tools."""
+        for file, text in (("chapters/1-motion/1.7-drag.cpp", '#include "plot.hpp"\n#include "problems.hpp"\n'),
+                           ("chapters/1-motion/problems.hpp", '#include <ansatz/drag.hpp>\n'), ("tools/plot.hpp", "")):
+            self.write(file, text)
+        name = "chapters/CMakeFiles/section_1.7.dir/1-motion/1.7-drag.cpp.o"
+        answers = [subprocess.CompletedProcess([], 0, f"{name}: CXX_COMPILER__x\n", ""),
+                   subprocess.CompletedProcess([], 0, "", "")]
+        with mock.patch.object(subprocess, "run", side_effect=answers):
+            files = touched.deps_of(self.project, self.build)[name]
+        self.assertEqual({str(Path(file).relative_to(self.project)) for file in files},
+                         {"chapters/1-motion/1.7-drag.cpp", "chapters/1-motion/problems.hpp", "tools/plot.hpp",
+                          "include/ansatz/drag.hpp", "include/ansatz/units.hpp"})
+
     def test_within(self) -> None:
         """The first ones whatever they take, then the quick ones for which there is time."""
         seconds = {"own": 50.0, "a": 9.0, "b": 4.0, "c": 5.0}

@@ -65,7 +65,7 @@ state_of() {
     local number=$1 file=$2 output=$SECTIONS/$1.txt
     if [ -f "$output" ]; then
         if [ "$file" -nt "$output" ]; then echo "changed"; else echo "run"; fi
-    elif program_of "section_$number" > /dev/null; then echo "built"
+    elif [ -n "$(section_program "$BUILD" "$file")" ]; then echo "built"
     else echo "not built"; fi
 }
 
@@ -75,7 +75,8 @@ run_section() {
     local number=$1 source=$2 program status
     local output=$SECTIONS/$number.txt log=build/logs/section-$number.log
     mkdir -p "$SECTIONS" "$PICTURES" build/logs
-    if ! program=$(program_of "section_$number"); then
+    program=$(section_program "$BUILD" "$source")
+    if [ -z "$program" ]; then
         echo "the program section_$number was not built" > "$log"
         return 1
     fi
@@ -84,7 +85,7 @@ run_section() {
         return 1
     fi
     # The outer redirection catches the shell's own remark on a program that crashes.
-    { timeout --foreground 300 "$program" > "$output.part" 2> "$log" < /dev/null; } 2> /dev/null
+    { timeout --foreground 300 "$program" "$number" > "$output.part" 2> "$log" < /dev/null; } 2> /dev/null
     status=$?
     if [ $status -eq 0 ]; then
         mv -f "$output.part" "$output"

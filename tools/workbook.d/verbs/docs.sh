@@ -25,7 +25,7 @@ draw_missing_pictures() {
     if command -v gnuplot > /dev/null || command -v dot > /dev/null; then
         while IFS= read -r number; do
             file=$(section_index | awk -F '\037' -v number="$number" '$1 == number { print $4 }')
-            if [ -n "$file" ] && program_of "section_$number" > /dev/null; then
+            if [ -n "$file" ] && [ -n "$(section_program "$BUILD" "$file")" ]; then
                 progress "drawing the picture of section $number"
                 run_section "$number" "$file" && count=$((count + 1))
             fi
