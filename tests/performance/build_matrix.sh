@@ -8,9 +8,12 @@
 # them. Nothing on that path may call what two C libraries or compilers compute differently: there is sqrt, which IEEE 754
 # defines, and for damping the library's own exponential (motion/decay.hpp), but no sin, cos, exp, pow or hypot.
 #
-# And the same build twice gives the same bits: compiled again, run again, for each compiler.
+# And, in the whole matrix, the same build twice gives the same bits: compiled again, run again, for each compiler.
 #
-# usage: build_matrix.sh <folder of the project>       with CXX and ANSATZ_SCRATCH in the environment, as ctest sets them
+# In every change its corners are built, since each program takes a minute of the compiler's time: the first compiler without the
+# optimiser, and each with all that it may do for this machine, beside the numbers that are pinned. .ci/run matrix builds all of it.
+#
+# usage: build_matrix.sh <folder of the project> [whole]     with CXX and ANSATZ_SCRATCH in the environment, as ctest sets them
 set -euo pipefail
 export LC_ALL=C
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
@@ -20,6 +23,13 @@ mkdir -p "$scratch"
 cd "$scratch"
 
 options=("-O0" "-O2" "-O3" "-O3 -march=native")
+whole=${2:-}
+options_of() {    # the number of a compiler
+    if [ "$whole" = whole ]; then printf '%s\n' "${options[@]}"
+    elif [ "$1" -eq 0 ]; then printf '%s\n' "${options[0]}" "${options[-1]}"
+    else printf '%s\n' "${options[-1]}"
+    fi
+}
 file_of() { printf '%s%s' "${1##*/}" "${2// /}"; }
 build() {    # compiler, options, what to add to the file's name
     local options
@@ -28,9 +38,9 @@ build() {    # compiler, options, what to add to the file's name
     "./$(file_of "$1" "$2")$3" > "$(file_of "$1" "$2")$3.txt"
 }
 mapfile -t compilers < <(found_compilers)
-for compiler in "${compilers[@]}"; do
-    for option in "${options[@]}"; do start build "$compiler" "$option" ""; done
-    start build "$compiler" "-O3" "-again"
+for n in "${!compilers[@]}"; do
+    while IFS= read -r option; do start build "${compilers[n]}" "$option" ""; done < <(options_of "$n")
+    [ "$whole" != whole ] || start build "${compilers[n]}" "-O3" "-again"
 done
 all_done
 
@@ -51,8 +61,11 @@ same() {    # what is compared, and two files
         faults=$((faults + 1))
     fi
 }
-for compiler in "${compilers[@]}"; do
-    for option in "${options[@]}"; do same "${compiler##*/} $option" "$reference.txt" "$(file_of "$compiler" "$option").txt"; done
+for n in "${!compilers[@]}"; do
+    compiler=${compilers[n]}
+    while IFS= read -r option; do same "${compiler##*/} $option" "$reference.txt" "$(file_of "$compiler" "$option").txt"; done \
+        < <(options_of "$n")
+    [ "$whole" = whole ] || continue
     "./$(file_of "$compiler" -O3)" > rerun.txt
     same "${compiler##*/} -O3, run again" "$(file_of "$compiler" -O3).txt" rerun.txt
     same "${compiler##*/} -O3, compiled again" "$(file_of "$compiler" -O3).txt" "$(file_of "$compiler" -O3)-again.txt"
