@@ -35,7 +35,7 @@ using namespace ansatz;'
 { echo "$includes"; colliding run 'Impulse<>{}' ''; } > used.cpp
 object used -O0
 about='Collisions|Contact\w*|Touch|Sphere|Plane|Box|Boxes|Shapes\w*|Narrowphase|BoundingBoxes|Impulse|Projection|Penalty\w*|Soft\w*|Restitution|Friction|Layers|Islands|collide\w*'
-never_heard_of collision "$about" -O2
+never_heard_of collision "$about"
 
 # ---------------------------------------------------------------- a world that collides, without what nobody asked for
 declare -A asked=(

@@ -11,6 +11,6 @@
 plain '#include <ansatz/water.hpp>' ', Pools<WaterColumns>{}, Buoyancy{}' \
     'world.add(Pool{Surface{WaterColumns{3.0 * metre_per_second}, ColumnGrid(20, 20, 1.0 * metre), 2.0 * metre}}); world.add(Floating{body, Sphere{0.5 * metre}});' > used.cpp
 object used -O0
-# Not optimised: what g++ finds worth inlining in World::add depends on all that the file names.
-never_heard_of water 'Pools?|PoolRow|Water\w*|Surface\w*|ColumnGrid|ColumnAxis|Buoyancy|Floating\w*|Afloat|Ripples?|Waves?|Foam' -O0
-echo "the same instructions and sizes in $(wc -l < without.bytes) functions and sections, no symbol about water"
+# Where a body is added, what g++ finds worth inlining depends on all that the file names: World::add and take are not compared.
+never_heard_of water 'Pools?|PoolRow|Water\w*|Surface\w*|ColumnGrid|ColumnAxis|Buoyancy|Floating\w*|Afloat|Ripples?|Waves?|Foam' 'ansatz5WorldI.*E(3add|4take)I'
+echo "the same instructions and sizes in $(wc -l < without.compared) functions and sections, no symbol about water"
