@@ -95,3 +95,13 @@ TEST_CASE("faces that were read from a file are those that the widths make", "[w
     CHECK(read(0, not_a_number).find("face 0 along x is nan m") != std::string::npos);
     CHECK(read(1, -HUGE_VAL).find("face 1 along x is -inf m") != std::string::npos);
 }
+
+TEST_CASE("far away a grid keeps its area, and is refused where its columns have no width", "[water]") {
+    const auto grid = unequal(8, 6);
+    for (const double x : {1e6, 1e12, -1e13}) CHECK(grid.at(x * metre, -x * metre).area() == grid.area());
+    CHECK(refusal([&] {
+              (void)grid.at(0.0 * metre, 1e17 * metre);
+          }).find("ColumnGrid::at: z is 1e+17 m; a column of ") == 0);
+    CHECK(refusal([&] { (void)ColumnGrid(3, 3, 0.5 * metre).at(-1e17 * metre, 0.0 * metre); }) ==
+          "ColumnGrid::at: x is -1e+17 m; a column of 0.5 m is lost in rounding there");
+}

@@ -47,6 +47,17 @@ TEST_CASE("an image holds each height to half a grey value, with the largest z o
     CHECK(cut.str().size() == std::string("P5\n4 3\n65535\n").size() + 24);
     write_pgm(level, HeightMap<float>(2, 2, 1.0 * metre, 1.0 * metre));
     CHECK(level.str() == std::string("P5\n2 2\n65535\n") + std::string(8, '\0'));
+    for (const double flat_at :
+         {-1e17, -3.0, 1e308}) { // where a metre more is nothing, and where twice as much is none
+        std::stringstream flat;
+        write_pgm(flat,
+                  HeightMap<>::of(2, 2, 1.0 * metre, 1.0 * metre, [&](Length, Length) { return flat_at * metre; }));
+        CHECK(flat.str() == level.str());
+    }
+    std::stringstream far_apart;
+    write_pgm(far_apart, HeightMap<>::of(3, 2, 1.0 * metre, 1.0 * metre,
+                                         [&](Length x, Length) { return 1.5e308 * (x.value() - 1) * metre; }));
+    CHECK(far_apart.str().substr(far_apart.str().size() - 6) == std::string("\0\0\x80\0\xff\xff", 6));
     CHECK(refusal([&] { write_pgm(level, map, 1.0 * metre, 1.0 * metre); }) ==
           "write_pgm: high is 1 m; white is higher than black, low = 1 m");
 }

@@ -120,3 +120,14 @@ TEST_CASE("a map refuses what it cannot hold, and names it", "[water]") {
           "HeightMap::normal: (x, z) is (1 m, -1 m); the map covers x from 0 m to 2 m and z from 0 m to 2 m");
     CHECK(map == before);
 }
+
+TEST_CASE("the normal of a cliff is of length 1, however high it is", "[water]") {
+    for (const double height : {1.0, 1e100, 1e160, 1e300}) {
+        const auto map = HeightMap<>::of(2, 2, 1.0 * metre, 1.0 * metre,
+                                         [&](auto x, auto z) { return height * (x.value() - 2 * z.value()) * metre; });
+        const auto normal = map.normal(0.5 * metre, 0.5 * metre);
+        CHECK(normal.norm() == Approx(1).epsilon(1e-14));
+        CHECK(normal[2] == Approx(-2 * normal[0]).epsilon(1e-14));
+        CHECK(normal[0] < 0);
+    }
+}

@@ -78,7 +78,7 @@ public:
           spring_(body.model == LiftBy::spring) {
         water_.density = pool.density;
         water_.weight = pool.density * Scalar(gravity);
-        if constexpr (S::dimension == 2) water_.width = Scalar(grid_.z().end() - grid_.z().begin());
+        if constexpr (S::dimension == 2) water_.width = Scalar(grid_.z().length());
         foot_ = body.footprint(at, water_);
         if constexpr (S::dimension == 2) foot_.z = 0.5 * (grid_.z().begin() + grid_.z().end());
         const auto &x = grid_.x(), &z = grid_.z();

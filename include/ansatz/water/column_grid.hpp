@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
@@ -64,11 +65,18 @@ public:
         return std::all_of(widths_.begin(), widths_.end(), [&](double w) { return w == widths_.front(); });
     }
     bool covers(double x) const { return x >= begin() && x <= end(); } // false for NaN
+    /// From the first face to the last; of a grid that stands far away, more exact than the difference of the two.
+    double length() const { return std::accumulate(widths_.begin(), widths_.end(), 0.0); }
     /// From the widths, so that a grid that has been elsewhere is to the bit one that has not.
-    void move_to(double begin) {
+    void move_to(std::string_view which, double begin) {
         double length = 0;
         faces_.front() = begin;
-        for (std::size_t i = 0; i < count(); ++i) faces_[i + 1] = begin + (length += widths_[i]);
+        for (std::size_t i = 0; i < count(); ++i) {
+            faces_[i + 1] = begin + (length += widths_[i]);
+            if (!(faces_[i + 1] > faces_[i]))
+                refuse_value("ColumnGrid::at", which, begin * metre,
+                             joined({"a column of ", describe(widths_[i] * metre), " is lost in rounding there"}));
+        }
     }
     /// The column that contains x, which is covered; a face belongs to the column after it, the last to the last.
     std::size_t column(double x) const {
@@ -147,13 +155,14 @@ public:
     ColumnGrid(const std::vector<Length>& widths_x, const std::vector<Length>& widths_z)
         : x_("x", widths_x), z_("z", widths_z) {}
 
-    /// The same grid with its first corner there: m, finite.
+    /// The same grid with its first corner there: m, finite, and not so far away that columns have no width.
+    /// \throws std::invalid_argument for other places
     ColumnGrid at(Length x, Length z) const {
         require_finite("ColumnGrid::at", "x", x);
         require_finite("ColumnGrid::at", "z", z);
         ColumnGrid moved = *this;
-        moved.x_.move_to(x.value());
-        moved.z_.move_to(z.value());
+        moved.x_.move_to("x", x.value());
+        moved.z_.move_to("z", z.value());
         return moved;
     }
 
@@ -179,7 +188,7 @@ public:
     /// dx dz of column (i, j), m^2.
     Quantity<unit::Area> footprint(std::size_t i, std::size_t j) const { return width_x(i) * width_z(j); }
     /// Of all columns, m^2.
-    Quantity<unit::Area> area() const { return (x_.end() - x_.begin()) * (z_.end() - z_.begin()) * square_metre; }
+    Quantity<unit::Area> area() const { return x_.length() * z_.length() * square_metre; }
     Length begin_x() const { return x_.begin() * metre; } ///< the least x that is covered, m
     Length end_x() const { return x_.end() * metre; }     ///< the largest x that is covered, m
     Length begin_z() const { return z_.begin() * metre; } ///< the least z that is covered, m

@@ -13,6 +13,8 @@
 
 #include <ansatz/water/height_map.hpp>
 
+#include <cmath>
+#include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
@@ -33,7 +35,8 @@ void write_pgm(std::ostream& out, const HeightMap<Scalar>& map, Quantity<unit::L
     std::string bytes = "P5\n" + std::to_string(map.points_x()) + ' ' + std::to_string(map.points_z()) + "\n65535\n";
     for (std::size_t row = map.points_z(); row-- > 0;)
         for (std::size_t i = 0; i < map.points_x(); ++i) {
-            const double part = (static_cast<double>(map(i, row).value()) - low.value()) / (high - low).value();
+            const double part = (0.5 * static_cast<double>(map(i, row).value()) - 0.5 * low.value()) /
+                                (0.5 * high.value() - 0.5 * low.value()); // halves: the whole may overflow
             const auto grey = static_cast<unsigned>(std::lround(65535 * std::clamp(part, 0.0, 1.0)));
             bytes += static_cast<char>(static_cast<unsigned char>(grey >> 8U));
             bytes += static_cast<char>(static_cast<unsigned char>(grey & 255U));
@@ -44,7 +47,8 @@ void write_pgm(std::ostream& out, const HeightMap<Scalar>& map, Quantity<unit::L
 template <class Scalar> void write_pgm(std::ostream& out, const HeightMap<Scalar>& map) {
     const auto low = static_cast<double>(map.range().first.value()) * metre,
                high = static_cast<double>(map.range().second.value()) * metre;
-    write_pgm(out, map, low, high > low ? high : std::max(low + 1.0 * metre, 2.0 * low));
+    constexpr double beyond = std::numeric_limits<double>::infinity();
+    write_pgm(out, map, low, high > low ? high : std::nextafter(low.value(), beyond) * metre);
 }
 
 /// Writes a map as a mesh: a vertex with its normal for each point, two triangles for each cell, anticlockwise seen

@@ -31,6 +31,7 @@ template <class Scalar> struct Patch {
         const Scalar by_x = ((y10 - y00) * (one - v) + (y11 - y01) * v) / dx,
                      by_z = ((y01 - y00) * (one - u) + (y11 - y10) * u) / dz;
         const Scalar length = sqrt(by_x * by_x + by_z * by_z + one);
+        if (!is_finite(length)) return Vector<Scalar, 3>(-by_x, one, -by_z).stableNormalized(); // a cliff
         return {-by_x / length, one / length, -by_z / length};
     }
     /// Exact at both ends, and where they are equal.

@@ -111,16 +111,19 @@ public:
                 s[i] = std::sin(turn * double(i));
             }
             const Scalar stride_c(std::cos(turn * double(abreast))), stride_s(std::sin(turn * double(abreast)));
-            for (std::size_t j = 0; j < points_z; ++j) {
-                const double start = w.angle(x0.value(), z0.value() + double(j) * dz.value(), t.value());
-                const double a = w.amplitude * std::cos(start), b = w.amplitude * std::sin(start);
-                std::array<Scalar, abreast> now_c, now_s;
-                for (std::size_t i = 0; i < abreast; ++i) {
-                    now_c[i] = Scalar(a * c[i] - b * s[i]);
-                    now_s[i] = Scalar(b * c[i] + a * s[i]);
+            for (std::size_t j = 0; j < points_z; ++j)
+                for (std::size_t first = 0; first < points_x; first += in_a_row) {
+                    const double start = w.angle(x0.value() + double(first) * dx.value(),
+                                                 z0.value() + double(j) * dz.value(), t.value());
+                    const double a = w.amplitude * std::cos(start), b = w.amplitude * std::sin(start);
+                    std::array<Scalar, abreast> now_c, now_s;
+                    for (std::size_t i = 0; i < abreast; ++i) {
+                        now_c[i] = Scalar(a * c[i] - b * s[i]);
+                        now_s[i] = Scalar(b * c[i] + a * s[i]);
+                    }
+                    add_row(std::min(in_a_row, points_x - first), stride_c, stride_s, now_c.data(), now_s.data(),
+                            heights.data() + j * points_x + first);
                 }
-                add_row(points_x, stride_c, stride_s, now_c.data(), now_s.data(), heights.data() + j * points_x);
-            }
         }
     }
     /// The heights of a whole map, m.
@@ -151,6 +154,7 @@ public:
 
 private:
     static constexpr std::size_t abreast = 32;
+    static constexpr std::size_t in_a_row = 1024; // so many are rotated before the phase is computed anew
     template <class Scalar>
     static void add_row(std::size_t count, const Scalar turn_c, const Scalar turn_s, Scalar* __restrict c,
                         Scalar* __restrict s, Scalar* __restrict heights) {
