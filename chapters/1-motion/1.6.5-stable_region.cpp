@@ -10,6 +10,7 @@
 //
 // and the same numbers whoever runs them. Beside each stands what theory says: one step is a matrix, and the motion is
 // bounded while the powers of that matrix are.
+// Compiled alone: it can be a program of MPI's ranks, with headers and a main of its own.
 
 #include "claims.hpp"
 #include "plot.hpp"
