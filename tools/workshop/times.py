@@ -44,7 +44,7 @@ def kind_of_output(output: str) -> tuple[str, str]:
     if module:
         return f"build: tests of {module[1]}", output[module.end():]
     for pattern, kind in (
-            (r"CMakeFiles/(static|archetypes)_tests\.dir", "static tests"), ("section_", "sections"),
+            (r"CMakeFiles/(static|archetypes)_tests\.dir", "static tests"), ("sections?_", "sections"),
             ("costs_", "what it costs"), ("exercise", "exercises")):
         if re.search(pattern, output):
             return f"build: {kind}", output

@@ -19,6 +19,7 @@ NINJA = """# ninja log v5
 100\t2100\t3000000000000\ttests/CMakeFiles/test_world_together.dir/together/test_world_1.cpp.o\ti
 0\t9000\t1000000000000\tchapters/section_1.7\tc
 0\t100\t3000000000000\tchapters/section_1.8\td
+0\t600\t3000000000000\tchapters/sections_motion\tj
 0\t200\t3000000000000\tchapters/costs_motion\te
 0\t300\t3000000000000\texercises/drag/others\tf
 0\t400\t3000000000000\tother\tg
@@ -44,14 +45,14 @@ class Kinds(unittest.TestCase):
         self.assertEqual(
             {kind: (of.number, round(of.seconds, 3), of.dearest) for kind, of in kinds.items()},
             {"build: headers alone": (1, 1.5, "drag.hpp.cpp"), "build: tests of world": (2, 6.0, "world/step.cpp"),
-             "build: sections": (1, 0.1, "chapters/section_1.8"),
+             "build: sections": (2, 0.7, "chapters/sections_motion"),
              "build: what it costs": (1, 0.2, "chapters/costs_motion"),
              "build: exercises": (1, 0.3, "exercises/drag/others"), "build: other": (1, 0.4, "other"),
              "build: static tests": (1, 0.5, "tests/CMakeFiles/static_tests.dir/models.cpp")})
 
     def test_since(self) -> None:
         """What was written in that very second belongs to it."""
-        for since, number in ((3000.0, 7), (3000.5, 0)):
+        for since, number in ((3000.0, 8), (3000.5, 0)):
             kinds: times.Kinds = {}
             times.count_build(NINJA.split("\n"), since, kinds)
             self.assertEqual(sum(of.number for of in kinds.values()), number)
