@@ -54,18 +54,6 @@ else()
 endif()
 option(ANSATZ_WARNINGS_AS_ERRORS "-Werror in tests and chapters" ${known_compiler})
 
-# g++ collects its garbage whenever what it holds has doubled, at 128 MB first: a tenth of its time. Where there is room it need not.
-cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)    # MiB
-cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
-math(EXPR memory_of_one "${memory} / ${cores} / 3")
-if(memory_of_one GREATER 3000)
-    set(memory_of_one 3000)
-endif()
-set(ANSATZ_WITHOUT_COLLECTING)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory_of_one GREATER 500)
-    set(ANSATZ_WITHOUT_COLLECTING --param=ggc-min-heapsize=${memory_of_one}000)
-endif()
-
 # What every program of ours is compiled with. Its own helpers are included by their place in the project:
 # "tests/catch.hpp", "tools/plot.hpp".
 add_library(ansatz_development INTERFACE)
@@ -78,7 +66,6 @@ target_compile_options(ansatz_development INTERFACE -Wall -Wextra -Wpedantic -Ws
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>"
     # g++ tries to evaluate every lambda that could be constexpr, a test's loop of a million steps too, and gives up late.
     "$<$<CXX_COMPILER_ID:GNU>:-fconstexpr-ops-limit=1000000>"
-    ${ANSATZ_WITHOUT_COLLECTING}
     # ccache can keep a precompiled header only if the compiler makes it reproducible.
     $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
     "$<$<CXX_COMPILER_ID:Clang,AppleClang>:SHELL:-Xclang -fno-pch-timestamp>")
