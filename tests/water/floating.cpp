@@ -291,6 +291,7 @@ TEST_CASE("in float, in two dimensions: a disc settles at its draft, and the cha
     CHECK(world.hash() == hash);
     // The same numbers in a file.
     detail::FloatingRow<Flat::S> row;
+    row.body = {0};
     row.size[0] = 1;
     CHECK_NOTHROW(row.check());
     for (float detail::FloatingRow<Flat::S>::*number :
@@ -358,7 +359,7 @@ TEST_CASE("what a floating body cannot be is refused, and the world is as it was
         row.size[at] = x;
         return refusal([&] { row.check(); });
     };
-    CHECK_NOTHROW(row = {}, put("model", 2), row.check()); // a lift of 0 m/s^2
+    CHECK_NOTHROW(row = {}, row.body = {0}, put("model", 2), row.check()); // a lift of 0 m/s^2
     CHECK(number(2, 0, -1).find("not negative") != std::string::npos);
     CHECK(number(3, 1, -1).find("not negative") != std::string::npos);
     for (const std::size_t at : {0, 2}) CHECK(number(3, at, 0).find("greater than zero") != std::string::npos);
@@ -370,4 +371,22 @@ TEST_CASE("what a floating body cannot be is refused, and the world is as it was
     CHECK(sentence<std::out_of_range>([&] { world.afloat(one.floating[2]); }).find("World::afloat") !=
           std::string::npos);
     CHECK(world.hash() != hash); // the body that was removed, and nothing else
+}
+
+TEST_CASE("a file lets water carry no body that is not there", "[water]") {
+    const auto one = scene<SemiImplicitEuler>();
+    std::stringstream file;
+    save(one.world, file);
+    const std::string text = file.str();
+    for (const std::string number : {"4294967295", "4294967294", "4", "-1"}) {
+        auto changed = text;
+        const auto at = changed.find("\"body\": ", changed.find("\"Buoyancy\"", changed.find("\"elements\""))) + 8;
+        changed.replace(at, changed.find(',', at) - at, number);
+        std::stringstream other(changed);
+        Under<SemiImplicitEuler> loaded({}, {}, {}, {});
+        const auto empty = loaded.hash();
+        CAPTURE(number);
+        CHECK(refusal([&] { load(loaded, other); }) != "nothing");
+        CHECK(loaded.hash() == empty);
+    }
 }

@@ -336,4 +336,14 @@ TEST_CASE("what a contact with a soft surface cannot be is refused, and the worl
     CHECK(has(said([](auto& c) { c.grid = ColumnGrid(widths(24, 1), widths(24, 2)); }), "all alike"));
     CHECK(has(refusal([&] { world.set(SurfaceContacts{.skin = -1.0 * metre}); }), "skin is -1 m"));
     CHECK(has(refusal([&] { surface_touch(world, SurfaceContactHandle{}); }), "surface_touch"));
+    // From a file: BodyId() names nobody.
+    scene.stone_raft_and_ball();
+    const auto& row = std::as_const(world).elements<SurfaceContact>().row(scene.things[0].on.id);
+    CHECK_NOTHROW(row.check());
+    auto other = row;
+    other.body = BodyId();
+    CHECK(has(refusal([&] { other.check(); }), "nobody"));
+    other = row;
+    other.columns[7] = BodyId();
+    CHECK(has(refusal([&] { other.check(); }), "nobody"));
 }

@@ -135,8 +135,9 @@ TEMPLATE_TEST_CASE("a whole map at once has the heights of each of its points", 
                 most =
                     std::max(most, std::abs(double(heights[j * nx + i]) - sum.height(x, z, 1234.5 * second).value()));
             }
-        // A phase of so many radians is itself known to some roundings of it.
-        const double rounding = 2 * std::numeric_limits<double>::epsilon() * largest * (100 + 0.25 * double(nx));
+        // At the end of the long row a phase has so many radians that it is itself known to some roundings of it.
+        const double rounding =
+            nx > 512 ? 2 * std::numeric_limits<double>::epsilon() * largest * (100 + 0.25 * double(nx)) : 0.0;
         CHECK(most <= (bound + rounding) * amplitudes);
     }
     const auto map = sum.height_map<TestType>(9, 4, 0.5 * metre, 1.0 * metre, 2.0 * second);

@@ -183,9 +183,13 @@ template <class W, class Data> Stiffness stiffness_in(const W& world, const Data
 /// A bound of the stiffness of a world's springs, from one look at each of them.
 ///
 /// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body;
-/// alone
-/// with these shares it would swing with \f$ \omega^2 = K_a/m_a + K_b/m_b \f$, where K is the sum of the stiffnesses at a body,
-/// and the whole swings no faster than the fastest of its parts. For two bodies and a spring it is exact.
+/// alone with these shares it would swing with
+///
+/// \f[ \omega^2 = \frac{K_a}{m_a} + \frac{K_b}{m_b}, \f]
+///
+/// where K is the sum of the stiffnesses at a body, and the whole swings no faster than the fastest of its parts. For
+/// two bodies and a spring it is exact.
+///
 /// It is of what the forces saw last; where something was changed since, ask without scratch.
 template <class... P> Stiffness stiffness_of(const World<P...>& world, StiffnessScratch& scratch) {
     return detail::stiffness_in(world, detail::Key::inside(world).data, scratch);

@@ -153,6 +153,7 @@ template <class S> struct FloatingRow {
     }
     /// \throws std::invalid_argument for numbers that it cannot have
     void check() const {
+        if (body == BodyId()) refuse_value("Floating", "body", "nobody", "it is one of this world");
         const int positive = model == LiftBy::box ? S::dimension : 1;
         for (int k = 0; k < 3; ++k) {
             const Scalar& x = size[std::size_t(k)];

@@ -123,7 +123,8 @@ template <class Policy, class Scalar> struct PoolRow {
             each(policy, grid, level, state, field);
             grid.check();
             // Before there is memory for all columns that a file names: it may name more than it holds.
-            if (surface || !state.height.empty()) grid.require_one_each("Pool", "height", state.height.size());
+            if (surface || grid.size() > 3 || !state.height.empty()) // 3: nothing was read
+                grid.require_one_each("Pool", "height", state.height.size());
             surface.emplace(policy, grid, level);
             SurfaceLanes::of(*surface) = state; // check looks at it
         } else {

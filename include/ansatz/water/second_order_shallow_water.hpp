@@ -354,9 +354,9 @@ struct SecondOrderShallowWater {
                     double sum = double(before[i]) + double(owed[i]) + double(more);
                     if constexpr (Last)
                         sum = (1 - double(weight)) * (double(height[i]) + double(owes[i])) + double(weight) * sum;
-                    const auto rounded = Scalar(sum);
-                    owes[i] = Scalar(sum - double(rounded));
-                    height[i] = rounded;
+                    const Scalar rounded(sum), there = Scalar(0.5) * (rounded + std::abs(rounded)); // as ShallowWater
+                    owes[i] = Scalar(sum - double(there));
+                    height[i] = there;
                 } else if constexpr (Last) height[i] = (Scalar(1) - weight) * height[i] + weight * (before[i] + more);
                 else height[i] = before[i] + more;
             };

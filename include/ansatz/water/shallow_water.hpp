@@ -290,12 +290,16 @@ struct ShallowWater {
         static void raise(std::size_t count, Scalar dt, Scalar by_z, const Scalar* __restrict over,
                           const Scalar* __restrict mass, const Scalar* __restrict south, const Scalar* __restrict north,
                           const Scalar* __restrict before, Scalar* __restrict height, Scalar* __restrict owed) {
+            using std::abs;
             auto one = [=](std::size_t i, const Scalar& west) __attribute__((always_inline)) {
                 const Scalar more = dt * over[i] * (west - mass[i]) + by_z * (south[i] - north[i]);
                 if constexpr (compensated) { // what the last sum has rounded away comes with the next (Kahan)
                     const Scalar due = more + owed[i], sum = before[i] + due;
-                    owed[i] = due - (sum - before[i]);
-                    height[i] = sum;
+                    // Where a column was set dry since, what it owes is more than it has: it stays owed. Half of the
+                    // sum and its size is the sum, or nothing; g++ 12 vectorises no choice between them.
+                    const Scalar there = Scalar(0.5) * (sum + abs(sum));
+                    owed[i] = due - (there - before[i]);
+                    height[i] = there;
                 } else height[i] = before[i] + more;
             };
             one(0, Scalar(0));

@@ -139,6 +139,8 @@ template <class S> struct SurfaceContactRow {
     /// \throws std::invalid_argument for what it cannot be
     void check() const {
         const std::string_view where = "SurfaceContact";
+        if (body == BodyId() || std::find(columns.begin(), columns.end(), BodyId()) != columns.end())
+            refuse_value(where, "its body, or one of its columns,", "nobody", "each is a body of this world");
         auto in_si = []<class U>(std::type_identity<U>, const Scalar& x) { return Quantity<U, Scalar>::from_value(x); };
         require_positive(where, "stiffness", in_si(std::type_identity<unit::Stiffness>{}, stiffness));
         require_not_negative(where, "damping", in_si(std::type_identity<unit::Damping>{}, damping));

@@ -141,15 +141,18 @@ class Touched(unittest.TestCase):
         with mock.patch.object(subprocess, "run", side_effect=answers):
             self.assertEqual(touched.deps_of(self.project, self.build), {"a.o": ["../a.cpp"], "b.o": []})
 
-    def test_never_built(self) -> None:
-        """A test that was never built by itself has what its text includes, by its place, and what that includes."""
-        self.write("tests/motion/one.cpp", '#include "tests/help.hpp"\n#include <ansatz/drag.hpp>\n#include <cmath>\n')
-        name = "tests/CMakeFiles/test_motion.dir/motion/one.cpp.o"
+    def read_of(self, name: str) -> set[str]:
+        """The files, by their place in the project, that an object is made from which ninja knows and never built."""
         answers = [subprocess.CompletedProcess([], 0, f"{name}: CXX_COMPILER__x\n", ""),
                    subprocess.CompletedProcess([], 0, "", "")]
         with mock.patch.object(subprocess, "run", side_effect=answers):
             files = touched.deps_of(self.project, self.build)[name]
-        self.assertEqual({str(Path(file).relative_to(self.project)) for file in files},
+        return {str(Path(file).relative_to(self.project)) for file in files}
+
+    def test_never_built(self) -> None:
+        """A test that was never built by itself has what its text includes, by its place, and what that includes."""
+        self.write("tests/motion/one.cpp", '#include "tests/help.hpp"\n#include <ansatz/drag.hpp>\n#include <cmath>\n')
+        self.assertEqual(self.read_of("tests/CMakeFiles/test_motion.dir/motion/one.cpp.o"),
                          {"tests/motion/one.cpp", "tests/help.hpp", "include/ansatz/drag.hpp", "include/ansatz/units.hpp"})
 
     def test_section_never_built(self) -> None:
@@ -157,12 +160,7 @@ class Touched(unittest.TestCase):
         for file, text in (("chapters/1-motion/1.7-drag.cpp", '#include "plot.hpp"\n#include "problems.hpp"\n'),
                            ("chapters/1-motion/problems.hpp", '#include <ansatz/drag.hpp>\n'), ("tools/plot.hpp", "")):
             self.write(file, text)
-        name = "chapters/CMakeFiles/section_1.7.dir/1-motion/1.7-drag.cpp.o"
-        answers = [subprocess.CompletedProcess([], 0, f"{name}: CXX_COMPILER__x\n", ""),
-                   subprocess.CompletedProcess([], 0, "", "")]
-        with mock.patch.object(subprocess, "run", side_effect=answers):
-            files = touched.deps_of(self.project, self.build)[name]
-        self.assertEqual({str(Path(file).relative_to(self.project)) for file in files},
+        self.assertEqual(self.read_of("chapters/CMakeFiles/section_1.7.dir/1-motion/1.7-drag.cpp.o"),
                          {"chapters/1-motion/1.7-drag.cpp", "chapters/1-motion/problems.hpp", "tools/plot.hpp",
                           "include/ansatz/drag.hpp", "include/ansatz/units.hpp"})
 
