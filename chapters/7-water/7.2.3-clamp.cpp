@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
-// 7.2.3 Clamp: a pool that is pushed in time with its own swing, without a limit, with damping, and between two limits
+// 7.2.3 Clamp: a pool that is pushed in time with its own swing, without a limit, with damping, with a bed, and between
+// two limits
 
 // Somebody rocks a pool at its seiche, 2 L / c. Each push adds to the last, and the swing grows without end. Damping
-// ends it where a swing loses what it is given. A clamp ends it as well; one that cuts heights and does nothing else
-// takes the water away with the crest, and its columns stick. (A part of 7.2.)
+// ends it where a swing loses what it is given, and pipes where a column falls dry: there is no more to push then. A
+// clamp ends it as well; one that cuts heights and does nothing else makes water, or loses it with the crest, and its
+// columns stick at the limit: a plateau. (A part of 7.2.)
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -27,36 +29,51 @@ const auto speed = 3.0 * metre_per_second;
 
 struct Driven {
     std::vector<double> times, west;
+    std::vector<double> swings, crests;           // when each swing began, and its highest column
     double highest = 0, lowest = 1e9, volume = 0; // of the last third; m^3 more than at first
     std::size_t at_limit = 0;                     // columns that were on 1.25 m at the same time, at most
+    std::vector<double> plateau;                  // their heights then, m
 };
 
-/// A minute of rocking. `after` may do something to the heights after each step.
+/// Minutes of rocking. `after` may do something to the heights after each step.
 //! [driven]
 template <class Policy>
-Driven rocked(const Policy& policy, const std::function<void(std::vector<double>&)>& after = {}) {
+Driven rocked(const Policy& policy, int minutes, const std::function<void(std::vector<double>&)>& after = {}) {
     Surface water{policy, pool, 1.0 * metre};
     const double dt = 0.05, period = 2 * 10 / 3.0;
     const auto before = water.volume();
     Driven all;
-    for (int n = 0; n < 1200; ++n) {
+    for (int n = 0; n < 1200 * minutes; ++n) {
         std::vector<double> heights(water.heights().begin(), water.heights().end());
         const double push = 0.06 * dt * std::cos(2 * std::numbers::pi * n * dt / period);
         for (std::size_t i = 0; i < 5; ++i) { // what is taken from one end is poured in at the other
-            heights[i] += push;
-            heights[count - 1 - i] -= push;
+            const double moved = std::clamp(push, -heights[i], heights[count - 1 - i]); // no more than there is
+            heights[i] += moved;
+            heights[count - 1 - i] -= moved;
         }
         if (after) after(heights);
         water.set_heights(heights);
-        water.step(dt * second);
+        const double parts =
+            std::ceil(dt * second / water.longest_step()); // waves in pipes are faster the deeper it is
+        for (double part = 0; part < parts; ++part) water.step(dt / parts * second);
         //! [driven]
         const auto now = water.heights();
         all.times.push_back(n * dt);
         all.west.push_back(now[0]);
         const auto at_limit = std::count_if(now.begin(), now.end(), [](double h) { return std::abs(h - 1.25) < 1e-3; });
-        all.at_limit = std::max(all.at_limit, std::size_t(at_limit));
-        if (n < 800) continue;
-        all.highest = std::max(all.highest, *std::max_element(now.begin(), now.end()));
+        if (std::size_t(at_limit) > all.at_limit) {
+            all.at_limit = std::size_t(at_limit);
+            all.plateau.assign(now.begin(), now.end());
+        }
+        const double crest = *std::max_element(now.begin(), now.end());
+        const auto swing = std::size_t(n * dt / period);
+        if (swing == all.crests.size()) {
+            all.swings.push_back(double(swing) * period);
+            all.crests.push_back(crest);
+        }
+        all.crests.back() = std::max(all.crests.back(), crest);
+        if (n < 1200 * minutes - 400) continue;
+        all.highest = std::max(all.highest, crest);
         all.lowest = std::min(all.lowest, *std::min_element(now.begin(), now.end()));
     }
     all.volume = (water.volume() - before).value();
@@ -64,28 +81,35 @@ Driven rocked(const Policy& policy, const std::function<void(std::vector<double>
 }
 
 void print(const std::string& name, const Driven& d) {
-    std::cout << name << ": in the last 20 s from " << d.lowest << " m to " << d.highest << " m, "
-              << (std::abs(d.volume) < 1e-9 ? 0.0 : d.volume) << " m^3 more than at first\n";
+    std::cout << name << ": in the last 20 s from " << (d.lowest < 1e-9 ? 0.0 : d.lowest) << " m to " << d.highest
+              << " m, " << (std::abs(d.volume) < 1e-9 ? 0.0 : d.volume) << " m^3 more than at first\n";
 }
 } // namespace
 
 int main() {
     workbook::Claims claim;
-    const auto free = rocked(WaterColumns{speed});
-    const auto damped = rocked(WaterColumns{speed, 0.3 / second});
-    const auto clamped = rocked(ClampedColumns{{speed}, {0.75 * metre, 1.25 * metre}});
-    const auto cut = rocked(WaterColumns{speed}, [](std::vector<double>& heights) {
+    const auto free = rocked(WaterColumns{speed}, 1); // in a second minute its columns would run below the ground
+    const auto damped = rocked(WaterColumns{speed, 0.3 / second}, 4);
+    const Pipes over_ground{9.0 * metre_per_second_squared}; // in a depth of 1 m their waves run at 3 m/s, too
+    const auto pipes = rocked(over_ground, 4);
+    const auto clamped = rocked(ClampedColumns{{speed}, {0.75 * metre, 1.25 * metre}}, 4);
+    const auto cut = rocked(WaterColumns{speed}, 1, [](std::vector<double>& heights) {
         for (double& h : heights) h = std::clamp(h, 0.95, 1.25); // heights alone, and no room below
     });
     print("left alone    ", free);
     print("damped        ", damped);
+    print("Pipes         ", pipes);
     print("ClampedColumns", clamped);
     print("heights alone ", cut);
     claim("pushed in time, a pool swings higher and higher", free.highest > 1.5);
     claim("damping ends it", damped.highest < 1.1);
+    claim("pipes end it where the ground falls dry: none runs below it, no water is lost, and 4 min are as 1",
+          pipes.lowest >= 0 && std::abs(pipes.volume) < 1e-12 &&
+              pipes.highest < 1.1 * *std::max_element(pipes.crests.begin(), pipes.crests.begin() + 9));
     claim("between two limits it stays, and no water is lost",
           clamped.highest <= 1.25 && clamped.lowest >= 0.75 && std::abs(clamped.volume) < 1e-12);
     claim("a clamp of the heights alone makes water", cut.volume > 0.1);
+    claim("and a plateau at the limit", cut.at_limit >= 2 * clamped.at_limit);
     std::cout << "Columns on the upper limit at the same time: " << cut.at_limit << " where heights alone are clamped, "
               << clamped.at_limit << " in ClampedColumns\n";
 
@@ -95,5 +119,17 @@ int main() {
         .line("damped", damped.times, damped.west)
         .line("clamped", clamped.times, clamped.west)
         .write();
+    workbook::Plot swings("7.2.3-swings", "The highest column of each swing");
+    swings.x("time in seconds").y("height in metres");
+    swings.line("left alone", free.swings, free.crests)
+        .line("damped", damped.swings, damped.crests)
+        .line("Pipes", pipes.swings, pipes.crests)
+        .line("ClampedColumns", clamped.swings, clamped.crests)
+        .write();
+    workbook::Plot profile("7.2.3-plateau", "The pool when most of its columns stand on the limit");
+    std::vector<double> places;
+    for (std::size_t i = 0; i < count; ++i) places.push_back(pool.centre_x(i).value());
+    profile.x("x in metres").y("height in metres");
+    profile.line("heights alone clamped", places, cut.plateau).line("ClampedColumns", places, clamped.plateau).write();
     return claim.result();
 }

@@ -17,12 +17,35 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <random>
 #include <span>
 #include <tuple>
 #include <vector>
 
 using namespace ansatz;
 using Length = Quantity<unit::Length>;
+
+namespace {
+/// The sea that a wind of some speed has raised where it has blown for long (Pierson and Moskowitz, 1964), as `count`
+/// waves of equal energy. Each stands for an equal part of the spectrum, so that the long ones lie close together.
+//! [spectrum]
+std::vector<Wave> sea_of_wind(Quantity<unit::Velocity> wind, int count, unsigned seed) {
+    const double g = 9.81, alpha = 8.1e-3, beta = 0.74, slowest = g / wind.value();
+    const double variance = alpha * std::pow(g / (slowest * slowest), 2) / (4 * beta); // of the height, m^2
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.0; };
+    std::vector<Wave> waves;
+    for (int n = 0; n < count; ++n) {
+        // Up to omega lies the part exp(-beta (slowest / omega)^4) of the energy.
+        const double part = (n + 0.5) / count, omega = slowest * std::pow(-beta / std::log(part), 0.25);
+        const auto length = 2 * std::numbers::pi * g / (omega * omega) * metre; // over deep water
+        const double direction = between(-0.6, 0.6), phase = between(0, 2 * std::numbers::pi);
+        waves.push_back({length, std::sqrt(2 * variance / count) * metre, direction, phase});
+    }
+    return waves;
+}
+//! [spectrum]
+} // namespace
 
 int main() {
     workbook::Claims claim;
@@ -54,6 +77,15 @@ int main() {
         for (std::size_t i = 0; i < 256; ++i)
             most = std::max(most, std::abs(double(map(i, j).value()) - sea.height(map.x(i), map.z(j), t).value()));
     claim("a map of 256 x 256 points in float is right to 1.3e-6 of the sum of amplitudes", most < 1.3e-6 * 0.82);
+
+    const Waves storm(sea_of_wind(12.0 * metre_per_second, 64, 3));
+    double square = 0;
+    int samples = 0;
+    for (double at = 0; at < 20000; at += 7.7, ++samples)
+        square += std::pow(storm.height(at * metre, 0.3 * at * metre, at * second).value(), 2);
+    const double significant = 4 * std::sqrt(square / samples); // about the mean of the highest third
+    std::cout << "After a wind of 12 m/s waves are " << significant << " m high, from trough to crest\n";
+    claim("as high as the spectrum says, 0.209 U^2 / g: 3.07 m", std::abs(significant / 3.07 - 1) < 0.03);
 
     //! [sharp]
     const GerstnerWaves sharp(Waves({{10.0 * metre, 0.5 * metre}}), 0.9);

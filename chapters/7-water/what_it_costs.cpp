@@ -3,7 +3,7 @@
 // one that is simulated, and buoyancy by exact shapes and by sampled points
 
 // Read the rows like this: on the seiche, a low wave, the columns of the notes are the cheapest and as exact as Pipes;
-// ShallowWater, which is of first order, pays fifteen times as much and damps the wave; to second order it pays four
+// ShallowWater, which is of first order, pays fourteen times as much and damps the wave; to second order it pays four
 // times that, and hardly does. On the dams columns and Pipes come to a wall that no finer grid takes away, since their
 // water does not carry its momentum along; only shallow water comes nearer, and to second order with a quarter of the
 // columns. All pay N^2 for each simulated second: twice as many columns, and twice as many steps.

@@ -174,6 +174,31 @@ TEST_CASE("beside little water a body presses up only what there is room for", "
     world.set_position(body, metres(4, 0.9, 1.05)); // on the quay there is no water around it
     CHECK_FALSE(world.afloat(floating).in_pool);
 }
+TEST_CASE("the wake of a hull that is twice as fast as waves opens by Mach's angle", "[water]") {
+    World world{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}, Buoyancy{}};
+    const ColumnGrid grid(160, 120, 0.2 * metre); // 32 m x 24 m
+    const auto pool = world.add(Pool{Surface{WaterColumns{2.0 * mps}, grid, 2.0 * metre}});
+    const auto hull = world.add(position(metres(4, 2, 12)), velocity(metres_per_second(4, 0, 0)), moving);
+    world.add(Floating{hull, ball});
+    for (int i = 0; i < 600; ++i) world.step(0.01 * second); // 24 m on
+    const auto& water = world.water(pool).surface();
+    // The crest of the wake beside the track, so far behind the hull.
+    auto crest = [&](double behind) {
+        const auto i = grid.column((28 - behind) * metre, 12.0 * metre) % 160;
+        std::size_t highest = 60;
+        for (std::size_t j = 60; j < 120; ++j)
+            if (water.height(i, j) > water.height(i, highest)) highest = j;
+        CHECK(water.height(i, highest) > 2.004 * metre);
+        for (std::size_t j = 0; j < 60; ++j) // and the same on the other side
+            CHECK(water.height(i, j).value() == Approx(water.height(i, 119 - j).value()).epsilon(1e-12));
+        return grid.centre_z(highest).value() - 12;
+    };
+    // sin = c / v: 30 degrees.
+    const double near = crest(4), far = crest(14);
+    CHECK((far - near) / 10 == Approx(std::tan(pi / 6)).epsilon(0.05));
+    for (std::size_t j = 0; j < 120; ++j) // it comes before its waves
+        CHECK(water.height(155, j).value() == Approx(2).epsilon(1e-9));
+}
 TEST_CASE("nobody gets energy from nothing: a ball and the waves that it makes, without damping", "[water]") {
     auto fastest = []<class Policy>(const Policy& policy, double cell) {
         World world{SemiImplicitEuler{}, Gravity{}, Pools<Policy>{}, Buoyancy{}};

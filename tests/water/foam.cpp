@@ -115,6 +115,22 @@ TEST_CASE("foam stands behind a hull and not before it, stays between 0 and 1, a
     CHECK(behind > 20);
     CHECK(ahead == 0);
 }
+TEST_CASE("foam that comes and goes at once is there where it is steep, and nowhere else", "[water]") {
+    const ColumnGrid grid(8, 1, 1.0 * metre);
+    Surface water{WaterColumns{1.0 * mps}, grid, 1.0 * metre};
+    water.set_height(2, 0, 2.0 * metre);
+    for (const double grows : {1e-310, 0.3})
+        for (const double dt : {0.0, 1e-3, 1.0}) {
+            auto foam = foam_on(water, {.steep = 1e-310, .grows_in = grows * second, .fades_in = 1e-310 * second});
+            foam.step(water, dt * second);
+            for (std::size_t i = 0; i < 8; ++i) {
+                CHECK(foam.part(i, 0) >= 0);
+                CHECK(foam.part(i, 0) <= 1);
+                if (dt == 0 || i == 2 || i > 3) CHECK(foam.part(i, 0) == 0); // a crest is level, and so is the rest
+                else if (i == 3 || i == 1) CHECK(foam.part(i, 0) == 0.5);    // as fast as it fades
+            }
+        }
+}
 TEST_CASE("what foam cannot be is refused", "[water]") {
     const ColumnGrid grid(4, 4, 1.0 * metre);
     Surface water{WaterColumns{1.0 * mps}, grid, 1.0 * metre};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSL-1.0
-// Pools in files that were changed by hand: refused, before there is memory for what they name.
+// Pools at the edges: without weight, without water, in float, in files that were changed by hand.
 
+#include <ansatz/springs.hpp>
 #include <ansatz/water.hpp>
 #include <ansatz/water/pool.hpp>
 #include <ansatz/world.hpp>
 #include <ansatz/world/save.hpp>
 
 #include "tests/before_allocation.hpp"
+#include "tests/water/body_in_pool.hpp"
 #include "tests/water/support.hpp"
 
 #include <sstream>
@@ -76,4 +78,109 @@ TEST_CASE("a file names no more columns than it holds, and no numbers that water
     CHECK(refused("WaterColumns", {{"faces_x", "0.0, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 7.0"}})
               .find("face 1 along x is 1 m") != std::string::npos);
     CHECK(refused("WaterColumns", {}) == "nothing");
+}
+
+TEMPLATE_TEST_CASE("water that weighs nothing is asked for, saved and given back", "[water]", WaterColumns, Pipes,
+                   ShallowWater, SecondOrderShallowWater) {
+    const auto policy = [] {
+        if constexpr (std::is_same_v<TestType, WaterColumns>) return WaterColumns{3.0 * mps};
+        else return TestType{};
+    }();
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Pools<TestType>{}};
+    Surface water(policy, ColumnGrid(12, 9, 0.5 * metre), 2.0 * metre);
+    set_heights(water, [](double x, double z) { return 2 + 0.1 * std::sin(x) * std::cos(z); });
+    const auto pool = world.add(Pool{water});
+    for (int i = 0; i < 20; ++i) world.step(0.02 * second);
+    const auto got = world.get(pool);
+    CHECK(got.surface.state() == world.water(pool).surface().state());
+    std::stringstream file;
+    save(world, file);
+    World loaded{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Pools<TestType>{}};
+    load(loaded, file);
+    CHECK(loaded.hash() == world.hash());
+    world.set(pool, got);
+    CHECK(loaded.hash() == world.hash());
+    // As heavy as the world's gravity makes it from now on, whatever it was.
+    for (auto* one : {&world, &loaded}) {
+        one->set(Gravity{});
+        for (int i = 0; i < 20; ++i) one->step(0.02 * second);
+    }
+    CHECK(loaded.hash() == world.hash());
+    // Where nothing weighs, only columns that pull at each other move.
+    CHECK((got.surface.state() == water.state()) != std::is_same_v<TestType, WaterColumns>);
+}
+TEST_CASE("what a body presses up is nobody's to take, and a column below zero can be filled", "[water]") {
+    BodyInPool one(ColumnGrid(12, 12, 0.5 * metre), 2, Floating{{}, Sphere{0.5 * metre}}, 400, 3, 2, 3);
+    one.steps(60 * 20, 1.0 / 60);
+    auto& world = one.world;
+    REQUIRE(world.water(one.pool).displaced().value() > 0.3);
+    const auto hash = world.hash();
+    const auto before = world.water(one.pool).volume();
+    // Each column gives what it would hold without the body, and not what was pressed up.
+    const auto& grid = world.water(one.pool).grid();
+    const auto without = world.get(one.pool).surface;
+    for (std::size_t j = 0; j < 12; ++j)
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double own = without.height(i, j).value() * 0.25;
+            const auto said = refusal(
+                [&] { world.pour(one.pool, grid.centre_x(i), grid.centre_z(j), -(own * (1 + 1e-9)) * cubic_metre); });
+            REQUIRE(said.find("the column would hold less than nothing; it has ") != std::string::npos);
+        }
+    CHECK(world.hash() == hash);
+    CHECK(world.water(one.pool).volume() == before);
+    for (std::size_t j = 0; j < 12; ++j)
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double own = without.height(i, j).value() * 0.25;
+            world.pour(one.pool, grid.centre_x(i), grid.centre_z(j), -(own * (1 - 1e-12)) * cubic_metre);
+        }
+    CHECK(world.water(one.pool).volume().value() == Approx(0).margin(1e-10));
+    CHECK(world.water(one.pool).volume().value() >= 0);
+
+    World low{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}};
+    Surface deep(WaterColumns{3.0 * mps}, ColumnGrid(12, 1, 0.5 * metre), 0.1 * metre);
+    deep.set_height(0, 0, 2.0 * metre);
+    const auto pool = low.add(Pool{deep});
+    int steps = 0;
+    const auto& heights = low.water(pool).surface().heights();
+    auto lowest = [&] { return std::min_element(heights.begin(), heights.end()) - heights.begin(); };
+    for (; steps < 200 && heights[std::size_t(lowest())] >= 0; ++steps) low.step(0.02 * second);
+    const auto n = std::size_t(lowest());
+    REQUIRE(heights[n] < 0);                                   // columns that pull at each other know no ground
+    const double was = heights[n], filled = -0.5 * was * 0.25; // half of the way up: below zero still
+    low.pour(pool, low.water(pool).grid().centre_x(n), 0.25 * metre, filled * cubic_metre);
+    CHECK(heights[n] == Approx(0.5 * was).epsilon(1e-12));
+    CHECK(refusal([&] {
+              low.pour(pool, low.water(pool).grid().centre_x(n), 0.25 * metre, -1e-9 * cubic_metre);
+          }).find("it has 0 m^3") != std::string::npos);
+}
+TEST_CASE("a world in float takes the longest step that it names", "[water]") {
+    int rounded_up = 0;
+    for (int k = 1; k <= 40; ++k) {
+        const Surface water{WaterColumns{(1 + 0.1 * k) * mps}, ColumnGrid(4, 3, 0.37 * metre), 1.0 * metre};
+        World<Space<float, 3>, SemiImplicitEuler, Gravity, Pools<WaterColumns>> world{{}, {}, {}, {}};
+        world.add(Pool{water});
+        const auto exact = water.longest_step();
+        const auto longest = world.longest_step_of_water();
+        rounded_up += float(exact.value()) > exact.value();
+        CHECK(longest <= exact);
+        CHECK(longest.value() == Approx(exact.value()).epsilon(1.2e-7));
+        CHECK_NOTHROW(world.step(longest));
+    }
+    CHECK(rounded_up > 5);
+}
+TEST_CASE("a step of more parts than its control allows is refused, however fast the water is", "[water]") {
+    World world{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}, Springs<>{},
+                StepLimit<Divide>{.most_parts = 20}};
+    Surface water{WaterColumns{3.0 * mps}, ColumnGrid(12, 9, 0.5 * metre), 2.0 * metre};
+    const auto pool = world.add(Pool{water});
+    const auto hash = world.hash();
+    const auto said = refusal([&] { world.step(20.5 * water.longest_step()); });
+    CHECK(said.find("Courant's limit), and it is divided into 20 parts at most") != std::string::npos);
+    CHECK(world.hash() == hash);
+    world.pour(pool, 1.0 * metre, 1.0 * metre, 0.1 * cubic_metre);
+    water.set_height(2, 2, water.height(2, 2) + 0.4 * metre);
+    world.step(19.5 * water.longest_step());
+    const auto part = 19.5 * water.longest_step() / 20.0;
+    for (int i = 0; i < 20; ++i) water.step(part);
+    CHECK(world.water(pool).surface().state() == water.state());
 }

@@ -104,6 +104,21 @@ TEST_CASE("rings fade and are forgotten; the oldest gives way", "[water]") {
     CHECK(height(rings, 0, 0, 1000) == 0);
 }
 
+TEST_CASE("however far away, late or narrow, a ring has a height that is a number", "[water]") {
+    for (const double width : {1e-310, 1e-9, 0.75, 1e9})
+        for (const double length : {1e-9, 0.5, 1e9}) {
+            Ripples rings(2);
+            Ripple ring = drop(0, 0, 0);
+            ring.wavelength = length * metre;
+            ring.width = width * metre;
+            rings.begin(ring);
+            for (const double x : {0.0, 3.0, 1e155, 1e300})
+                for (const double t : {0.0, 2.0, 1e155, 1e300}) {
+                    CHECK(std::isfinite(rings.height(x * metre, x * metre, t * second).value()));
+                    CHECK(rings.slope(x * metre, 0.0 * metre, t * second).allFinite());
+                }
+        }
+}
 TEST_CASE("a ring refuses what it cannot have", "[water]") {
     Ripples rings(2);
     auto bad = drop(0, 0, 0);

@@ -138,6 +138,10 @@ TEST_CASE("what water cannot be is refused, and nothing is changed", "[water]") 
           }) == "WaterColumns: damping is -1 1/s; it must be finite and not negative");
     CHECK(refusal([&] { Surface<WaterColumns, float>(WaterColumns{mps}, grid, 1e300 * metre); }) ==
           "Surface: level, in its scalar, is inf m; it must be finite");
+    const std::vector<float> deep(9, -3e38f);
+    CHECK(refusal([&] {
+              Surface(Pipes{}, grid, std::span<const float>(deep), 3e38 * metre);
+          }).find("the height of the water over it") != std::string::npos);
     CHECK(refusal([&] {
               (void)Surface(WaterColumns{mps}, unequal(3, 3), 1.0 * metre).height_map();
           }).find("unequal footprints") != std::string::npos);

@@ -11,7 +11,8 @@
 ///
 /// Here the column that reaches a limit stops (its rate is given to the others, or the volume would go on to change),
 /// and what was cut off is spread evenly over all columns that have room, or counted, as you choose. Energy is lost in
-/// any case: a clamp hits the water as a lid does. Pipes need no lower limit, because a flow ends where there is no
+/// any case: a clamp hits the water as a lid does. What is set or poured between two steps, or pressed up by a body,
+/// may lie beyond the limits until the next step. Pipes need no lower limit, because a flow ends where there is no
 /// water.
 
 #include <ansatz/water/water_columns.hpp>

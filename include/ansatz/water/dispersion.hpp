@@ -31,10 +31,13 @@ namespace ansatz::water {
 inline constexpr double bottomless = std::numeric_limits<double>::infinity();
 
 /// \f$ k = 2\pi/\lambda \f$, 1/m.
-/// \throws std::invalid_argument unless the wavelength is finite and positive
+/// \throws std::invalid_argument unless the wavelength is finite and positive, and so long that k is finite
 inline Quantity<unit::InverseLength> wave_number(const Quantity<unit::Length>& wavelength) {
     require_positive("water::wave_number", "wavelength", wavelength);
-    return 2 * std::numbers::pi / wavelength;
+    const Quantity<unit::InverseLength> k = 2 * std::numbers::pi / wavelength;
+    if (!is_finite(k.value()))
+        refuse_value("water::wave_number", "wavelength", wavelength, "2 pi over it must be a finite number");
+    return k;
 }
 namespace detail {
 /// tanh(k d), with the checks that all below share.

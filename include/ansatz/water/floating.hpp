@@ -25,7 +25,7 @@
 namespace ansatz {
 
 /// The notes' model: while its position is under the surface, the body has this acceleration upwards. More than gravity
-/// turns it round, less slows it down.
+/// turns it round, less slows it down. Without gravity it does nothing, since nothing weighs what it would displace.
 struct FixedLift {
     Parameter<unit::Acceleration> acceleration; ///< m/s^2, finite, not negative
 };

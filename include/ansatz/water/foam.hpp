@@ -75,7 +75,7 @@ public:
         require_not_negative("Foam::step", "dt", dt);
         if (!(surface.grid() == grid_))
             refuse_value("Foam::step", "the grid of the surface", "another one", "it is that of the foam");
-        const double b = 1 / law_.fades_in.value();
+        const double b = rate(1, law_.fades_in.value());
         for (std::size_t j = 0; j < grid_.columns_z(); ++j)
             for (std::size_t i = 0; i < grid_.columns_x(); ++i) {
                 const std::size_t n = grid_.index(i, j);
@@ -84,7 +84,7 @@ public:
                     continue;
                 }
                 const double over = slope(surface, i, j) - law_.steep;
-                const double a = over > 0 ? over / (law_.steep * law_.grows_in.value()) : 0.0;
+                const double a = over > 0 ? rate(over, law_.steep * law_.grows_in.value()) : 0.0;
                 const double settles = a / (a + b), keeps = std::exp(-(a + b) * dt.value());
                 const double came = carried(surface, i, j, dt);
                 const double f = settles + (came - settles) * keeps;
@@ -99,6 +99,8 @@ public:
     }
 
 private:
+    /// By how much a second; at once where that is no number any more.
+    static double rate(double what, double in) { return std::min(what / in, 1e300); }
     template <class Surface_> static bool dry(const Surface_& surface, std::size_t n) {
         if constexpr (requires { surface.state().bed; }) return !(surface.state().height[n] > Scalar(0));
         else return false;

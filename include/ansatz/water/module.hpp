@@ -50,7 +50,7 @@ template <class C, class Data, class Policies> void weigh_water(Data& data, cons
         });
     });
 }
-/// The longest step that all pools take, s.
+/// The longest step that all pools take, s, as a number of the world's scalar: rounded down.
 template <class C, class Data, class Policies>
 Quantity<unit::Time> longest_step_of_water(const Data& data, const Policies& policies) {
     const double gravity = weight_of_water<C>(policies);
@@ -61,7 +61,12 @@ Quantity<unit::Time> longest_step_of_water(const Data& data, const Policies& pol
             if (one < longest) longest = one;
         });
     });
-    return longest;
+    using Scalar = typename C::S::Scalar;
+    if constexpr (std::is_same_v<Scalar, float>) {
+        const auto near = static_cast<Scalar>(longest.value());
+        const bool above = static_cast<double>(near) > longest.value();
+        return static_cast<double>(above ? std::nextafter(near, Scalar(0)) : near) * second;
+    } else return longest;
 }
 
 template <class Control> inline constexpr bool control_divides = true;
@@ -70,6 +75,12 @@ template <> inline constexpr bool control_divides<StepLimit<Refuse>> = false;
 template <class C> constexpr bool divides_for_water() {
     if constexpr (C::controlled) return control_divides<typename FirstIn<typename C::controls>::type>;
     else return false;
+}
+/// In how many parts at most.
+template <class C, class Policies> double most_parts_of_water(const Policies& policies) {
+    const auto& control = std::get<typename FirstIn<typename C::controls>::type>(policies);
+    if constexpr (requires { control.most_parts; }) return double(control.most_parts);
+    else return 1e6;
 }
 
 /// A step of a pool in equal parts, and in more of them from where its water has become so fast that they are too long:
@@ -97,9 +108,8 @@ struct MoveWater {
         using C = typename StepT::Composition_;
         const auto dt = static_cast<double>(step.context.dt().value()) * second;
         [[maybe_unused]] double parts = 1;
-        if constexpr (divides_for_water<C>())
-            parts = std::min( // a million, or water that has become infinitely fast would take for ever
-                1e6, std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies)))));
+        if constexpr (divides_for_water<C>()) // no more than were looked at before the step
+            parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
                 if constexpr (divides_for_water<C>()) move_in_parts(*row.surface, dt, parts);
@@ -178,7 +188,7 @@ public:
     }
     /// Pours water into the column that stands there, or takes some out of it.
     /// \param x,z    m
-    /// \param volume m^3, finite; negative to take out, no more than there is
+    /// \param volume m^3, finite; negative to take out, no more than there is without what bodies have pressed up
     /// \throws std::out_of_range for a stale handle or where no column stands, std::invalid_argument for another
     ///         volume; the water is then as it was
     template <class Policy>
@@ -188,16 +198,19 @@ public:
         const auto& table = std::as_const(world).template elements<Pool<Policy>>();
         const auto id = table.id(pool, "World::pour");
         require_finite("World::pour", "volume", volume);
-        const auto& surface = *table.row(id).surface;
+        const auto& before = table.row(id);
+        const auto& surface = *before.surface;
         const auto n = surface.grid().column(x, z);
         const auto footprint = surface.grid().footprint(n % surface.grid().columns_x(), n / surface.grid().columns_x());
         using Scalar = typename C::S::Scalar;
-        const auto there = surface.heights()[n];
-        const auto then = there + Scalar((volume / footprint).value());
-        if (!is_finite(then) || then < Scalar(0))
+        const Scalar there = surface.heights()[n], more((volume / footprint).value()), then = there + more;
+        if (!is_finite(more) || !is_finite(then))
+            refuse_value("World::pour", "volume", volume, "the height of the column must be a finite number");
+        const Scalar own = there - before.pressed[n]; // columns that pull at each other may be below zero
+        if (more < Scalar(0) && own + more < Scalar(0))
             refuse_value("World::pour", "volume", volume,
                          detail::joined({"the column would hold less than nothing; it has ",
-                                         describe(static_cast<double>(there) * footprint * metre)}));
+                                         describe(std::max(0.0, static_cast<double>(own)) * footprint * metre)}));
         detail::Key::get_ready(world, "World::pour");
         const auto inside = detail::Key::inside(world);
         inside.template tell<hook::BeforeChange<>>();
@@ -267,11 +280,17 @@ struct Water {
         using C = typename I::Composition_;
         const auto longest = detail::longest_step_of_water<C>(inside.data, inside.policies);
         detail::weigh_water<C>(inside.data, inside.policies);
-        if constexpr (!detail::divides_for_water<C>())
-            if (!(static_cast<double>(dt.value()) * second <= longest))
-                refuse_value("World::step", "dt", given,
-                             detail::joined({"the longest step that the pools of this world take is ",
-                                             describe(longest), " (Courant's limit)"}));
+        const auto step = static_cast<double>(dt.value()) * second;
+        std::string at_most; // in how many parts, where it may be divided
+        double parts = 1;
+        if constexpr (detail::divides_for_water<C>()) {
+            parts = detail::most_parts_of_water<C>(inside.policies);
+            at_most = ", and it is divided into " + describe(parts) + " parts at most";
+        }
+        if (!(step <= longest) && !(std::ceil(double(step / longest)) <= parts))
+            refuse_value("World::step", "dt", given,
+                         detail::joined({"the longest step that the pools of this world take is ", describe(longest),
+                                         " (Courant's limit)", at_most}));
         // Not every integrator asks the forces anew where a step begins.
         if constexpr (C::floats)
             if (!inside.data.coupled.current)

@@ -52,6 +52,13 @@ struct SurfaceLanes {
         if constexpr (requires { surface.policy_.gravity; }) return surface.policy_.gravity.value() == gravity;
         else return true;
     }
+    /// What moves it, as a Surface takes it: water that weighs nothing has the gravity of its policy in it.
+    template <class S> static auto policy(const S& surface) {
+        auto policy = surface.policy_;
+        if constexpr (requires { policy.gravity; })
+            if (weighs(surface, 0)) policy.gravity = decltype(policy){}.gravity;
+        return policy;
+    }
     /// Another gravity, where the policy has one.
     template <class S> static void set_gravity(S& surface, double gravity) {
         if constexpr (requires { surface.policy_.gravity; }) {
@@ -109,7 +116,7 @@ template <class Policy, class Scalar> struct PoolRow {
         auto state = surface->state();
         for (std::size_t n = 0; n < pressed.size(); ++n) state.height[n] -= pressed[n];
         if constexpr (Policy::has_bed) give_owed(state.height, surface->grid());
-        return {Surface<Policy>(surface->policy(), surface->grid(), surface->first_level(), state),
+        return {Surface<Policy>(SurfaceLanes::policy(*surface), surface->grid(), surface->first_level(), state),
                 static_cast<double>(density) * kilogram_per_cubic_metre};
     }
     static void fields(auto& self, auto&& field) {
@@ -138,7 +145,7 @@ template <class Policy, class Scalar> struct PoolRow {
     }
     /// \throws std::invalid_argument where the numbers do not fit together
     void check() const {
-        const Surface_ fresh(surface->policy(), surface->grid(), surface->first_level());
+        const Surface_ fresh(SurfaceLanes::policy(*surface), surface->grid(), surface->first_level());
         std::vector<std::size_t> sizes;
         auto size_of = [](const auto& x) {
             if constexpr (requires { x.size(); }) return x.size();

@@ -67,7 +67,8 @@ public:
     /// \throws std::out_of_range for a stale handle
     WaterView(const Table& table, PoolHandle<Policy> pool) : table_(&table), pool_(pool) { (void)row(); }
 
-    /// The columns, with what bodies have pressed up.
+    /// The columns, with what bodies have pressed up, and the gravity of the last step: its `longest_step()` may be
+    /// another than `World::longest_step_of_water()` where the world's gravity was set since.
     const Surface<Policy, Scalar>& surface() const { return *row().surface; }
     /// Where they stand.
     const ColumnGrid& grid() const { return surface().grid(); }

@@ -131,6 +131,7 @@ private:
             const double tau = t - begun, dx = to_x - x, dz = to_z - z, round = 0.125 / over_length;
             if (!(tau >= 0)) return {0, 0, 0};
             const double r = std::sqrt(dx * dx + dz * dz + round * round), off = (r - group * tau) * over_width;
+            if (!(off * off < 750)) return {0, 0, 0}; // exp(-750) is 0, and far off r may not be finite
             const double spread = 1 / (1 + r * over_length),
                          size = amplitude * std::exp(-damping * tau - off * off) * std::sqrt(spread);
             const double c = std::cos(k * r - omega * tau), s = std::sin(k * r - omega * tau);
