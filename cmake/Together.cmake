@@ -12,6 +12,9 @@ if(at_a_time LESS 1)
 endif()
 set_property(GLOBAL APPEND PROPERTY JOB_POOLS together=${at_a_time})
 
+set(together_includes ${CMAKE_CURRENT_LIST_DIR}/TogetherIncludes.cmake)
+include(${together_includes})
+
 # Replaces the files of a list by sources that hold several of them; those that stand alone stay.
 #   BYTES    a source holds no more
 #   INCLUDE  what each source includes besides
@@ -34,12 +37,11 @@ function(ansatz_together program sources_variable)
         if(groups EQUAL 0 OR bytes GREATER of_BYTES)
             math(EXPR groups "${groups} + 1")
             set(bytes ${size})
-            set(includes_${groups} ${of_INCLUDE})
+            set(places_${groups})
             set(text_${groups})
         endif()
-        file(STRINGS ${source} includes REGEX "^#include ")
-        list(APPEND includes_${groups} ${includes})
         cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE place)
+        list(APPEND places_${groups} ${place})
         string(MAKE_C_IDENTIFIER ${place} name)
         string(CONFIGURE "${of_AFTER}" line @ONLY)
         string(APPEND text_${groups} "namespace ${name} {\n#include \"${place}\"\n}\n${line}")
@@ -47,11 +49,18 @@ function(ansatz_together program sources_variable)
     set(together)
     if(groups GREATER 0)
         foreach(group RANGE 1 ${groups})
-            list(REMOVE_DUPLICATES includes_${group})
-            list(JOIN includes_${group} "\n" includes)
             set(file ${CMAKE_CURRENT_BINARY_DIR}/together/${program}_${group}.cpp)
-            file(CONFIGURE OUTPUT ${file} CONTENT "${includes}\n\n${text_${group}}" @ONLY)
-            list(APPEND together ${file})
+            set(includes ${CMAKE_CURRENT_BINARY_DIR}/together/${program}_${group}_includes.hpp)
+            file(CONFIGURE OUTPUT ${file} CONTENT "#include \"${program}_${group}_includes.hpp\"\n\n${text_${group}}" @ONLY)
+            ansatz_write_includes(${includes} "${places_${group}}" "${of_INCLUDE}") # for who looks at sources while configuring
+            list(TRANSFORM places_${group} PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE of_group)
+            list(JOIN places_${group} : places)
+            add_custom_command(OUTPUT ${includes}
+                COMMAND ${CMAKE_COMMAND} -D PROJECT_SOURCE_DIR=${PROJECT_SOURCE_DIR} -D OUT=${includes}
+                    -D "PLACES=${places}" -D "FIRST=${of_INCLUDE}" -P ${together_includes}
+                DEPENDS ${of_group} ${together_includes} COMMENT "" VERBATIM)
+            set_source_files_properties(${file} PROPERTIES OBJECT_DEPENDS ${includes})
+            list(APPEND together ${file} ${includes})
         endforeach()
     endif()
     set(${sources_variable} ${together} ${alone} PARENT_SCOPE)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, jump points, a field for
-// many, and what a planner estimates with
+// What accuracy costs in chapter 6: heuristics and their weight, the number that costs are, jump points, and what a
+// planner estimates with
 
 // Read the rows like this. In "heuristic" an error of zero is the best path, and the rows that have it differ only in
 // what they look at; Weighted gives a little of the path's length away for most of the work, up to a weight of 1.5 or
@@ -11,17 +11,15 @@
 //
 // Every row is the mean of the same queries. Each search is warm: what it allocates it allocated before.
 
-#include "costs.hpp"
+#include "what_it_costs.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
-#include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/grid/graph.hpp>
 #include <ansatz/paths/grid/jump_points.hpp>
 #include <ansatz/paths/heuristics.hpp>
-#include <ansatz/paths/true_costs.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -31,26 +29,12 @@
 #include <utility>
 #include <vector>
 
-using namespace ansatz;
-using namespace ansatz::paths;
-using workbook::Axis;
-using workbook::Costs;
+using namespace path_costs;
 
 namespace {
 
-struct Query {
-    Cell start, goal;
-    double best = 0; ///< the length of the best path, tiles
-};
-/// A map and queries on it, each of which has a path.
-struct Scene {
-    std::string name;
-    Grid<> map;
-    std::vector<Query> queries;
-};
-
 /// Queries from the left quarter of a map to its right one.
-std::shared_ptr<const Scene> scene(std::string name, Grid<> map, std::uint32_t seed) {
+ScenePointer scene(std::string name, Grid<> map, std::uint32_t seed) {
     auto made = std::make_shared<Scene>(Scene{std::move(name), std::move(map), {}});
     std::mt19937 random(seed);
     AStar search{made->map, Octile{}};
@@ -63,8 +47,11 @@ std::shared_ptr<const Scene> scene(std::string name, Grid<> map, std::uint32_t s
     }
     return made;
 }
+
+} // namespace
+
 /// Every fifth tile is blocked.
-std::shared_ptr<const Scene> stones() {
+ScenePointer path_costs::stones() {
     Grid<> map(128, 128);
     std::mt19937 random(1);
     for (std::uint16_t y = 0; y < 128; ++y)
@@ -72,7 +59,7 @@ std::shared_ptr<const Scene> stones() {
     return scene("128 x 128 tiles, 20 % blocked", std::move(map), 2);
 }
 /// Open ground with blocks of 8 x 8 tiles here and there.
-std::shared_ptr<const Scene> blocks() {
+ScenePointer path_costs::blocks() {
     Grid<> map(256, 256);
     std::mt19937 random(5);
     for (int block = 0; block < 100; ++block) {
@@ -83,7 +70,7 @@ std::shared_ptr<const Scene> blocks() {
     return scene("256 x 256 tiles, blocks of 8 x 8", std::move(map), 6);
 }
 /// Rooms of 15 x 15 tiles with a door in each wall.
-std::shared_ptr<const Scene> rooms() {
+ScenePointer path_costs::rooms() {
     Grid<> map(128, 128);
     std::mt19937 random(3);
     for (std::uint16_t y = 0; y < 128; ++y)
@@ -97,48 +84,9 @@ std::shared_ptr<const Scene> rooms() {
     return scene("128 x 128 tiles, rooms", std::move(map), 4);
 }
 
-/// One row: all queries of a scene by one search.
-/// \param error_of what is wrong with the answer to a query: error_of(search, query)
-template <class Error, class... Policies>
-void add_row(Costs& costs, const Axis& axis, const std::shared_ptr<const Scene>& scene, std::string choice,
-             workbook::Parameter parameter, Error error_of, Policies... policies) {
-    using Search = AStar<Grid<>, Policies...>;
-    auto search = std::make_shared<Search>(scene->map, policies...);
-    costs.add(axis, {.choice = std::move(choice),
-                     .problem = scene->name,
-                     .parameter = std::move(parameter),
-                     .n = int(scene->map.size()),
-                     .error_run =
-                         [=] {
-                             double error = 0, work = 0;
-                             for (const Query& q : scene->queries) {
-                                 search->find(q.start, q.goal);
-                                 error += error_of(*search, q);
-                                 work += double(search->expanded());
-                             }
-                             const double n = double(scene->queries.size());
-                             return workbook::Outcome{.error = error / n, .work = work / n};
-                         },
-                     .timed_run =
-                         [=] {
-                             std::size_t expanded = 0;
-                             for (const Query& q : scene->queries) {
-                                 search->find(q.start, q.goal);
-                                 expanded += search->expanded();
-                             }
-                             return expanded;
-                         },
-                     .per = double(scene->queries.size())});
-}
+namespace {
 
-/// By how much a path is longer than the best. Both lengths are sums of straight and of diagonal steps; below 1e-12
-/// they are the same.
-constexpr auto longer = [](const auto& search, const Query& q) {
-    const double too_long = search.graph().tiles(search.path()) / q.best - 1;
-    return too_long < 1e-12 ? 0 : too_long;
-};
-
-void add_heuristics(Costs& costs, const std::shared_ptr<const Scene>& scene) {
+void add_heuristics(Costs& costs, const ScenePointer& scene) {
     const Axis axis{.name = "heuristic",
                     .error_norm = "mean of path / best path - 1",
                     .work_unit = "nodes expanded",
@@ -158,7 +106,7 @@ void add_heuristics(Costs& costs, const std::shared_ptr<const Scene>& scene) {
         add_row(costs, axis, scene, "Weighted<Octile>, Reopening", {"w", w}, longer, Weighted{Octile{}, w});
 }
 
-void add_numbers(Costs& costs, const std::shared_ptr<const Scene>& scene) {
+void add_numbers(Costs& costs, const ScenePointer& scene) {
     const Axis axis{.name = "cost number",
                     .error_norm = "mean of |cost / length of its path - 1|",
                     .work_unit = "nodes expanded",
@@ -179,7 +127,7 @@ void add_numbers(Costs& costs, const std::shared_ptr<const Scene>& scene) {
     add_row(costs, axis, scene, "boost::astar_search, double", {}, off, Octile{}, BoostAStar{}, CostIn<double>{});
 }
 
-void add_successors(Costs& costs, const std::shared_ptr<const Scene>& scene) {
+void add_successors(Costs& costs, const ScenePointer& scene) {
     const Axis axis{.name = "successors",
                     .error_norm = "mean of path / best path - 1",
                     .work_unit = "nodes expanded",
@@ -189,71 +137,6 @@ void add_successors(Costs& costs, const std::shared_ptr<const Scene>& scene) {
     add_row(costs, axis, scene, "EveryEdge, Buckets", {}, longer, Octile{}, EveryEdge{}, Buckets{});
     add_row(costs, axis, scene, "JumpPoints, Heap", {}, longer, Octile{}, JumpPoints{}, Heap{});
     add_row(costs, axis, scene, "JumpPoints, Buckets", {}, longer, Octile{}, JumpPoints{}, Buckets{});
-}
-
-/// So many walkers from anywhere to the goal of the scene's first query: a search for each, and one field for all.
-void add_crowds(Costs& costs, const std::shared_ptr<const Scene>& scene) {
-    const Axis axis{.name = "crowd",
-                    .error_norm = "mean of path / best path - 1",
-                    .work_unit = "nodes expanded, by all together",
-                    .time_unit = "ns for all together",
-                    .has_order = false};
-    using Search = AStar<Grid<>, Octile, Buckets>;
-    using Field = FlowField<Grid<>, Buckets>;
-    const Cell goal = scene->queries.front().goal;
-    const auto costs_to = true_costs<std::uint32_t>(scene->map, goal);
-    for (const int walkers : {1, 3, 10, 30, 100, 1000}) {
-        auto from = std::make_shared<std::vector<Cell>>();
-        std::mt19937 random(5);
-        while (int(from->size()) < walkers) {
-            const Cell c{std::uint16_t(random() % scene->map.width()), std::uint16_t(random() % scene->map.height())};
-            if (costs_to[scene->map.index(c)] < paths::detail::infinite<std::uint32_t>) from->push_back(c);
-        }
-        const auto search = std::make_shared<Search>(scene->map, Octile{}, Buckets{});
-        const auto field = std::make_shared<Field>(scene->map, Buckets{});
-        const auto off = [=](Cell c, std::uint32_t cost) {
-            const auto best = costs_to[scene->map.index(c)];
-            return best == 0 ? 0.0 : std::abs(double(cost) / best - 1);
-        };
-        costs.add(axis, {.choice = "a search each",
-                         .problem = scene->name,
-                         .parameter = {"walkers", double(walkers)},
-                         .n = walkers,
-                         .error_run =
-                             [=] {
-                                 double error = 0, work = 0;
-                                 for (const Cell c : *from) {
-                                     search->find(c, goal);
-                                     error += off(c, search->cost()) / walkers;
-                                     work += double(search->expanded());
-                                 }
-                                 return workbook::Outcome{.error = error, .work = work};
-                             },
-                         .timed_run =
-                             [=] {
-                                 std::size_t steps = 0;
-                                 for (const Cell c : *from) search->find(c, goal), steps += search->path().size();
-                                 return steps;
-                             }});
-        costs.add(axis, {.choice = "FlowField",
-                         .problem = scene->name,
-                         .parameter = {"walkers", double(walkers)},
-                         .n = walkers,
-                         .error_run =
-                             [=] {
-                                 field->aim(goal);
-                                 double error = 0;
-                                 for (const Cell c : *from) error += off(c, field->cost(c)) / walkers;
-                                 return workbook::Outcome{.error = error, .work = double(field->expanded())};
-                             },
-                         .timed_run =
-                             [=] {
-                                 field->aim(goal);
-                                 std::size_t steps = 0;
-                                 for (const Cell c : *from) steps += field->next(c).x;
-                                 return steps;
-                             }});
-    }
 }
 
 /// A workshop of several chairs: most actions settle one fact, one settles three at once.
@@ -314,6 +197,10 @@ int main(int argc, char** argv) {
     for (const auto& scene : {stones(), rooms()}) add_numbers(costs, scene);
     for (const auto& scene : {stones(), rooms(), blocks()}) add_successors(costs, scene);
     for (const auto& scene : {stones(), rooms()}) add_crowds(costs, scene);
+    for (const auto& scene : {stones(), rooms()}) add_goals(costs, scene);
+    for (const auto& scene : {stones(), rooms(), blocks()}) add_any_angle(costs, scene);
+    for (const std::size_t side : {128, 256, 512}) add_hierarchy(costs, side);
+    for (const std::size_t agents : {2, 4, 6}) add_agents(costs, agents, 20);
     const Axis planner{.name = "planner",
                        .error_norm = "plan / cheapest plan - 1",
                        .work_unit = "states expanded",
