@@ -126,8 +126,9 @@ void path_costs::add_goals(Costs& costs, const ScenePointer& scene) {
                                  [=] {
                                      return mean_of(*scene, [&](const Query& q) {
                                          const auto found = search(q.start);
-                                         return Judged{.error = double(found.cost) / double(by_each(q.start).cost) - 1,
-                                                       .work = double(found.expanded)};
+                                         const auto best = by_each(q.start).cost; // 0 where a goal is the start
+                                         const double off = found.cost == best ? 0 : double(found.cost) / best - 1;
+                                         return Judged{.error = off, .work = double(found.expanded)};
                                      });
                                  },
                              .timed_run =
