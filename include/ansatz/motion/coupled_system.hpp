@@ -23,7 +23,6 @@ template <class C, class Policies> class CoupledSystem {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
-    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;         ///< a number for each row
     using Block = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< how one body acts on another
     static constexpr int dimension = S::dimension;                   ///< rows of a body
 
@@ -37,7 +36,8 @@ public:
     Eigen::Index rows() const { return bodies() * dimension; }
 
     /// Positions in m, velocities in m/s, and masses in kg, zero for those that nothing moves.
-    void read(Column& x, Column& v, Column& mass) const {
+    /// \tparam Column a number for each row: one of Eigen's vectors, or a GrowingColumn
+    template <class Column> void read(Column& x, Column& v, Column& mass) const {
         x.setZero(rows());
         v.setZero(rows());
         mass.setZero(rows());
@@ -51,7 +51,7 @@ public:
         });
     }
     /// Moves the bodies that take part.
-    void write(const Column& x, const Column& v) {
+    template <class Column> void write(const Column& x, const Column& v) {
         each_awake([&](std::size_t slot, Eigen::Index row) {
             for (int k = 0; k < dimension; ++k) {
                 data_.lanes.template lane<Position>(k)[slot] = x[row + k];
@@ -61,7 +61,7 @@ public:
     }
     /// What all forces do to the bodies as they stand, `fraction` of the step on; m/s^2, zero for those that nothing
     /// moves.
-    void accelerations(double fraction, Column& a) {
+    template <class Column> void accelerations(double fraction, Column& a) {
         const auto now = context_.later(fraction);
         place_platforms(data_, fraction, context_.dt());
         sum_coupled(data_, policies_, now);

@@ -160,6 +160,11 @@ struct Motion {
             if (data.coupled.platforms.capacity() < needed) data.coupled.platforms.reserve(2 * needed);
         }
     }
+    /// An integrator that advances all bodies together keeps rows of each, those to come included.
+    static void on(hook::MakeRoomToCome, auto& data, std::size_t n) {
+        if constexpr (requires { data.together.value.make_room_for_bodies(n); })
+            data.together.value.make_room_for_bodies(data.bodies.ids() + n);
+    }
     template <class C> static void on(hook::MakeRoomFor, WorldData<C>& data, const WorldData<C>& other) {
         detail::make_room_for(data.starts, other.starts);
         detail::make_room_for(data.events, other.events);

@@ -27,7 +27,9 @@
 /// body elsewhere, go to the new one. In a world of collisions a new body has the shape of the other, its contacts and
 /// its share of their impulses; the two do not collide with each other until they have been apart. Lists by body have
 /// room for all that may come, so that a warm step that tears allocates nothing as long as there are no more contacts
-/// than ever before; with the integrator `ImplicitEuler` it does. A Datum of yours is copied to it behind the step.
+/// than ever before, with the integrator `ImplicitEulerBy<MatrixFree>` too. With `ImplicitEuler`,
+/// `ImplicitEulerBy<Cholesky>` and `Odeint` it does: where a body comes, they make their matrix or their state anew. A
+/// Datum of yours is copied to it behind the step.
 
 #include <ansatz/soft_bodies/tear.hpp>
 #include <ansatz/soft_bodies/tearable.hpp>

@@ -25,13 +25,14 @@
 ///
 /// S. C. Eisenstat, H. F. Walker, SIAM J. Sci. Comput. 17, 16 (1996). D. Baraff, A. Witkin, SIGGRAPH 1998.
 
+#include <ansatz/motion/integrators/growing_column.hpp>
 #include <ansatz/motion/integrators/implicit_euler.hpp>
 #include <ansatz/motion/integrators/pair_matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace ansatz {
 
@@ -42,7 +43,7 @@ struct MatrixFree {
     /// Solves A x = b for a PairMatrix A, symmetric and positive definite.
     template <class Scalar> class Solver {
     public:
-        using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
+        using Column = GrowingColumn<Scalar>; ///< a number for each row; so may be any of Eigen's vectors
         /// How small a part of b it leaves, unless it is told.
         static Scalar close() { return Scalar(tolerance); }
 
@@ -51,8 +52,8 @@ struct MatrixFree {
         /// \param x       the solution; what it holds is not used. Where it did not converge, the best so far.
         /// \param leave   how small a part of b it leaves
         /// \return whether it converged
-        template <class Matrix>
-        bool solve(const Matrix& A, const Column& b, const Column& weight, Column& x, const Scalar& leave = close()) {
+        template <class Matrix, class X>
+        bool solve(const Matrix& A, const auto& b, const auto& weight, X& x, const Scalar& leave = close()) {
             iterations_ = 0;
             x.setZero(b.size());
             // In units of the largest of b: the square of what dies away is nothing long before it is.
@@ -81,15 +82,19 @@ struct MatrixFree {
             x *= unit;
             return converged;
         }
+        /// Makes room for so many rows.
+        void reserve(std::size_t rows) {
+            for (Column* column : {&residual_, &towards_, &image_, &scaled_}) column->reserve(rows);
+        }
         /// How many iterations the last solution took.
         Eigen::Index iterations() const { return iterations_; }
 
         /// In four parts, added in one order: what vector units do, and the same in every build.
-        static Scalar sum(const Column& a, const Column& b) {
+        static Scalar sum(const auto& a, const auto& b) {
             return in_parts(a.size(), [&](Eigen::Index i) { return a[i] * b[i]; });
         }
         /// The same with weights.
-        static Scalar sum(const Column& a, const Column& b, const Column& weight) {
+        static Scalar sum(const auto& a, const auto& b, const auto& weight) {
             return in_parts(a.size(), [&](Eigen::Index i) { return a[i] * b[i] * weight[i]; });
         }
 
@@ -113,8 +118,8 @@ struct MatrixFree {
 template <class S> class ImplicitSystem<S, MatrixFree> {
 public:
     using Scalar = typename S::Scalar;
-    using Solver = MatrixFree::Solver<Scalar>;               ///< of the linear systems
-    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
+    using Solver = MatrixFree::Solver<Scalar>; ///< of the linear systems
+    using Column = GrowingColumn<Scalar>;      ///< a number for each row
 
     /// Advances the bodies of a system by a step of length `dt`.
     /// \param asked its `tolerance` and `most_iterations`: see ImplicitEulerBy
@@ -137,6 +142,14 @@ public:
         x_ += h * v_;
         system.write(x_, v_);
         return solved;
+    }
+    /// Makes room for so many bodies: before a step that may divide some, so that those after it allocate nothing.
+    void make_room_for_bodies(std::size_t bodies) {
+        const auto rows = bodies * std::size_t(S::dimension);
+        for (Column* column : {&x_, &v_, &mass_, &weight_, &u_, &r_, &next_, &next_r_, &step_, &end_, &a_})
+            column->reserve(rows);
+        solver_.reserve(rows);
+        matrix_.reserve_bodies(bodies);
     }
     /// Newton's iterations in the last step.
     int iterations() const { return iterations_; }
@@ -177,8 +190,8 @@ private:
             const bool rounding = rounds && !(next_left < left); // as small as rounding lets it become
             const Scalar before = left;
             if (!rounding) {
-                std::swap(u_, next_);
-                std::swap(r_, next_r_);
+                u_.swap(next_);
+                r_.swap(next_r_);
                 left = next_left;
             }
             converged = settled || rounding || left <= enough;

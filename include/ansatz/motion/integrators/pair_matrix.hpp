@@ -30,7 +30,6 @@ namespace ansatz {
 /// \tparam dimension rows and columns of a block
 template <class Scalar, int dimension> class PairMatrix {
 public:
-    using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;       ///< a number for each row
     using Block = Eigen::Matrix<Scalar, dimension, dimension>;     ///< one body by another
     using Index = Eigen::Index;                                    ///< counts bodies
     static constexpr int packed = dimension * (dimension + 1) / 2; ///< numbers of a symmetric block
@@ -40,6 +39,12 @@ public:
     void reserve(std::size_t pairs) {
         springs_.reserve(pairs);
         pairs_.reserve(pairs);
+    }
+    /// Makes room for so many bodies, so that one that a step makes by dividing another allocates nothing.
+    void reserve_bodies(std::size_t bodies) {
+        own_.reserve(bodies);
+        alone_.reserve(bodies);
+        inverse_.reserve(bodies);
     }
     /// Forgets everything; the room stays.
     void clear(Index bodies) {
@@ -102,7 +107,8 @@ public:
     std::size_t others() const { return pairs_.size(); }
 
     /// \f$ y = A x \f$
-    void multiply(const Column& x, Column& y) const {
+    /// \param x,y one of Eigen's vectors, or a GrowingColumn, each
+    template <class X, class Y> void multiply(const X& x, Y& y) const {
         y.resize(x.size());
         const Scalar* in = x.data();
         Scalar* out = y.data();
@@ -131,7 +137,7 @@ public:
                 }
     }
     /// \f$ y = D^{-1} x \f$, D being the blocks of the bodies by themselves: the preconditioner of block Jacobi.
-    void precondition(const Column& x, Column& y) const {
+    template <class X, class Y> void precondition(const X& x, Y& y) const {
         y.resize(x.size());
         for (std::size_t i = 0; i < inverse_.size(); ++i)
             apply(inverse_[i], x.data() + i * dimension, y.data() + i * dimension);
