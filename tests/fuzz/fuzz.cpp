@@ -44,13 +44,13 @@ TEST_CASE("random scenes keep every law in every composition", "[fuzz]") {
     std::cout << "fuzz: judged " << j.steps << " steps, " << j.refusals << " refusals, " << j.copies << " copies, "
               << j.loads << " files, " << j.taken_back << " steps taken back, " << j.contacts << " pairs, "
               << j.sleepers << " sleepers, " << j.momentum << " times the momentum, " << j.energy
-              << " times the energy\n";
+              << " times the energy, " << j.without_memory << " verbs that found no memory\n";
     // A law that was never asked has held nothing.
     const auto some = [&](auto can) {
         return std::any_of(all.begin(), all.end(), [&](const auto& one) { return can(one.second->facts()); });
     };
     if (only >= 0) return;
-    for (const auto count : {j.steps, j.refusals, j.copies, j.loads, j.taken_back}) CHECK(count > 0);
+    for (const auto count : {j.steps, j.refusals, j.copies, j.loads, j.taken_back, j.without_memory}) CHECK(count > 0);
     CHECK((j.contacts > 0) == some([](const fuzz::Facts& f) { return f.collides && f.stays; }));
     CHECK((j.sleepers > 0) == some([](const fuzz::Facts& f) { return f.settles && f.rests; }));
     CHECK((j.momentum > 0) == some([](const fuzz::Facts& f) { return f.closed; }));

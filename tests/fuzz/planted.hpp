@@ -13,6 +13,7 @@
 #include <ansatz/world/keep.hpp>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace fuzz {
@@ -26,7 +27,9 @@ enum class Plant {
     uneven_push,      ///< one of two that bounce gets half of what the other gets
     half_changed,     ///< a verb stops the body before it finds that its argument is none
     poor_copy,        ///< a copy leaves a column out
-    lasting_garbage   ///< each bounce takes memory from the heap
+    lasting_garbage,  ///< each bounce takes memory from the heap
+    little_room,      ///< a copy has the note how much room there is, and not the room
+    early_sleep       ///< who is slow for a step falls asleep, as a ball does then at the top of its flight
 };
 inline Plant planted = Plant::nothing; // what is wrong now
 
@@ -77,19 +80,42 @@ struct Bouncing {
     };
 };
 
+/// Rest that, for the fault, asks as little as the notes do: a velocity close to zero, once.
+struct Dozing : ansatz::Rest {
+    template <class S> struct In : ansatz::Rest::In<S> {
+        explicit In(const Dozing& rest) : ansatz::Rest::In<S>(rest) {}
+        bool long_enough(const typename S::Time& slow_for) const {
+            if (planted == Plant::early_sleep) return slow_for.value() > typename S::Scalar(0);
+            return ansatz::Rest::In<S>::long_enough(slow_for);
+        }
+        bool balanced(const typename S::Acceleration& remains) const {
+            return planted == Plant::early_sleep || ansatz::Rest::In<S>::balanced(remains);
+        }
+    };
+};
+
 /// A world with the verbs that the other faults are in.
 template <class... P> class Faulty : public ansatz::World<P...> {
     using Base = ansatz::World<P...>;
 
 public:
     explicit Faulty(P... policies) : Base(policies...) {}
-    Faulty(const Faulty& other) : Base(other) {
+    Faulty(const Faulty& other) : Base(other), added_(other.added_), room_(other.room_) {
         if (planted == Plant::poor_copy) forget_restitution();
     }
     Faulty(Faulty&&) = default;
     Faulty& operator=(const Faulty&) = default;
     Faulty& operator=(Faulty&&) = default;
     ~Faulty() = default;
+    template <class... Q> ansatz::Handle add(Q&&... properties) {
+        if (planted == Plant::little_room && added_.size() == room_) {
+            added_.reserve(2 * room_ + 8);
+            room_ = 2 * room_ + 8;
+        }
+        const auto body = Base::add(std::forward<Q>(properties)...);
+        if (planted == Plant::little_room) added_.push_back(body); // there is room, or so it was noted
+        return body;
+    }
     template <class Q> void set_velocity(ansatz::Handle body, const Q& velocity) {
         if (planted == Plant::stale_slot && this->contains(body)) {
             std::size_t slot = 0;
@@ -113,18 +139,23 @@ private:
         for (const auto body : this->handles())
             this->template write<ansatz::Restitution>(body, ansatz::Quantity<ansatz::unit::Dimensionless>(0.0));
     }
+
+    std::vector<ansatz::Handle> added_; // only for its fault
+    std::size_t room_ = 0;              // of it
 };
 template <class... P> Faulty(P...) -> Faulty<P...>;
 
 /// An empty one.
+/// \param gravity    along the second axis, m/s^2
 /// \param every_pair whether its broadphase is the one that tests every pair
-inline auto faulty(bool every_pair = false) {
+inline auto faulty(double gravity, bool every_pair = false) {
     using namespace ansatz;
     return Faulty{SemiImplicitEuler{},
+                  Gravity{metres_per_second_squared(0, gravity, 0)},
                   Either<ShortSighted>{{}, every_pair},
                   Narrowphase<Sphere, Plane, Box>{},
                   Bouncing{},
-                  Rest{},
+                  Dozing{},
                   Keep<InverseMass>{},
                   Datum<int>{}};
 }

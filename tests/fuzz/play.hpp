@@ -29,7 +29,7 @@ struct Fault {
 /// How often each law was judged: one that never was has held nothing.
 struct Judged {
     std::uint64_t steps = 0, refusals = 0, copies = 0, loads = 0, taken_back = 0, contacts = 0, sleepers = 0,
-                  momentum = 0, energy = 0;
+                  momentum = 0, energy = 0, without_memory = 0;
 };
 inline Judged judged; // in this program
 
@@ -100,6 +100,10 @@ private:
         const bool refused = model_.must_be_refused(o);
         const auto hash = world_->hash();
         const Sight before(*world_, model_);
+        if (!refused && o.verb != Verb::step && !is_whole_without_memory(o))
+            return found("a verb that finds no memory changes nothing",
+                         "CHECK(fuzz::is_whole_without_memory(world, [&](auto& w) { w." + call_of(o, facts_) +
+                             "; }));");
         write(o, refused);
         try {
             world_->perform(o, model_.names);
@@ -188,6 +192,22 @@ private:
             }
             if (other.world->hash() != world_->hash())
                 return found(other.law, "CHECK(" + other.name + ".hash() == world.hash());");
+        }
+    }
+    /// What is_whole_without_memory does, to what the world is now. A step that finds no memory is lost.
+    bool is_whole_without_memory(const Operation& o) const {
+        ++judged.without_memory;
+        Names names = model_.names; // with room: only the world may ask for more
+        names.bodies.resize(names.bodies.size() + 1 + std::size_t(std::max(o.body, 0)));
+        names.springs.resize(names.springs.size() + 1 + std::size_t(std::max(o.spring, 0)));
+        for (std::size_t n = 0;; ++n) {
+            const auto copy = world_->copy();
+            try {
+                if (done_with(n, [&] { copy->perform(o, names); })) return true;
+            } catch (const std::exception&) { // the world itself will say that it refuses what is right
+                return true;
+            }
+            if (copy->hash() != world_->hash()) return false;
         }
     }
     void judge_who_is_there() {

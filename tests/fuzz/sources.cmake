@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSL-1.0
 # The compositions of the fuzzer are drawn when the build is configured: a source each, about 15 s of the compiler. A few are always
-# played in, for 15 s together; more, others and for longer are asked for. The test of the planted faults has a composition of its own.
+# played in, for 15 s together, and under the sanitizers by `.ci/run solids-sanitize`; more, others and for longer are asked for. The
+# test of the planted faults has a composition of its own.
 set(ANSATZ_FUZZ_COMPOSITIONS 4 CACHE STRING "How many compositions the fuzzer of worlds plays scenes in")
 set(ANSATZ_FUZZ_DRAW 1 CACHE STRING "Which ones: the seed that draws them")
 set(compositions ${PROJECT_SOURCE_DIR}/tools/workshop/compositions.py)

@@ -126,6 +126,9 @@ struct Collision {
         return detail::AdmittedShape<std::decay_t<decltype(description)>, std::decay_t<decltype(shape)>>{
             description, shape, (std::same_as<Property, Sensor> || ...)};
     }
+    template <class D, class T> static void make_room_to_keep(auto& data, const detail::AdmittedShape<D, T>&) {
+        if constexpr (ShapeDescription<D>) data.collisions.shapes.template make_room_for_one<D>();
+    }
     template <class D, class T>
     static void keep(auto& data, std::uint32_t id, const detail::AdmittedShape<D, T>& admitted) {
         if constexpr (ShapeDescription<D>) data.collisions.shapes.set(id, admitted.description, admitted.shape);

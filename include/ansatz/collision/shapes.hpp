@@ -106,6 +106,11 @@ public:
     void make_room_for_more(std::size_t n) {
         (std::get<kind_of<T>>(kinds_).reserve(std::get<kind_of<T>>(kinds_).owners.size() + n), ...);
     }
+    /// Room for one body more with a shape of this kind.
+    template <class Kind> void make_room_for_one() {
+        auto& all = std::get<kind_of<Kind>>(kinds_);
+        if (all.owners.size() == all.owners.capacity()) all.reserve(all.owners.size() < 4 ? 8 : 2 * all.owners.size());
+    }
     /// Gives a body the shape that another has.
     void copy(std::uint32_t id, std::uint32_t to) {
         [[maybe_unused]] const auto k = kind(id);
@@ -123,8 +128,8 @@ public:
     template <class Kind>
     void set(std::uint32_t id, const Kind& description, const typename Kind::template In<S>& shape) {
         make_room(id);
+        make_room_for_one<Kind>();
         auto& all = std::get<kind_of<Kind>>(kinds_);
-        if (all.owners.size() == all.owners.capacity()) all.reserve(all.owners.size() < 4 ? 8 : 2 * all.owners.size());
         auto shape_of_its_own = shape; // what may fail, before anything is changed
         auto description_of_its_own = description;
         erase(id);

@@ -43,6 +43,7 @@ template <class... P> template <class... Property> Handle World<P...>::add(const
         const auto id = data_.bodies.next_id();
         if constexpr (has_datum) user_.make_room(id);
         data_.make_room(id, Facts::is_moving);
+        detail::make_room_to_keep(typename composition::modules{}, data_, admitted);
         tell<hook::BeforeChange<>>();
         if constexpr (has_datum) user_.at(id) = std::move(datum);
         detail::keep(typename composition::modules{}, data_, id, admitted);

@@ -117,6 +117,15 @@ template <class C, class... M, class... Property>
 auto admit([[maybe_unused]] Types<M...> modules, const Property&... property) {
     return std::tuple(admit_one<M, C>(property...)...);
 }
+template <class M> void make_room_to_keep_one([[maybe_unused]] auto& data, [[maybe_unused]] const auto& admitted) {
+    if constexpr (requires { M::make_room_to_keep(data, admitted); }) M::make_room_to_keep(data, admitted);
+}
+/// Each makes room for what it will keep: that may fail, and nothing has been changed yet.
+template <class... M> void make_room_to_keep(Types<M...>, [[maybe_unused]] auto& data, const auto& admitted) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (make_room_to_keep_one<M>(data, std::get<I>(admitted)), ...);
+    }(std::index_sequence_for<M...>{});
+}
 template <class M>
 void keep_one([[maybe_unused]] auto& data, [[maybe_unused]] std::uint32_t id, [[maybe_unused]] const auto& admitted) {
     if constexpr (requires { M::keep(data, id, admitted); }) M::keep(data, id, admitted);
