@@ -135,6 +135,11 @@ template <class W> void laws(const W& world) {
     law("add a sphere", world, [](W& w) {
         w.add(Sphere{0.5 * metre}, position(metres(2, 3, 0)), mass(1.0 * kilogram), datum(std::string(50, 'n')));
     });
+    auto stepped_last = world; // no verb since, so that no change waits to be made good
+    stepped_last.step(1.0 / 240 * second);
+    law("add a sphere behind a step", stepped_last, [](W& w) {
+        w.add(Sphere{0.5 * metre}, position(metres(2, 3, 0)), mass(1.0 * kilogram), datum(std::string(50, 'n')));
+    });
     law("add many", world, [](W& w) {
         const auto whole = w;
         try {
