@@ -174,6 +174,50 @@ TEST_CASE("beside little water a body presses up only what there is room for", "
     world.set_position(body, metres(4, 0.9, 1.05)); // on the quay there is no water around it
     CHECK_FALSE(world.afloat(floating).in_pool);
 }
+TEST_CASE("what a body presses up is nobody's to take, and a column below zero can be filled", "[water]") {
+    BodyInPool one(ColumnGrid(12, 12, 0.5 * metre), 2, Floating{{}, Sphere{0.5 * metre}}, 400, 3, 2, 3);
+    one.steps(60 * 20, 1.0 / 60);
+    auto& world = one.world;
+    REQUIRE(world.water(one.pool).displaced().value() > 0.3);
+    const auto hash = world.hash();
+    const auto before = world.water(one.pool).volume();
+    // Each column gives what it would hold without the body, and not what was pressed up.
+    const auto& grid = world.water(one.pool).grid();
+    const auto without = world.get(one.pool).surface;
+    for (std::size_t j = 0; j < 12; ++j)
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double own = without.height(i, j).value() * 0.25;
+            const auto said = refusal(
+                [&] { world.pour(one.pool, grid.centre_x(i), grid.centre_z(j), -(own * (1 + 1e-9)) * cubic_metre); });
+            REQUIRE(said.find("the column would hold less than nothing; it has ") != std::string::npos);
+        }
+    CHECK(world.hash() == hash);
+    CHECK(world.water(one.pool).volume() == before);
+    for (std::size_t j = 0; j < 12; ++j)
+        for (std::size_t i = 0; i < 12; ++i) {
+            const double own = without.height(i, j).value() * 0.25;
+            world.pour(one.pool, grid.centre_x(i), grid.centre_z(j), -(own * (1 - 1e-12)) * cubic_metre);
+        }
+    CHECK(world.water(one.pool).volume().value() == Approx(0).margin(1e-10));
+    CHECK(world.water(one.pool).volume().value() >= 0);
+
+    World low{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}};
+    Surface deep(WaterColumns{3.0 * mps}, ColumnGrid(12, 1, 0.5 * metre), 0.1 * metre);
+    deep.set_height(0, 0, 2.0 * metre);
+    const auto pool = low.add(Pool{deep});
+    int steps = 0;
+    const auto& heights = low.water(pool).surface().heights();
+    auto lowest = [&] { return std::min_element(heights.begin(), heights.end()) - heights.begin(); };
+    for (; steps < 200 && heights[std::size_t(lowest())] >= 0; ++steps) low.step(0.02 * second);
+    const auto n = std::size_t(lowest());
+    REQUIRE(heights[n] < 0);                                   // columns that pull at each other know no ground
+    const double was = heights[n], filled = -0.5 * was * 0.25; // half of the way up: below zero still
+    low.pour(pool, low.water(pool).grid().centre_x(n), 0.25 * metre, filled * cubic_metre);
+    CHECK(heights[n] == Approx(0.5 * was).epsilon(1e-12));
+    CHECK(refusal([&] {
+              low.pour(pool, low.water(pool).grid().centre_x(n), 0.25 * metre, -1e-9 * cubic_metre);
+          }).find("it has 0 m^3") != std::string::npos);
+}
 TEST_CASE("the wake of a hull that is twice as fast as waves opens by Mach's angle", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}, Buoyancy{}};
     const ColumnGrid grid(160, 120, 0.2 * metre); // 32 m x 24 m
