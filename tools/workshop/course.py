@@ -36,7 +36,6 @@ WITHOUT_EXERCISE = {
     "2.1": "counts pairs; its parts, 2.1.1.1 to 2.1.2.2, have their exercises",
     "3.2": "not asked yet: the reduced mass",
     "3.3": "not asked yet: a chain",
-    "3.4": "not asked yet: a spring that only pulls, and breaks",
     "4.6": "not asked yet: the angle of a hinge and its gradient",
     "4.7": "not asked yet: drag and lift of a triangle",
     "4.8": "not asked yet: a spring that is shortened to its limit",
