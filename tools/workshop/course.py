@@ -32,7 +32,6 @@ WITHOUT_EXERCISE = {
     "1.2": "not asked yet: a force of one's own",
     "1.3": "not asked yet: a force and its opposite",
     "1.6": "compares the methods of 1.6.1 to 1.6.4, each of which has its exercise",
-    "1.9": "not asked yet: the attraction of two bodies",
     "2.1": "counts pairs; its parts, 2.1.1.1 to 2.1.2.2, have their exercises",
     "3.2": "not asked yet: the reduced mass",
     "3.3": "not asked yet: a chain",
