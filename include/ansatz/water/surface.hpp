@@ -96,9 +96,10 @@ public:
         for (std::size_t n = 0; n < bed.size(); ++n) {
             state_.bed[n] = bed[n];
             state_.height[n] = std::max(Scalar(0), Scalar(level.value()) - bed[n]);
-            if (!is_finite(bed[n]) || !is_finite(state_.height[n]))
+            if (!is_finite(bed[n])) refuse_value("Surface", place("the bed", n), meters(bed[n]), "it must be finite");
+            if (!is_finite(state_.height[n]))
                 refuse_value("Surface", place("the bed", n), meters(bed[n]),
-                             "it must be finite, and so must the height of the water over it");
+                             "the height of the water over it must be finite");
         }
     }
 

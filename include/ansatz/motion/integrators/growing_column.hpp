@@ -32,11 +32,13 @@ public:
     GrowingColumn(const GrowingColumn& other) : View(nullptr, 0), numbers_(other.numbers_) { look(); }
     /// Leaves the other empty.
     GrowingColumn(GrowingColumn&& other) noexcept : View(nullptr, 0) { swap(other); }
+    /// A copy has no more room than it had, or needs.
     GrowingColumn& operator=(const GrowingColumn& other) {
         numbers_ = other.numbers_;
         look();
         return *this;
     }
+    /// Exchanges both with their room.
     GrowingColumn& operator=(GrowingColumn&& other) noexcept {
         swap(other);
         return *this;
