@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "rooms.hpp"
 
 #include <ansatz/paths.hpp>
 
@@ -22,30 +23,6 @@
 using namespace ansatz;
 using namespace ansatz::paths;
 
-namespace {
-
-/// A map of rooms of 12 x 12 tiles whose walls have a door of two tiles each, but for some that have none.
-Grid<> rooms(std::size_t side, std::mt19937& random) {
-    Grid<> map(side, side);
-    std::vector<std::uint8_t> free(map.size(), 1);
-    const std::size_t room = 12;
-    for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x)
-            if (x % room == room - 1 || y % room == room - 1) free[y * side + x] = 0;
-    for (std::size_t y = 0; y + room <= side; y += room)
-        for (std::size_t x = 0; x + room <= side; x += room)
-            for (const bool east : {true, false}) {
-                if (random() % 5 == 0) continue;
-                const std::size_t door = random() % (room - 3);
-                for (std::size_t k = door; k < door + 2; ++k)
-                    free[east ? (y + k) * side + x + room - 1 : (y + room - 1) * side + x + k] = 1;
-            }
-    map.set_passable(free);
-    return map;
-}
-
-} // namespace
-
 int main() {
     workbook::Claims claim;
     std::mt19937 random(7);
@@ -55,7 +32,7 @@ int main() {
     bool near_it = true;
     double saved = 0;
     for (const std::size_t side : {96, 192, 384, 768}) {
-        auto map = rooms(side, random);
+        auto map = rooms_with_doors(side, random);
         //! [find]
         GateSearch search{map}; // once for a map
         const Cell start{2, 2}, goal{std::uint16_t(side - 8), std::uint16_t(side - 8)};

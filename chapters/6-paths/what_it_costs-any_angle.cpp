@@ -4,6 +4,7 @@
 // No program here knows the shortest path of any angle. The error is held against the shorter of two good ones, that of
 // AnyAngle; that one is the reference, not the truth.
 
+#include "rooms.hpp"
 #include "what_it_costs.hpp"
 
 #include <ansatz/paths/any_angle.hpp>
@@ -69,31 +70,6 @@ void path_costs::add_any_angle(Costs& costs, const ScenePointer& scene) {
     });
 }
 
-namespace {
-
-/// Rooms of 12 x 12 tiles, most of them with a door of two tiles to the east and to the south.
-Grid<> many_rooms(std::size_t side) {
-    std::mt19937 random(7);
-    Grid<> map(side, side);
-    std::vector<std::uint8_t> free(map.size(), 1);
-    const std::size_t room = 12;
-    for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x)
-            if (x % room == room - 1 || y % room == room - 1) free[y * side + x] = 0;
-    for (std::size_t y = 0; y + room <= side; y += room)
-        for (std::size_t x = 0; x + room <= side; x += room)
-            for (const bool east : {true, false}) {
-                if (random() % 5 == 0) continue;
-                const std::size_t door = random() % (room - 3);
-                for (std::size_t k = door; k < door + 2; ++k)
-                    free[east ? (y + k) * side + x + room - 1 : (y + room - 1) * side + x + k] = 1;
-            }
-    map.set_passable(free);
-    return map;
-}
-
-} // namespace
-
 void path_costs::add_hierarchy(Costs& costs, std::size_t side) {
     const Axis axis{.name = "hierarchy",
                     .error_norm = "mean of path / best path - 1",
@@ -101,8 +77,8 @@ void path_costs::add_hierarchy(Costs& costs, std::size_t side) {
                     .time_unit = "ns per query",
                     .has_order = false};
     const std::string name = std::to_string(side) + " x " + std::to_string(side) + " tiles, rooms of 12 x 12";
-    const auto scene = std::make_shared<Scene>(Scene{name, many_rooms(side), {}});
-    std::mt19937 random(8);
+    std::mt19937 of_map(7), random(8);
+    const auto scene = std::make_shared<Scene>(Scene{name, rooms_with_doors(side, of_map), {}});
     AStar best{scene->map, Octile{}};
     const auto quarter = std::uint32_t(side / 4);
     while (scene->queries.size() < 12) {

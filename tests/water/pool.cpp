@@ -138,4 +138,11 @@ TEST_CASE("a step of more parts than its control allows is refused, however fast
     const auto part = 19.5 * water.longest_step() / 20.0;
     for (int i = 0; i < 20; ++i) water.step(part);
     CHECK(world.water(pool).surface().state() == water.state());
+    // Whether it may be taken is asked before each step, without memory.
+    for (int i = 0; i < 3; ++i) world.step(19.5 * water.longest_step());
+    largest = 0;
+    before_allocation = measure;
+    for (int i = 0; i < 3; ++i) world.step(19.5 * water.longest_step());
+    before_allocation = nullptr;
+    CHECK(largest == 0);
 }

@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    /// By how much a second; at once where that is no number any more.
+    /// What happens in a second, held to 1e300 where the quotient overflows.
     static double rate(double what, double in) { return std::min(what / in, 1e300); }
     template <class Surface_> static bool dry(const Surface_& surface, std::size_t n) {
         if constexpr (requires { surface.state().bed; }) return !(surface.state().height[n] > Scalar(0));

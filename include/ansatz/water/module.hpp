@@ -83,6 +83,14 @@ template <class C, class Policies> double most_parts_of_water(const Policies& po
     else return 1e6;
 }
 
+/// \param parts in how many the step may be taken
+[[noreturn, gnu::cold, gnu::noinline]] inline void
+refuse_step_of_water(const auto& given, const Quantity<unit::Time>& longest, double parts) {
+    refuse_value(
+        "World::step", "dt", given,
+        joined({"the longest step that the pools of this world take is ", describe(longest), " (Courant's limit)",
+                parts > 1 ? ", and it is divided into " + describe(parts) + " parts at most" : ""}));
+}
 /// A step of a pool in equal parts, and in more of them from where its water has become so fast that they are too long:
 /// what runs down a hill is slow at first.
 template <class S> void move_in_parts(S& surface, Quantity<unit::Time> dt, double parts) {
@@ -281,16 +289,10 @@ struct Water {
         const auto longest = detail::longest_step_of_water<C>(inside.data, inside.policies);
         detail::weigh_water<C>(inside.data, inside.policies);
         const auto step = static_cast<double>(dt.value()) * second;
-        std::string at_most; // in how many parts, where it may be divided
-        double parts = 1;
-        if constexpr (detail::divides_for_water<C>()) {
-            parts = detail::most_parts_of_water<C>(inside.policies);
-            at_most = ", and it is divided into " + describe(parts) + " parts at most";
-        }
+        double parts = 1; // it may be taken in
+        if constexpr (detail::divides_for_water<C>()) parts = detail::most_parts_of_water<C>(inside.policies);
         if (!(step <= longest) && !(std::ceil(double(step / longest)) <= parts))
-            refuse_value("World::step", "dt", given,
-                         detail::joined({"the longest step that the pools of this world take is ", describe(longest),
-                                         " (Courant's limit)", at_most}));
+            detail::refuse_step_of_water(given, longest, parts);
         // Not every integrator asks the forces anew where a step begins.
         if constexpr (C::floats)
             if (!inside.data.coupled.current)

@@ -32,7 +32,7 @@ public:
     GrowingColumn(const GrowingColumn& other) : View(nullptr, 0), numbers_(other.numbers_) { look(); }
     /// Leaves the other empty.
     GrowingColumn(GrowingColumn&& other) noexcept : View(nullptr, 0) { swap(other); }
-    /// A copy has no more room than it had, or needs.
+    /// The values of another; the room that is here stays.
     GrowingColumn& operator=(const GrowingColumn& other) {
         numbers_ = other.numbers_;
         look();
