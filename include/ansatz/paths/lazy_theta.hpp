@@ -9,7 +9,8 @@
 /// (Nash, Koenig and Tovey 2010), which this is, takes for granted that a node can be seen from the parent of its
 /// neighbour, and looks only when the node is closed: one line of sight a node instead of eight.
 ///
-/// Take it where walkers go in straight lines and paths shall be short. It is slower than A*, and its path, though
+/// Take it where walkers go in straight lines and paths shall be short. It is slower than A*
+/// <!-- costs: paths any angle/*: LazyTheta > 2 "along the tiles" -->, and its path, though
 /// mostly shorter than A*'s with the zigzag taken out (`smooth`), is not always, and not the shortest there is.
 /// `AnyAngle` does both and keeps the better one. It knows even ground only.
 
