@@ -5,6 +5,7 @@
 // who wants the fewest instructions (`by_hand`). instructions.sh compiles this file and counts with callgrind what each
 // of the two executes, callees included; what goes before the steps is outside of both and not counted.
 
+#include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
 
 #include <array>
@@ -129,6 +130,62 @@ template <class World> void rest_both(World alone) {
     }
 }
 
+// ---------------------------------------------------------------- bodies that collide, among others that stand still
+// 200 balls that roll, alone (`rolling_alone`) and with a level of 10,000 fixed ones out of their way
+// (`rolling_in_a_level`); and balls that all sleep on the ground, 1,000 (`asleep_few`) and 5,000 (`asleep_many`).
+
+template <class World> [[gnu::noinline]] void rolling_alone(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void rolling_in_a_level(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void asleep_few(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void asleep_many(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+
+/// Balls on the ground, in rows of 20 along z.
+template <class World, class... Property>
+void add_balls(World& world, std::size_t count, double x, const Property&... property) {
+    for (std::size_t i = 0; i < count; ++i)
+        world.add(Sphere{0.5 * metre}, position(metres(x + 1.5 * double(i % 20), 0.5, 1.5 * double(i / 20))),
+                  property...);
+}
+template <class World> void roll_both(World alone) {
+    const auto h = 0.01 * unknown_to_the_compiler * second;
+    alone.add(Plane::ground(), fixed);
+    add_balls(alone, 200, 0, velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    World both = alone;
+    add_balls(both, 10'000, 200, fixed);
+    for (World* world : {&alone, &both}) world->step(h); // once, for what is looked at only once
+    rolling_alone(alone, h);
+    rolling_in_a_level(both, h);
+    if (alone.count(Motion::awake) != 200 || alone.contacts().size() != both.contacts().size()) {
+        std::puts("somebody fell asleep, or met the level, so that there is nothing to compare");
+        std::exit(1);
+    }
+}
+template <class World> void sleep_both(World few) {
+    const auto h = 0.01 * unknown_to_the_compiler * second;
+    few.add(Plane::ground(), fixed);
+    World many = few;
+    add_balls(few, 1'000, 0, mass(1.0 * kilogram));
+    add_balls(many, 5'000, 0, mass(1.0 * kilogram));
+    for (World* world : {&few, &many}) {
+        for (int s = 0; s < 200 && world->count(Motion::awake) > 0; ++s) world->step(h);
+        world->step(h);
+    }
+    asleep_few(few, h);
+    asleep_many(many, h);
+    if (few.count(Motion::resting) != 1'000 || many.count(Motion::resting) != 5'000) {
+        std::puts("somebody does not sleep, so that there is nothing to compare");
+        std::exit(1);
+    }
+}
+
 inline void count_all() {
     fly_both<float, 2, false>();
     fly_both<float, 2, true>();
@@ -139,6 +196,10 @@ inline void count_all() {
     fly_both<double, 3, false>();
     fly_both<double, 3, true>();
     rest_both(World{SemiImplicitEuler{}, Rest{}, AppliedForces{}});
+    const World colliding{Space<float, 3>{}, SemiImplicitEuler{},          Gravity{}, Rest{},
+                          UniformGrid{},     Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}};
+    roll_both(colliding);
+    sleep_both(colliding);
 }
 
 } // namespace ansatz::counted

@@ -7,6 +7,9 @@
 #   - free flight and fall (gravity) of 20,000 bodies in a World, against the loop over lanes that one writes by hand:
 #     at most 2 % more, in float and double, in two dimensions and three (hard case N4)
 #   - 20,000 awake bodies with 20,000 resting ones beside them, against the same awake ones alone: less than 1 % more
+#   - 200 balls that roll and collide, with 10,000 fixed ones out of their way, against the 200 alone: at most 1.3 times
+#   - balls that all sleep on the ground, 5,000 against 1,000: at most 5 instructions a step for each more (each contact
+#     counts its steps)
 #
 # With every compiler found, for x86-64-v3 (AVX2), since valgrind does not know AVX-512. The bodies and the two ways to
 # step them are in instructions.hpp.
@@ -16,7 +19,7 @@ set -euo pipefail
 export LC_ALL=C
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
 source "$project/tests/programs.bash"
-flight_limit=1.02 rest_limit=1.01
+flight_limit=1.02 rest_limit=1.01 level_limit=1.3 asleep_limit=5
 
 command -v valgrind callgrind_annotate > /dev/null || skip "no valgrind (on Debian: apt install valgrind)"
 [ "$(uname -m)" = x86_64 ] || skip "the loops are compared on x86-64, and this is $(uname -m)"
@@ -75,7 +78,21 @@ for compiler in "${compilers[@]}"; do
 done
 # shellcheck disable=SC2059
 printf "\n$head" compiler "" "without" "with" ratio limit
-for compiler in "${compilers[@]}"; do row "$compiler" "20,000 resting bodies" "awake_alone<" "awake_beside_resting<" "$rest_limit"; done
+for compiler in "${compilers[@]}"; do
+    row "$compiler" "20,000 resting bodies" "awake_alone<" "awake_beside_resting<" "$rest_limit"
+    row "$compiler" "10,000 fixed balls" "rolling_alone<" "rolling_in_a_level<" "$level_limit"
+done
+printf '\n%-12s %-38s %9s\n' compiler "instructions for a sleeper and step" limit
+for compiler in "${compilers[@]}"; do
+    few=$(instructions_of "$compiler" "asleep_few<") many=$(instructions_of "$compiler" "asleep_many<")
+    each=$(awk -v f="$few" -v m="$many" 'BEGIN { printf "%.2f", (m - f) * 20000 / 4000 }')
+    verdict=holds
+    if ! awk -v n="$each" -v limit="$asleep_limit" 'BEGIN { exit !(n <= limit) }'; then
+        verdict='TOO MANY'
+        faults=$((faults + 1))
+    fi
+    printf '%-12s %38s %9s  %s\n' "$compiler" "$each" "$asleep_limit" "$verdict"
+done
 
 if [ $faults -gt 0 ]; then
     printf '\n%d of these are above their limit; callgrind_annotate %s/<compiler>.callgrind shows where the instructions go\n' $faults "$scratch"

@@ -68,6 +68,10 @@ public:
             upper_[std::size_t(k)][i] = upper.value()[k];
         }
     }
+    /// The lower corner of one, m.
+    Vector<Scalar, dimension> lower_corner(std::size_t i) const { return corner(lower_, i); }
+    /// The upper one.
+    Vector<Scalar, dimension> upper_corner(std::size_t i) const { return corner(upper_, i); }
     /// The lower corners' coordinates on an axis, m.
     const Scalar* lower(int axis) const { return lower_[std::size_t(axis)].data(); }
     /// The upper corners'.
@@ -96,7 +100,13 @@ public:
     }
 
 private:
-    std::array<std::vector<Scalar>, std::size_t(S::dimension)> lower_, upper_;
+    using Lanes_ = std::array<std::vector<Scalar>, std::size_t(S::dimension)>;
+    static Vector<Scalar, dimension> corner(const Lanes_& lanes, std::size_t i) {
+        Vector<Scalar, dimension> all;
+        for (int k = 0; k < dimension; ++k) all[k] = lanes[std::size_t(k)][i];
+        return all;
+    }
+    Lanes_ lower_, upper_;
     std::size_t active_ = 0;
 };
 

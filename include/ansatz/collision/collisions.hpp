@@ -15,9 +15,11 @@
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/division.hpp>
 #include <ansatz/collision/facts.hpp>
+#include <ansatz/collision/look_ahead.hpp>
 #include <ansatz/collision/near_contacts.hpp>
 #include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/collision/sleep.hpp>
+#include <ansatz/collision/still_boxes.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
@@ -61,6 +63,7 @@ public:
             auto& w = working_.value;
             detail::reserve_each(n, this->siblings_, w.boxes, w.ids, w.finder, w.order, w.before, w.pushes, w.near);
             if constexpr (C::anticipates) w.ahead.reserve(n);
+            w.still.make_room(n, n);
         }
     }
     /// Room for a body with this id.
@@ -112,6 +115,7 @@ public:
     /// A removed body takes its shape with it. Its contacts end in the next step: a caller may be iterating over them.
     void body_removed(std::uint32_t id) {
         shapes.erase(id);
+        working_.value.still.forget(id);
         if constexpr (divides) this->siblings_.leave(id);
         if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body
         somebody_removed_ = true;
@@ -140,20 +144,25 @@ public:
     /// \param later whether this is a part of a step and not the first
     template <class Data, class Policies, class Pull>
     void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
+        if (working_.value.as_before && !stale_ && !somebody_removed_ && !data.bodies.any_goes())
+            return detail::contacts_go_on(contacts, ended, later);
         this->part_siblings([&](std::uint32_t a, std::uint32_t b) { return intersect(data, a, b); });
         find(data, policies, pull);
         stale_ = false;
         if constexpr (C::acts_next) {
             hand_over(data, NextStep{}, working_.value.found);
-            keep_those_that_touch(data);
+            const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
+            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting, working_.value.touching);
             compare(working_.value.touching, later);
         } else compare(working_.value.found, later);
+        working_.value.as_before = !data.bodies.any_goes();
     }
     /// Bodies were added or changed between two steps: what acts in the next one follows them.
     /// \return whether it was found anew
     template <class Data, class Policies, class Pull>
     bool refresh(Data& data, const Policies& policies, const Pull& pull) {
         if (!stale_) return false;
+        working_.value.as_before = false;
         if constexpr (C::acts_next) {
             find(data, policies, pull);
             hand_over(data, NextStep{}, working_.value.found);
@@ -187,23 +196,21 @@ private:
         auto& w = working_.value;
         w.found.clear();
         if constexpr (C::holds_near) w.near.all.clear();
-        if (data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving) > 0)
-            find_among_moving(data, policies, pull);
-        const bool twice = detail::keep_contacts_at_rest(data, w.found);
+        if (data.bodies.any_goes()) find_among_moving(data, policies, pull);
         if constexpr (C::sweeps)
             static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
-        w.order.sort(w.found, data.bodies.ids());
+        const auto before = w.found.size();
+        const bool twice = detail::keep_contacts_at_rest(data, w.found);
+        w.order.sort(w.found, data.bodies.ids(), w.found.size() - before);
         if constexpr (C::holds_near) w.order.sort(w.near.all, data.bodies.ids());
-        if (C::sweeps || twice) // what the discrete functions saw, too, stands before what was added
-            w.found.erase(
-                std::unique(w.found.begin(), w.found.end(),
-                            [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; }),
-                w.found.end());
+        if (C::sweeps || twice) detail::keep_the_first_of_each_pair(w.found); // what the discrete functions saw
     }
     template <class Data, class Policies, class Pull>
     void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
         auto& w = working_.value;
-        if constexpr (C::anticipates) look_ahead(data, pull);
+        if constexpr (C::anticipates)
+            w.ahead.begin(data.bodies, expected, pull,
+                          [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
         if constexpr (C::holds_near)
             w.near.begin(data.bodies, pull,
                          [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
@@ -217,35 +224,11 @@ private:
         }
         if constexpr (Narrowphase::any_unbounded) unbounded(data, policies);
     }
-    /// Of those found, the contacts: not those that may begin in the next step.
-    template <class Data> void keep_those_that_touch(const Data& data) {
-        auto& touching = working_.value.touching;
-        touching.clear();
-        if constexpr (C::substeps) {
-            const auto& acting = data.template state<typename detail::FirstIn<NextStep>::type>();
-            auto next = acting.all.cbegin();
-            for (const auto& contact : working_.value.found) {
-                while (next != acting.all.cend() &&
-                       std::pair(next->a, next->b) < std::pair(contact.first.id, contact.second.id))
-                    ++next;
-                const bool presses = next != acting.all.cend() && next->a == contact.first.id &&
-                                     next->b == contact.second.id && next->impulse > Scalar(0);
-                if (contact.depth.value() > Scalar(0) || presses) touching.push_back(contact);
-            }
-        } else
-            for (const auto& contact : working_.value.found)
-                if (contact.depth.value() > Scalar(0)) touching.push_back(contact);
-    }
     template <class Data, class... R>
     void hand_over([[maybe_unused]] Data& data, Types<R...>, [[maybe_unused]] const std::vector<Contact<S>>& all) {
         (data.template state<R>().take(data, all), ...);
     }
 
-    /// How far a body comes in the next step if it goes on as it does: by its speed, and slack for pulls and pushes.
-    struct Ahead {
-        Vector<Scalar, S::dimension> way; // m
-        Scalar slack{}, margin{};         // m; both together
-    };
     struct Working {
         Boxes<S> boxes;                 // the awake, the moving, then the resting and the fixed
         std::vector<std::uint32_t> ids; // whose they are
@@ -253,8 +236,10 @@ private:
         std::vector<Contact<S>> found;
         ContactOrder<S> order;
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
-        std::vector<Ahead> ahead;                         // by slot, of those that are looked at before they touch
-        std::vector<Contact<S>> touching;                 // what follows only where it is used
+        [[no_unique_address]] std::conditional_t<C::anticipates, LookAhead<S>, detail::NotAhead> ahead;
+        StillBoxes<S> still;              // boxes of who is fixed or at rest
+        bool as_before = false;           // whether nothing moved where contacts were found last
+        std::vector<Contact<S>> touching; // what follows only where it is used
         [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes;
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near;
     };
@@ -270,73 +255,86 @@ private:
     template <class Data> void gather(const Data& data) {
         auto& w = working_.value;
         const auto resize = [&](std::size_t size) { w.boxes.resize(size), w.ids.resize(size); };
-        resize(data.bodies.size()); // room for all: the loop need not ask for more
+        if (w.ids.capacity() < data.bodies.size()) detail::reserve_each(2 * data.bodies.size(), w.boxes, w.ids);
+        resize(data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving));
         std::size_t n = 0;
         for (const auto motion : {Motion::awake, Motion::moving}) n = gather_range(data, motion, n);
         w.boxes.set_active(n);
+        if (most_are_still(data, n)) {
+            resize(n);
+            return gather_near(data);
+        }
+        resize(data.bodies.size());
         for (const auto motion : {Motion::resting, Motion::fixed}) n = gather_range(data, motion, n);
         resize(n);
+    }
+    /// Whether it is better to ask who of those that stand still is met than to look at all of them. A plane that moves
+    /// meets everybody.
+    template <class Data> bool most_are_still(const Data& data, std::size_t active) {
+        if (C::rests && data.bodies.size() >= StillBoxes<S>::fewest) // room before they are asleep
+            working_.value.still.make_room(data.bodies.size(), data.bodies.ids());
+        const std::size_t still = data.bodies.count(Motion::resting) + data.bodies.count(Motion::fixed);
+        bool few_go = still >= StillBoxes<S>::fewest && still >= 2 * active;
+        if (few_go)
+            Narrowphase::for_each_kind([&]<class Kind>() {
+                if constexpr (!Kind::bounded)
+                    for (const auto id : shapes.template owners<Kind>())
+                        few_go = few_go && !data.bodies.goes(data.bodies.slot_of_id(id));
+            });
+        return few_go;
+    }
+    template <class Data> void gather_near(const Data& data) {
+        auto& w = working_.value;
+        typename StillBoxes<S>::Places places;
+        for (int k = 0; k < S::dimension; ++k) places[std::size_t(k)] = data.lanes.template lane<Position>(k);
+        w.still.follow(data.bodies, assigned_.value, places,
+                       [&](std::size_t slot, auto& lower, auto& upper) { return box_of(data, slot, lower, upper); });
+        w.still.begin_asking();
+        for (std::size_t i = 0; i < w.boxes.active(); ++i)
+            w.still.each_near(w.boxes.lower_corner(i), w.boxes.upper_corner(i),
+                              [&](std::uint32_t id, const auto& lower, const auto& upper) {
+                                  w.boxes.push_back(lower, upper);
+                                  w.ids.push_back(id);
+                              });
+    }
+    /// The box of a body; of one that is not finite World::status tells.
+    /// \return whether there is one
+    template <class Data>
+    [[gnu::always_inline]] bool box_of(const Data& data, std::size_t slot, auto& lower, auto& upper) const {
+        bool is = false;
+        shapes.visit(data.bodies.id(slot), [&](const auto& shape) {
+            if constexpr (std::remove_cvref_t<decltype(shape)>::description::bounded) {
+                shape.bounds(data.lanes.template get<Position>(slot), lower, upper);
+                is = is_finite(lower) && is_finite(upper);
+            }
+        });
+        return is;
     }
     template <class Data>
     [[gnu::flatten, gnu::noinline]] std::size_t gather_range(const Data& data, Motion motion, std::size_t n) {
         auto& w = working_.value;
         for (std::size_t slot = data.bodies.begin(motion); slot < data.bodies.end(motion); ++slot) {
-            const auto id = data.bodies.id(slot);
-            shapes.visit(id, [&](const auto& shape) {
-                if constexpr (std::remove_cvref_t<decltype(shape)>::description::bounded) {
-                    typename S::Position lower, upper;
-                    shape.bounds(data.lanes.template get<Position>(slot), lower, upper);
-                    if constexpr (C::anticipates) widen(data, slot, lower, upper);
-                    if constexpr (C::holds_near) w.near.widen(slot, lower, upper);
-                    if (!is_finite(lower) || !is_finite(upper)) return; // World::status tells of it
-                    w.boxes.set(n, lower, upper);
-                    w.ids[n++] = id;
-                }
-            });
+            typename S::Position lower, upper;
+            if (!box_of(data, slot, lower, upper)) continue;
+            if constexpr (C::anticipates) w.ahead.widen(data.bodies, slot, lower, upper);
+            if constexpr (C::holds_near) w.near.widen(slot, lower, upper);
+            if (!is_finite(lower) || !is_finite(upper)) continue;
+            w.boxes.set(n, lower, upper);
+            w.ids[n++] = data.bodies.id(slot);
         }
         return n; // boxes so far
     }
 
-    template <class Data> static bool moves(const Data& data, std::size_t slot) {
-        return slot < data.bodies.end(Motion::awake) || data.bodies.motion(slot) == Motion::moving;
-    }
-    template <class Data, class Pull> [[gnu::flatten]] void look_ahead(const Data& data, const Pull& pull) {
-        auto& ahead = working_.value.ahead;
-        ahead.resize(data.bodies.size());
-        const Scalar dt = expected.value();
-        for (std::size_t slot = 0; slot < ahead.size(); ++slot) {
-            const bool goes = moves(data, slot);
-            const auto v = goes ? data.load(Bodies::Slot(slot)).template get<Velocity>()
-                                : S::template zero_vector<unit::Velocity>();
-            ahead[slot].way = (Scalar(1.1) * dt) * v.value();
-            ahead[slot].slack =
-                slot < data.bodies.end(Motion::awake) ? norm(pull(Bodies::Slot(slot))).value() * dt * dt : Scalar(0);
-            ahead[slot].margin = norm(ahead[slot].way) + ahead[slot].slack;
-        }
-    }
-    template <class Data>
-    void widen(const Data& data, std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
-        if (!moves(data, slot)) return;
-        auto& ahead = working_.value.ahead[slot];
-        auto by = (upper - lower).value();
-        const Scalar pushed = Scalar(1) / 256 * by.minCoeff(); // by one that is faster
-        ahead.slack += pushed;
-        ahead.margin += pushed;
-        for (int k = 0; k < S::dimension; ++k) by[k] = ahead.margin;
-        lower -= S::Position::from_value(by);
-        upper += S::Position::from_value(by);
-    }
     /// The narrowphase of two bodies that will touch in the next step, if they go on so: not of two that fall abreast.
     template <class Data>
     [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
                                           std::size_t slot_b, Contact<S>& contact) const {
-        const Ahead &ahead_a = working_.value.ahead[slot_a], &ahead_b = working_.value.ahead[slot_b];
+        const auto& ahead = working_.value.ahead;
         const auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
-        const auto margin = S::Length::from_value(ahead_a.margin + ahead_b.margin);
-        if (!Narrowphase::template nearly_collide<S>(shapes, a, xa, b, xb, margin, contact)) return false;
-        if (contact.depth.value() >= Scalar(0)) return true;
-        return -contact.depth.value() <=
-               norm(Vector<Scalar, S::dimension>(ahead_a.way - ahead_b.way)) + ahead_a.slack + ahead_b.slack;
+        return Narrowphase::template nearly_collide<S>(shapes, a, xa, b, xb, ahead.margin(data.bodies, slot_a, slot_b),
+                                                       contact) &&
+               (contact.depth.value() >= Scalar(0) ||
+                ahead.closes(data.bodies, slot_a, slot_b, -contact.depth.value()));
     }
 
     /// The narrowphase of two bodies.
@@ -373,9 +371,8 @@ private:
         Narrowphase::for_each_kind([&]<class Kind>() {
             if constexpr (!Kind::bounded)
                 for (const auto id : shapes.template owners<Kind>()) {
-                    const auto motion = data.bodies.motion(data.bodies.slot_of_id(id));
-                    const bool it_moves = motion == Motion::awake || motion == Motion::moving;
-                    const std::size_t n = it_moves ? w.ids.size() : w.boxes.active();
+                    const bool goes = data.bodies.goes(data.bodies.slot_of_id(id));
+                    const std::size_t n = goes ? w.ids.size() : w.boxes.active();
                     for (std::size_t i = 0; i < n; ++i) look(data, policies, id, w.ids[i]);
                 }
         });
@@ -395,6 +392,7 @@ private:
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
     detail::Cache<Working> working_;
+    detail::Stamp assigned_; // another where `working_` was kept and the rest is another world's
 };
 
 } // namespace ansatz

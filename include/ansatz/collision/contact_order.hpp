@@ -5,12 +5,14 @@
 /// `ContactOrder`: puts contacts in the order of their bodies' ids, so that sleeping, waking and the broadphase do not
 /// decide in which order bodies are pushed; and what can be asked of contacts that stand so.
 ///
-/// A counting sort by the first id, then each of its few contacts by the second: the work grows with the contacts and
-/// bodies, not with a logarithm of them.
+/// A counting sort by the first id, then the contacts of each by the second: the work grows with the contacts and
+/// bodies, not with a logarithm of them, but where one body has many. Contacts that are in order already, as those of
+/// sleeping bodies are, are merged with the others and not sorted.
 
 #include <ansatz/collision/contact.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -24,25 +26,83 @@ public:
     void reserve(std::size_t ids) {
         begin_.reserve(ids + 1);
         next_.reserve(ids + 1);
+        keys_.reserve(ids);
     }
-    /// \param ids one more than the largest id
-    void sort(std::vector<Contact<S>>& contacts, std::size_t ids) {
-        begin_.assign(ids + 1, 0);
-        for (const auto& c : contacts) ++begin_[c.first.id + 1];
-        for (std::size_t id = 0; id < ids; ++id) begin_[id + 1] += begin_[id];
-        sorted_.resize(contacts.size());
-        next_.assign(begin_.begin(), begin_.end());
-        for (const auto& c : contacts) {
-            auto place = next_[c.first.id]++;
-            for (; place > begin_[c.first.id] && c.second.id < sorted_[place - 1].second.id; --place)
-                sorted_[place] = sorted_[place - 1];
-            sorted_[place] = c;
-        }
-        contacts.swap(sorted_);
+    /// Those of one pair stay as they stood to each other.
+    /// \param ids     one more than the largest id
+    /// \param ordered how many, at the end, are in order among themselves
+    void sort(std::vector<Contact<S>>& contacts, std::size_t ids, std::size_t ordered = 0) {
+        const std::size_t found = contacts.size() - ordered;
+        if (found < ids / 8) sort_few(contacts, found);
+        else sort_many(contacts, found, ids);
+        if (ordered == 0) contacts.swap(sorted_);
+        else merge(contacts, found);
     }
 
 private:
+    /// Up to so many contacts of a body are put in order as they come.
+    static constexpr std::uint32_t few = 16;
+    struct Key {
+        std::uint64_t ids;   // or one of them
+        std::uint32_t place; // before sorting
+        friend bool operator<(const Key& a, const Key& b) {
+            return a.ids < b.ids || (a.ids == b.ids && a.place < b.place);
+        }
+    };
+    static std::uint64_t ids_of(const Contact<S>& c) { return std::uint64_t(c.first.id) << 32 | c.second.id; }
+
+    /// By comparing them: nothing is asked of the bodies that have none.
+    void sort_few(const std::vector<Contact<S>>& contacts, std::size_t found) {
+        keys_.clear();
+        for (std::size_t i = 0; i < found; ++i) keys_.push_back({ids_of(contacts[i]), std::uint32_t(i)});
+        std::sort(keys_.begin(), keys_.end());
+        sorted_.resize(found);
+        for (std::size_t i = 0; i < found; ++i) sorted_[i] = contacts[keys_[i].place];
+    }
+    void sort_many(std::vector<Contact<S>>& contacts, std::size_t found, std::size_t ids) {
+        begin_.assign(ids + 1, 0);
+        for (std::size_t i = 0; i < found; ++i) ++begin_[contacts[i].first.id + 1];
+        for (std::size_t id = 0; id < ids; ++id) begin_[id + 1] += begin_[id];
+        sorted_.resize(found);
+        next_.assign(begin_.begin(), begin_.end());
+        bool many = false;
+        for (std::size_t i = 0; i < found; ++i) {
+            const auto& c = contacts[i];
+            auto place = next_[c.first.id]++;
+            if (begin_[c.first.id + 1] - begin_[c.first.id] > few) many = true;
+            else
+                for (; place > begin_[c.first.id] && c.second.id < sorted_[place - 1].second.id; --place)
+                    sorted_[place] = sorted_[place - 1];
+            sorted_[place] = c;
+        }
+        if (!many) return;
+        for (std::size_t id = 0; id < ids; ++id)
+            if (begin_[id + 1] - begin_[id] > few) sort_those_of_one(contacts, begin_[id], begin_[id + 1]);
+    }
+    /// The ground has a contact with everybody: to put each in its place among them would be the square of their
+    /// number.
+    /// \param spare contacts that are not needed any more
+    void sort_those_of_one(std::vector<Contact<S>>& spare, std::size_t begin, std::size_t end) {
+        keys_.clear();
+        for (std::size_t i = begin; i < end; ++i) keys_.push_back({sorted_[i].second.id, std::uint32_t(i)});
+        if (std::is_sorted(keys_.begin(), keys_.end())) return;
+        std::sort(keys_.begin(), keys_.end());
+        std::copy(sorted_.begin() + std::ptrdiff_t(begin), sorted_.begin() + std::ptrdiff_t(end),
+                  spare.begin() + std::ptrdiff_t(begin));
+        for (std::size_t i = begin; i < end; ++i) sorted_[i] = spare[keys_[i - begin].place];
+    }
+    /// Those that were sorted come before those of the same pair that were in order.
+    void merge(std::vector<Contact<S>>& contacts, std::size_t found) {
+        std::size_t next = found, to = 0; // what is read is never behind what is written
+        for (const auto& c : sorted_) {
+            for (; next < contacts.size() && ids_of(contacts[next]) < ids_of(c); ++next)
+                contacts[to++] = contacts[next];
+            contacts[to++] = c;
+        }
+    }
+
     std::vector<std::uint32_t> begin_, next_;
+    std::vector<Key> keys_;
     std::vector<Contact<S>> sorted_;
 };
 
@@ -76,6 +136,40 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
         }
     }
     for (; old != known.cend(); ++old) ended.push_back({old->first, old->second});
+}
+
+/// Where nothing has moved since contacts were found, they are the same ones, a step later.
+template <class S> void contacts_go_on(std::vector<Contact<S>>& contacts, auto& ended, bool later) {
+    if (later) return;
+    ended.clear();
+    for (auto& contact : contacts) ++contact.steps;
+}
+
+/// Of contacts in order, one for each pair: that which stands first.
+template <class S> void keep_the_first_of_each_pair(std::vector<Contact<S>>& contacts) {
+    const auto same = [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; };
+    contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
+}
+
+/// Of the contacts that were found, those of bodies that touch now: not those that may begin in the next step.
+/// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
+/// \param acting   what a response keeps of them; in order, too
+template <bool Presses, class S>
+void keep_those_that_touch(const std::vector<Contact<S>>& found, [[maybe_unused]] const auto& acting,
+                           std::vector<Contact<S>>& touching) {
+    touching.clear();
+    [[maybe_unused]] std::size_t next = 0;
+    for (const auto& contact : found) {
+        bool touches = contact.depth.value() > typename S::Scalar(0);
+        if constexpr (Presses) {
+            const auto& all = acting.all;
+            const auto ids = std::pair(contact.first.id, contact.second.id);
+            while (next != all.size() && std::pair(all[next].a, all[next].b) < ids) ++next;
+            touches = touches || (next != all.size() && std::pair(all[next].a, all[next].b) == ids &&
+                                  all[next].impulse > typename S::Scalar(0));
+        }
+        if (touches) touching.push_back(contact);
+    }
 }
 
 } // namespace detail

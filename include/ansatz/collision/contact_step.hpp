@@ -55,7 +55,7 @@ public:
     /// Wakes resting bodies that are hit, that stand on what moves, and all that lie together with them.
     /// \param first whether contacts have just been found, so that those that begin wake
     template <class Wake> void wake(Wake&& wake, bool first = true) {
-        bool more = data_.bodies.count(Motion::resting) > 0;
+        bool more = data_.bodies.count(Motion::resting) > 0 && data_.bodies.any_goes();
         while (more) {
             more = false;
             for (const auto& contact : data_.collisions.contacts) {

@@ -59,7 +59,9 @@ public:
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, next);
         }
-        auto respond = [&]<class... R>(Types<R...>) { (contacts.template respond<R>(), ...); };
+        auto respond = [&]<class... R>(Types<R...>) {
+            if (data_.bodies.any_goes()) (contacts.template respond<R>(), ...);
+        };
         respond(typename C::template responses<Level::velocities>{});
         contacts.hold_velocities();
         if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);

@@ -66,7 +66,7 @@ public:
     void wake_neighbours() {
         const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
         do {
-            if (data_.bodies.count(Motion::resting) == 0) return;
+            if (data_.bodies.count(Motion::resting) == 0 || !data_.bodies.any_goes()) return;
             step_.template tell<hook::WakeTouching>();
         } while (detail::wake_through_elements(
             data_, [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); }, wake));
@@ -88,6 +88,8 @@ public:
                 typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)), context_.dt());
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
         auto& scratch = data_.sleep.value;
+        scratch.sleepers.clear();
+        if (data_.bodies.count(Motion::awake) == 0) return;
         if constexpr (pull_varies) {
             scratch.held.assign(data_.bodies.size(), 0);
             data_.template tell<hook::MarkHeld>(scratch);

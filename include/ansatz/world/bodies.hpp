@@ -87,6 +87,13 @@ public:
     /// How many there are of a kind.
     std::size_t count(Motion m) const { return end(m) - begin(m); }
 
+    /// Whether the body of a slot may be somewhere else after a step.
+    [[gnu::always_inline]] bool goes(std::size_t slot) const {
+        return slot < end(Motion::awake) || (slot >= begin(Motion::moving) && slot < end(Motion::moving));
+    }
+    /// Whether any body may be.
+    bool any_goes() const { return count(Motion::awake) > 0 || count(Motion::moving) > 0; }
+
     /// Whether the handle names a body that is still there.
     bool contains(Handle h) const {
         return h.id < slot_of_.size() && generation_[h.id] == h.generation && slot_of_[h.id] != none;
@@ -106,6 +113,8 @@ public:
     }
     /// The handle of the body in a slot.
     Handle handle(std::size_t slot) const { return {id_at_[slot], generation_[id_at_[slot]]}; }
+    /// The ids of all bodies, by slot.
+    const std::uint32_t* ids_by_slot() const { return id_at_.data(); }
     /// The id of the body in a slot.
     std::uint32_t id(std::size_t slot) const { return id_at_[slot]; }
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `LookAhead`: how far bodies come in the next step, for responses that act before two bodies touch (`SoftSubsteps`):
+/// their boxes are widened by it, and of the pairs that these find those are kept that may meet.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/bodies.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace ansatz {
+
+namespace detail {
+struct NotAhead {}; // in its place
+} // namespace detail
+
+/// Of the bodies that move; it keeps its room.
+template <class S> class LookAhead {
+public:
+    using Scalar = typename S::Scalar;
+    using Raw = Vector<Scalar, S::dimension>; ///< raw SI
+
+    /// Room for so many bodies.
+    void reserve(std::size_t n) { all_.reserve(n); }
+    /// Where everybody is on the way.
+    /// \param step     its length
+    /// \param pull     a function of a slot: the acceleration of an awake body, m/s^2
+    /// \param velocity a function of a slot: its velocity, m/s
+    template <class Pull, class Going>
+    [[gnu::flatten]] void begin(const Bodies& bodies, const typename S::Time& step, const Pull& pull,
+                                const Going& velocity) {
+        all_.resize(bodies.size());
+        const Scalar dt = step.value();
+        for (const auto motion : {Motion::awake, Motion::moving})
+            for (std::size_t slot = bodies.begin(motion); slot < bodies.end(motion); ++slot) {
+                auto& ahead = all_[slot];
+                ahead.way = (Scalar(1.1) * dt) * velocity(Bodies::Slot(slot)).value();
+                ahead.slack = motion == Motion::awake ? norm(pull(Bodies::Slot(slot))).value() * dt * dt : Scalar(0);
+                ahead.margin = norm(ahead.way) + ahead.slack;
+            }
+    }
+    /// A body's box, made as much larger as it may come.
+    void widen(const Bodies& bodies, std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
+        if (!bodies.goes(slot)) return;
+        auto& ahead = all_[slot];
+        auto by = (upper - lower).value();
+        const Scalar pushed = Scalar(1) / 256 * by.minCoeff(); // by one that is faster
+        ahead.slack += pushed;
+        ahead.margin += pushed;
+        for (int k = 0; k < S::dimension; ++k) by[k] = ahead.margin;
+        lower -= S::Position::from_value(by);
+        upper += S::Position::from_value(by);
+    }
+    /// How far apart two may be that will meet.
+    [[gnu::always_inline]] typename S::Length margin(const Bodies& bodies, std::size_t a, std::size_t b) const {
+        return S::Length::from_value(of(bodies, a).margin + of(bodies, b).margin);
+    }
+    /// Whether two will meet that are so far apart, if they go on so: not two that fall abreast.
+    /// \param gap m
+    [[gnu::always_inline]] bool closes(const Bodies& bodies, std::size_t a, std::size_t b, Scalar gap) const {
+        const Ahead &one = of(bodies, a), &other = of(bodies, b);
+        return gap <= norm(Raw(one.way - other.way)) + one.slack + other.slack;
+    }
+
+private:
+    /// How far a body comes in the next step if it goes on as it does: by its speed, and slack for pulls and pushes.
+    struct Ahead {
+        Raw way = Raw::Zero();      // m
+        Scalar slack{0}, margin{0}; // m; both together
+    };
+    const Ahead& of(const Bodies& bodies, std::size_t slot) const { return bodies.goes(slot) ? all_[slot] : still_; }
+
+    std::vector<Ahead> all_; // by slot; of those that move
+    Ahead still_;
+};
+
+} // namespace ansatz

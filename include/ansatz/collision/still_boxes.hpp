@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `StillBoxes`: the boxes of bodies that are fixed or at rest, kept from step to step, so that a step looks only at
+/// those which somebody comes near to. A broadphase is given these and the bodies that move: a level of ten thousand
+/// fixed boxes costs what is met of it.
+///
+/// They are in cells by a hash, each box in that of its lower corner, in a grid whose cells are wider than it; each
+/// grid is four times as coarse as the one before. What changed since the last step is found by comparing who is where,
+/// and brought up to date one by one: nobody has to say that a body woke.
+
+#include <ansatz/units.hpp>
+#include <ansatz/world/bodies.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ansatz {
+
+/// A cache: what it finds follows from where the bodies are.
+template <class S> class StillBoxes {
+public:
+    using Raw = Vector<typename S::Scalar, S::dimension>; ///< raw SI
+    using Corner = typename S::Position;                  ///< m
+    /// So few are gone through as quickly.
+    static constexpr std::size_t fewest = 64;
+
+    /// Room for so many bodies, with ids below `ids`.
+    void make_room(std::size_t bodies, std::size_t ids) {
+        if (seen_.size() < bodies) {
+            seen_.resize(std::max(bodies, seen_.capacity()), none);
+            for (auto& lane : places_) lane.resize(seen_.size());
+        }
+        if (changed_.capacity() < bodies) changed_.reserve(seen_.size());
+        if (boxes_.size() >= ids) return;
+        boxes_.resize(std::max(ids, boxes_.capacity()));
+        std::size_t heads = 64;
+        while (heads < boxes_.size()) heads *= 2;
+        if (heads == heads_.size()) return;
+        heads_.resize(heads);
+        forget();
+    }
+    /// Nothing is known any more.
+    void forget() {
+        std::fill(heads_.begin(), heads_.end(), none);
+        std::fill(seen_.begin(), seen_.end(), none);
+        for (auto& box : boxes_) box.grid = none;
+        count_.fill(0);
+        used_ = 0;
+        ranges_ = {};
+    }
+    /// A body has another shape, or none, or is another body of this id.
+    void forget(std::uint32_t id) {
+        if (id >= boxes_.size()) return;
+        const auto slot = boxes_[id].slot;
+        if (slot < seen_.size() && seen_[slot] == id) seen_[slot] = none;
+        if (boxes_[id].grid != none) remove(id);
+    }
+    /// Where bodies are: the lane of each coordinate, by slot, m.
+    using Places = std::array<const typename S::Scalar*, std::size_t(S::dimension)>;
+    /// Brings everything up to date.
+    /// \param bounds `bounds(slot, lower, upper)`: the box of a body; false, where it has none that is finite
+    /// \param world  another number where the whole world is another one
+    template <class Bounds>
+    void follow(const Bodies& bodies, std::uint64_t world, const Places& places, const Bounds& bounds) {
+        make_room(bodies.size(), bodies.ids());
+        if (!complete_ || world != world_) forget();
+        world_ = world;
+        complete_ = false; // until all are there: `bounds` may throw
+        changed_.clear();
+        const std::array<Range, 2> now{Range{bodies.begin(Motion::resting), bodies.end(Motion::resting)},
+                                       Range{bodies.begin(Motion::fixed), bodies.end(Motion::fixed)}};
+        for (const auto& range : now) compare(bodies, places, range);
+        for (const auto& range : ranges_) // who is there no more
+            for (std::size_t slot = range.begin; slot < range.end;) {
+                if (now[0].holds(slot)) slot = now[0].end;
+                else if (now[1].holds(slot)) slot = now[1].end;
+                else {
+                    if (seen_[slot] != none) changed_.push_back(std::uint32_t(slot));
+                    ++slot;
+                }
+            }
+        for (const auto slot : changed_) { // all of them before any comes: some have only changed places
+            if (seen_[slot] != none && boxes_[seen_[slot]].grid != none) remove(seen_[slot]);
+            seen_[slot] = none;
+        }
+        for (const auto slot : changed_) {
+            if (!now[0].holds(slot) && !now[1].holds(slot)) continue;
+            const auto id = bodies.id(slot);
+            Corner lower, upper;
+            if (bounds(slot, lower, upper)) insert(id, lower, upper);
+            seen_[slot] = id;
+            for (std::size_t k = 0; k < dimension; ++k) places_[k][slot] = places[k][slot];
+            boxes_[id].slot = slot;
+        }
+        ranges_ = now;
+        complete_ = true;
+    }
+    /// Nobody has been told of yet.
+    void begin_asking() {
+        if (++asked_ != 0) return;
+        for (auto& box : boxes_) box.asked = 0;
+        asked_ = 1;
+    }
+    /// Calls `f(id, lower, upper)` for each box that touches the one from `lower` to `upper` and has not been told of.
+    template <class F> void each_near(const Raw& lower, const Raw& upper, F&& f) {
+        for (std::uint64_t left = used_; left != 0; left &= left - 1) {
+            const auto grid = std::uint32_t(std::countr_zero(left));
+            const auto& extent = extents_[grid];
+            Cell from{}, to{};
+            double cells = 1;
+            for (std::size_t k = 0; k < dimension; ++k) {
+                from[k] = std::max(cell_of(double(lower[int(k)]), grid) - 1, extent.from[k]);
+                to[k] = std::min(cell_of(double(upper[int(k)]), grid), extent.to[k]);
+                cells *= double(std::max(to[k] - from[k] + 1, std::int64_t(0)));
+            }
+            if (cells == 0) continue;
+            if (cells > double(boxes_.size())) return each_of_all(lower, upper, f);
+            const auto row = [&](std::uint64_t sum) {
+                for (auto x = from[0]; x <= to[0]; ++x, sum += odd[0])
+                    for (auto id = heads_[bucket_of(sum)]; id != none; id = boxes_[id].next) tell(id, lower, upper, f);
+            };
+            const auto plane = [&](std::uint64_t sum) {
+                for (auto y = from[1]; y <= to[1]; ++y, sum += odd[1]) row(sum);
+            };
+            auto sum = sum_of(from, grid);
+            if constexpr (dimension == 2) plane(sum);
+            else
+                for (auto z = from[2]; z <= to[2]; ++z, sum += odd[2]) plane(sum);
+        }
+    }
+
+private:
+    static constexpr std::size_t dimension = std::size_t(S::dimension);
+    static constexpr std::uint32_t none = 0xffffffffu;
+    static constexpr std::uint32_t grids = 64;          // 4^-32 m, 4^-31 m, ..., and one that has a single cell
+    static constexpr double margin = 1 + 1.0 / 1024;    // of a cell: more than floor can be wrong by
+    static constexpr double exact = 1.0 / (1ull << 38); // a coordinate of so many cells is known to 1/4096 of a cell
+    static constexpr std::array<double, grids> per_metre = [] {
+        std::array<double, grids> all{}; // the last one stays zero: all coordinates are in one cell
+        double cells = 18446744073709551616.0;
+        for (std::uint32_t grid = 0; grid + 1 < grids; ++grid, cells /= 4) all[grid] = cells;
+        return all;
+    }();
+    using Cell = std::array<std::int64_t, dimension>;
+    static constexpr std::array<std::uint64_t, 3> odd{0xbf58476d1ce4e5b9ull, 0x94d049bb133111ebull,
+                                                      0xff51afd7ed558ccdull};
+    static constexpr Cell all_cells(std::int64_t cell) {
+        Cell all{};
+        for (auto& c : all) c = cell;
+        return all;
+    }
+    /// In which cells of a grid there are boxes; it does not shrink before the last of them is gone.
+    struct Extent {
+        Cell from = all_cells(std::numeric_limits<std::int64_t>::max());
+        Cell to = all_cells(std::numeric_limits<std::int64_t>::min());
+    };
+
+    struct Box {
+        Raw lower, upper;                         // m
+        std::uint32_t next = none, before = none; // in its bucket
+        std::uint32_t bucket = 0;
+        std::uint32_t grid = none; // none: it is in no grid
+        std::uint32_t slot = 0;    // where it was seen
+        std::uint32_t asked = 0;   // when it was told of
+    };
+    struct Range {
+        std::size_t begin = 0, end = 0;
+        bool holds(std::size_t slot) const { return slot >= begin && slot < end; }
+    };
+
+    /// Notes the slots of a range in which somebody else is, or somewhere else. Nearly always nobody is: so many
+    /// together are compared without a branch.
+    void compare(const Bodies& bodies, const Places& places, const Range& range) {
+        constexpr std::size_t together = 64;
+        for (std::size_t begin = range.begin; begin < range.end; begin += together) {
+            const std::size_t end = std::min(begin + together, range.end);
+            const auto differs = [&](std::size_t from, std::size_t to) {
+                unsigned any = 0; // a whole number, and pointers of our own: g++ compares eight at once then
+                const auto differ = [&](const auto* seen, const auto* now) {
+                    for (std::size_t slot = from; slot < to; ++slot) any |= unsigned(!(seen[slot] == now[slot]));
+                };
+                differ(seen_.data(), bodies.ids_by_slot());
+                for (std::size_t k = 0; k < dimension; ++k) differ(places_[k].data(), places[k]);
+                return any != 0;
+            };
+            if (!differs(begin, end)) continue;
+            for (std::size_t slot = begin; slot < end; ++slot)
+                if (differs(slot, slot + 1)) changed_.push_back(std::uint32_t(slot));
+        }
+    }
+
+    /// That of the grid whose cells are wider than a box, and in whose cells it is known exactly where it is.
+    static std::uint32_t grid_of(const Raw& lower, const Raw& upper) {
+        double widest = 0, farthest = 0;
+        for (int k = 0; k < int(dimension); ++k) {
+            const double low = double(lower[k]), high = double(upper[k]);
+            widest = std::max(widest, high - low);
+            farthest = std::max({farthest, std::abs(low), std::abs(high)});
+        }
+        const double need = std::max(widest * margin, farthest * exact);
+        if (!(need > 0)) return 0;
+        const int exponent = std::ilogb(need) + 1; // 2^exponent is wider than need be, by two at most
+        return std::uint32_t(std::clamp((exponent + (exponent & 1)) / 2 + 32, 0, int(grids) - 1));
+    }
+    /// Far outside of all cells that a box of this grid can be in, one is as good as another.
+    static std::int64_t cell_of(double coordinate, std::uint32_t grid) {
+        constexpr double far = double(1ull << 40);
+        return std::int64_t(std::floor(std::clamp(coordinate * per_metre[grid], -far, far)));
+    }
+    /// Of a cell, a number that goes up by the same with each cell of a row.
+    static std::uint64_t sum_of(const Cell& cell, std::uint32_t grid) {
+        std::uint64_t sum = grid * 0xd6e8feb86659fd93ull;
+        for (std::size_t k = 0; k < dimension; ++k) sum += std::uint64_t(cell[k]) * odd[k];
+        return sum;
+    }
+    std::uint32_t bucket_of(std::uint64_t sum) const {
+        sum = (sum ^ (sum >> 32)) * 0x9e3779b97f4a7c15ull;
+        return std::uint32_t(sum >> 32) & std::uint32_t(heads_.size() - 1);
+    }
+
+    void insert(std::uint32_t id, const Corner& lower, const Corner& upper) {
+        Box& box = boxes_[id];
+        box.lower = lower.value();
+        box.upper = upper.value();
+        box.grid = grid_of(box.lower, box.upper);
+        Cell cell{};
+        auto& extent = extents_[box.grid];
+        if (count_[box.grid] == 0) extent = {};
+        for (std::size_t k = 0; k < dimension; ++k) {
+            cell[k] = cell_of(double(box.lower[int(k)]), box.grid);
+            extent.from[k] = std::min(extent.from[k], cell[k]);
+            extent.to[k] = std::max(extent.to[k], cell[k]);
+        }
+        box.bucket = bucket_of(sum_of(cell, box.grid));
+        box.before = none;
+        box.next = heads_[box.bucket];
+        if (box.next != none) boxes_[box.next].before = id;
+        heads_[box.bucket] = id;
+        ++count_[box.grid];
+        used_ |= std::uint64_t(1) << box.grid;
+    }
+    void remove(std::uint32_t id) {
+        Box& box = boxes_[id];
+        if (box.next != none) boxes_[box.next].before = box.before;
+        if (box.before != none) boxes_[box.before].next = box.next;
+        else heads_[box.bucket] = box.next;
+        if (--count_[box.grid] == 0) used_ &= ~(std::uint64_t(1) << box.grid);
+        box.grid = none;
+    }
+    template <class F> [[gnu::always_inline]] void tell(std::uint32_t id, const Raw& lower, const Raw& upper, F& f) {
+        Box& box = boxes_[id];
+        if (box.asked == asked_) return;
+        for (int k = 0; k < int(dimension); ++k)
+            if (!(box.lower[k] <= upper[k] && lower[k] <= box.upper[k])) return;
+        box.asked = asked_;
+        f(id, Corner::from_value(box.lower), Corner::from_value(box.upper));
+    }
+    /// Where a box reaches over more cells than there are bodies.
+    template <class F> void each_of_all(const Raw& lower, const Raw& upper, F& f) {
+        for (std::uint32_t id = 0; id < boxes_.size(); ++id)
+            if (boxes_[id].grid != none) tell(id, lower, upper, f);
+    }
+
+    std::vector<Box> boxes_;                                        // by id
+    std::vector<std::uint32_t> seen_;                               // by slot: whose id was there
+    std::array<std::vector<typename S::Scalar>, dimension> places_; // by slot: and where, m
+    std::vector<std::uint32_t> heads_;                              // the first of each bucket
+    std::vector<std::uint32_t> changed_;
+    std::array<std::size_t, grids> count_{};
+    std::array<Extent, grids> extents_{};
+    std::uint64_t used_ = 0; // a bit for each grid in which there is a box
+    std::array<Range, 2> ranges_{};
+    std::uint32_t asked_ = 0;
+    std::uint64_t world_ = 0;
+    bool complete_ = true; // whether the last `follow` came to its end
+};
+
+} // namespace ansatz
