@@ -278,3 +278,22 @@ TEST_CASE("V10: a failed allocation leaves the world as it was: Penalty and damp
           "[collision][world][V10]") {
     laws(heap(Verlet{}, Penalty{2e3 * newton_per_metre, 5.0 * newton_second_per_metre}, Springs<>{}));
 }
+TEST_CASE("V10: a step that finds no room for the boxes of a level leaves a world that takes another one",
+          "[collision][world][V10]") {
+    World level{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere>{}, Impulse<>{}};
+    for (int i = 0; i < 200; ++i) level.add(Sphere{0.5 * metre}, position(metres(i, 0, 0)), fixed);
+    for (int i = 0; i < 8; ++i) level.add(Sphere{0.5 * metre}, position(metres(20 * i, 0.9, 0)), mass(1.0 * kilogram));
+    auto stepped = level;
+    stepped.step(1.0 / 120 * second);
+    REQUIRE(stepped.contacts().size() == 8);
+    long n = 0;
+    for (bool failed = true; failed; ++n) {
+        auto now = level;
+        failed = fails_at(n, [&] { now.step(1.0 / 120 * second); });
+        if (!failed) break;
+        now = level;
+        now.step(1.0 / 120 * second);
+        REQUIRE(now.hash() == stepped.hash());
+    }
+    CHECK(n > 10);
+}

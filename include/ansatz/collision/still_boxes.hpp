@@ -34,18 +34,21 @@ public:
 
     /// Room for so many bodies, with ids below `ids`.
     void make_room(std::size_t bodies, std::size_t ids) {
-        if (seen_.size() < bodies) {
-            seen_.resize(std::max(bodies, seen_.capacity()), none);
-            for (auto& lane : places_) lane.resize(seen_.size());
+        if (seen_.size() < bodies) { // last what is asked about: where one of them fails, all are asked for again
+            const std::size_t slots = std::max(bodies, 2 * seen_.size());
+            changed_.reserve(slots);
+            for (auto& lane : places_) lane.resize(slots);
+            seen_.resize(slots, none);
         }
-        if (changed_.capacity() < bodies) changed_.reserve(seen_.size());
         if (boxes_.size() >= ids) return;
-        boxes_.resize(std::max(ids, boxes_.capacity()));
+        const std::size_t boxes = std::max(ids, 2 * boxes_.size());
         std::size_t heads = 64;
-        while (heads < boxes_.size()) heads *= 2;
-        if (heads == heads_.size()) return;
-        heads_.resize(heads);
-        forget();
+        while (heads < boxes) heads *= 2;
+        if (heads != heads_.size()) {
+            heads_.resize(heads);
+            forget();
+        }
+        boxes_.resize(boxes);
     }
     /// Nothing is known any more.
     void forget() {
