@@ -28,9 +28,6 @@ from typing import Mapping
 
 # Sections without an exercise, and why. What is "not asked yet" may become shorter, never longer.
 WITHOUT_EXERCISE = {
-    "1.1": "not asked yet: fixed and moving bodies",
-    "1.2": "not asked yet: a force of one's own",
-    "1.3": "not asked yet: a force and its opposite",
     "1.6": "compares the methods of 1.6.1 to 1.6.4, each of which has its exercise",
     "2.1": "counts pairs; its parts, 2.1.1.1 to 2.1.2.2, have their exercises",
     "4.6": "not asked yet: the angle of a hinge and its gradient",
