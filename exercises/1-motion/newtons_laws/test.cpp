@@ -55,9 +55,8 @@ std::string said(const Act& act, const Scene& s) {
 }
 std::string said(const Scene& s) {
     std::string text = s.name;
-    const char* between = ": ";
-    for (const Act& act : s.acts) text += between + said(act, s), between = ", ";
-    return text;
+    for (const Act& act : s.acts) text += "\n    " + said(act, s);
+    return text + "\n";
 }
 Force right_resultant(int body, const Scene& s) {
     Force sum = zero_force();
@@ -96,7 +95,7 @@ Acceleration centre(const Group& group, const Scene& s) {
 }
 std::string said(const Group& group, const Scene& s) {
     std::ostringstream text;
-    text << said(s) << "; the group is";
+    text << said(s) << "the group is";
     for (const char* between = " "; const int body : group)
         text << between << s.bodies[std::size_t(body)] << " (" << s.masses[std::size_t(body)] << " kg)", between = ", ";
     text << ": the acceleration of its centre of mass";
@@ -108,8 +107,8 @@ std::string said(const Group& group, const Scene& s) {
 TEST_CASE("what acts on a body adds up", "[task-1][on-it]") {
     for (const Scene& s : scenes())
         for (int body = 0; body < int(s.bodies.size()); ++body)
-            expect_near(said(s) + ": the resultant on " + s.bodies[std::size_t(body)],
-                        exercise::resultant(body, s.acts), right_resultant(body, s), rounding,
+            expect_near(said(s) + "the resultant on " + s.bodies[std::size_t(body)], exercise::resultant(body, s.acts),
+                        right_resultant(body, s), rounding,
                         "The vector sum of all that act on this body, and of no others: what it does itself acts on "
                         "somebody else.");
 }
@@ -119,7 +118,7 @@ TEST_CASE("the order of the list does not matter", "[task-1][order]") {
         for (int body = 0; body < int(s.bodies.size()); ++body) {
             const Force first = exercise::resultant(body, s.acts);
             std::vector<Act> turned(s.acts.rbegin(), s.acts.rend());
-            expect_agree(said(s) + ": the resultant on " + s.bodies[std::size_t(body)], "yours", first,
+            expect_agree(said(s) + "the resultant on " + s.bodies[std::size_t(body)], "yours", first,
                          "yours, of the same list from behind", exercise::resultant(body, turned), rounding,
                          "Forces do not know of each other: each is added, whichever comes first.");
         }
@@ -132,7 +131,7 @@ TEST_CASE("where nobody acts there is no force", "[task-1][nobody]") {
             if (act.on != 1) others.push_back(act);
         Scene left = s;
         left.acts = others;
-        expect_near(said(left) + ": the resultant on " + s.bodies[1], exercise::resultant(1, others), zero_force(),
+        expect_near(said(left) + "the resultant on " + s.bodies[1], exercise::resultant(1, others), zero_force(),
                     rounding, "It does something to others here, and nobody does anything to it.");
     }
 }
@@ -140,7 +139,7 @@ TEST_CASE("where nobody acts there is no force", "[task-1][nobody]") {
 TEST_CASE("the book on the table is in balance", "[task-1][balance]") {
     const Scene s = scenes()[1];
     expect_near(
-        said(s) + ": the resultant on the book", exercise::resultant(2, s.acts), zero_force(), rounding,
+        said(s) + "the resultant on the book", exercise::resultant(2, s.acts), zero_force(), rounding,
         "Its weight and the push of the table cancel, and by the first law it stays where it is. They are not a force "
         "and its reaction: both act on the book.");
 }
