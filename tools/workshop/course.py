@@ -36,7 +36,6 @@ WITHOUT_EXERCISE = {
     "4.9": "not asked yet: how a vertex splits",
     "4.10": "shows where a rope of 4 breaks under two loads; nothing is added to it",
     "4.11": "shows what the ball of 4 does when it falls; nothing is added to it",
-    "5.2": "not asked yet: what becomes of an event that nobody handles",
     "5.2.2": "counts transitions with and without parents, which the exercise of 5.3 has",
     "5.3.1": "not asked yet: what of a machine must be saved",
     "6.1.2": "not asked yet: a graph of one's own, as Boost.Graph asks for it",
