@@ -9,15 +9,18 @@ if ! command -v nm > /dev/null || ! command -v objdump > /dev/null; then
     echo "skipped: no nm or objdump (on Debian: apt install binutils)"
     exit
 fi
+# shellcheck source=/dev/null
+source "$project/tests/programs.bash"    # launcher
 mkdir -p "${ANSATZ_SCRATCH:=$(mktemp -d)}"
 cd "$ANSATZ_SCRATCH"
 eigen=$(pkg-config --cflags eigen3 2> /dev/null || echo -I/usr/include/eigen3)
 
 object() {    # <name> <optimisation>
-    # shellcheck disable=SC2086
-    "${CXX:-g++}" -std=c++20 "$2" -DNDEBUG -I"$project/include" $eigen -c "$1.cpp" -o "$1$2.o"
+    # shellcheck disable=SC2086,SC2154
+    "${launcher[@]}" "${CXX:-g++}" -std=c++20 -MD "$2" -DNDEBUG -I"$project/include" $eigen -c "$1.cpp" -o "$1$2.o"
+    nm -C "$1$2.o" > "$1$2.o.symbols"    # once for all names that are looked for
 }
-names() { nm -C "$1" | grep -cE "ansatz::(\w+::)?($2)\b" || true; }
+names() { grep -cE "ansatz::(\w+::)?($2)\b" "$1.symbols" || true; }
 
 # What an object does, as text, into <name>.bytes and <name>.literals: the instructions of every function, without their operands,
 # sorted by the functions' names, how long each section is, and the literals. The order in which a compiler writes functions

@@ -234,6 +234,7 @@ foreach(module IN LISTS folders)
     endif()
 
     file(GLOB scripts CONFIGURE_DEPENDS ${module}/*.sh)
+    list(JOIN CMAKE_CXX_COMPILER_LAUNCHER "|" launcher)    # for what scripts compile (programs.bash)
     if(ANSATZ_BASH)
         foreach(script IN LISTS scripts)
             cmake_path(GET script STEM name)
@@ -242,6 +243,7 @@ foreach(module IN LISTS folders)
             set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 1500
                 SKIP_REGULAR_EXPRESSION "^skipped: " ENVIRONMENT
                 "ANSATZ_SCRATCH=${PROJECT_BINARY_DIR}/scratch/${module}.${name};CXX=${CMAKE_CXX_COMPILER};CMAKE=${CMAKE_COMMAND}")
+            set_property(TEST "${module}.${name}" APPEND PROPERTY ENVIRONMENT "ANSATZ_LAUNCHER=${launcher}")
             # They are the longest of the tests: begun last, one of them would run while the other cores have nothing to do.
             set_property(TEST "${module}.${name}" PROPERTY COST 1000)
             # A script may say so in a line of its own: then one build on a machine is enough, or it measures time.

@@ -20,14 +20,37 @@ found_compilers() {
     done
 }
 
+# What goes before a compiler's command where ccache is there, as in the build (cmake/Ccache.cmake): what it keeps is
+# what the compiler made of the same text with the same options. ctest says it, with | between the words.
+IFS='|' read -ra launcher <<< "${ANSATZ_LAUNCHER:-}"
+
 # A program of the library with the options of its exported target; what comes behind is added.
 #   compile <compiler> <source> <output> [options...]
 compile() {
-    local compiler=$1 source=$2 output=$3
+    local compiler=$1 source=$2 output=$3 command machine
     shift 3
-    # shellcheck disable=SC2046,SC2154 # the flags are words; the script that reads this sets project
-    "$compiler" -std=c++20 -ffp-contract=off -fno-math-errno -I "$project" -I "$project/include" $(eigen_flags) "$@" \
-        "$source" -o "$output"
+    # shellcheck disable=SC2154,SC2207 # the script that reads this sets project; the flags are words
+    command=("$compiler" -std=c++20 -ffp-contract=off -fno-math-errno
+        -I "$project" -I "$project/include" $(eigen_flags) "$@")
+    if [ ${#launcher[@]} -eq 0 ]; then
+        "${command[@]}" "$source" -o "$output"
+        return
+    fi
+    # "native" means something else on another machine, and the cache may come from one: a name says which it is.
+    case " $* " in
+        *=native\ *)
+            machine=$(cd / && "$compiler" "$@" "-###" -E -x c++ /dev/null 2>&1 | cksum)
+            command+=("-DANSATZ_MACHINE=${machine%% *}")
+            ;;
+    esac
+    # ccache keeps objects, not programs; with the list of what was included (-MD) it need not run the preprocessor.
+    case " $* " in
+        *" -c "*) "${launcher[@]}" "${command[@]}" -MD "$source" -o "$output" ;;
+        *)
+            "${launcher[@]}" "${command[@]}" -MD -c "$source" -o "$output.o" &&
+                "${command[@]}" "$output.o" -o "$output"
+            ;;
+    esac
 }
 eigen_flags() {
     if [ -n "${EIGEN3_INCLUDE_DIR:-}" ]; then

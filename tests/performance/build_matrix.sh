@@ -34,6 +34,7 @@ file_of() { printf '%s%s' "${1##*/}" "${2// /}"; }
 build() {    # compiler, options, what to add to the file's name
     local options
     read -ra options <<< "$2"
+    [ -z "$3" ] || local launcher=()    # compiled again is compiled, not taken from the cache
     compile "$1" "$project/tests/performance/programs/worlds.cpp" "$(file_of "$1" "$2")$3" "${options[@]}"
     "./$(file_of "$1" "$2")$3" > "$(file_of "$1" "$2")$3.txt"
 }

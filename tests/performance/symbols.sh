@@ -49,10 +49,13 @@ program with_forces "ExplicitEuler{}, Drag{}, FrameDrag{}, QuadraticDrag{}, Stop
 program with_integrators "Verlet{}" "" "VelocityVerlet{}" "" "RungeKutta4{}" "" "ImplicitEuler{}" ""
 controls=(with_forces with_integrators)
 
-# How many symbols of an object file name the word, themselves or in their arguments.
-count() { nm -C "$1" | grep -cE "ansatz::(detail::)?$2\b" || true; }
+# How many symbols of an object file name the word, themselves or in their arguments. They are read once for all words.
+count() { grep -cE "ansatz::(detail::)?$2\b" "$1.symbols" || true; }
 
-object() { compile "$1" "$2.cpp" "$2-${1##*/}$3.o" -c "$3" -DNDEBUG; }
+object() {
+    local object=$2-${1##*/}$3.o
+    compile "$1" "$2.cpp" "$object" -c "$3" -DNDEBUG && nm -C "$object" > "$object.symbols"
+}
 mapfile -t compilers < <(found_compilers)
 for compiler in "${compilers[@]}"; do
     for option in -O0 -O3; do start object "$compiler" plain "$option"; done

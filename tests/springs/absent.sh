@@ -8,6 +8,7 @@
 # usage: absent.sh <folder of the project>       with CXX and ANSATZ_SCRATCH in the environment, as ctest sets them
 set -euo pipefail
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
+source "$project/tests/programs.bash"    # launcher
 if ! command -v nm > /dev/null || ! command -v objdump > /dev/null; then
     echo "skipped: no nm or objdump (on Debian: apt install binutils)"
     exit
@@ -38,7 +39,7 @@ eigen=$(pkg-config --cflags eigen3 2> /dev/null || echo -I/usr/include/eigen3)
 about_springs() { nm -C "$1" | grep -cE 'Spring|Rope|Element|Network|ImplicitSystem|StepLimit' || true; }
 for name in without unused used; do
     # shellcheck disable=SC2086
-    "${CXX:-g++}" -std=c++20 -O2 -I"$project/include" $eigen -c "$name.cpp" -o "$name.o"
+    "${launcher[@]}" "${CXX:-g++}" -std=c++20 -MD -O2 -I"$project/include" $eigen -c "$name.cpp" -o "$name.o"
     # The bytes of every section, without the name of the file.
     objdump -s "$name.o" | tail -n +4 > "$name.bytes"
 done
