@@ -74,9 +74,10 @@ foreach(compiler IN LISTS found)
         "-DPRECOMPILED=${PROJECT_BINARY_DIR}/scratch/must_not_compile/${compiler}")
 
     set(fixture precompiled.${compiler})
+    list(JOIN ANSATZ_LAUNCHER_IN_PLACE "|" launcher)
     if(mistakes)
         add_test(NAME must_not_compile.${fixture}
-            COMMAND ${call} -DLIBRARY=${PROJECT_SOURCE_DIR}/include -P ${folder}/precompile.cmake)
+            COMMAND ${call} -DLIBRARY=${PROJECT_SOURCE_DIR}/include -DLAUNCHER=${launcher} -P ${folder}/precompile.cmake)
         set_tests_properties(must_not_compile.${fixture} PROPERTIES
             FIXTURES_SETUP ${fixture} LABELS must_not_compile TIMEOUT 600)
         # Half of the compiler's time for them, where all are asked for; one alone does not wait for it.

@@ -7,6 +7,9 @@
 # One header for each group of modules that mistakes take together: what templates a precompiled header has begun, g++
 # finishes again in every file that reads it, 0.9 s for all that has to do with bodies and 0.2 s without soft bodies and water.
 # For clang++, which keeps them finished, one.
+#
+# LAUNCHER, with | between its words, is what goes before the compiler: ccache, which knows a header by the contents of all that
+# it includes. It must be one that leaves paths as they are; the headers keep them.
 set(MAKES_PRECOMPILED ON)
 include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 
@@ -15,8 +18,11 @@ file(GLOB umbrellas RELATIVE ${LIBRARY}/ansatz ${LIBRARY}/ansatz/*.hpp)
 list(REMOVE_ITEM flags -fsyntax-only)
 set(groups bodies paths soft_bodies states water)
 set(suffix gch)
+string(REPLACE "|" ";" LAUNCHER "${LAUNCHER}")
+set(reproducible -fpch-preprocess)    # for ccache
 if(family STREQUAL "clang++")
     set(suffix pch)
+    set(reproducible -Xclang -fno-pch-timestamp)
     # What the library's own inline functions instantiate is kept with it: else every mistake instantiates it again.
     list(APPEND flags -fpch-instantiate-templates)
     list(REMOVE_ITEM groups soft_bodies water)    # see compiler.cmake
@@ -34,5 +40,6 @@ foreach(group IN LISTS groups)
     endforeach()
     set(header ${PRECOMPILED}/${group}.hpp)
     file(WRITE ${header} "${text}")
-    execute_process(COMMAND ${COMPILER} ${flags} -x c++-header ${header} -o ${header}.${suffix} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${LAUNCHER} ${COMPILER} ${flags} ${reproducible} -MD -MF ${header}.d -x c++-header -c ${header}
+        -o ${header}.${suffix} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
