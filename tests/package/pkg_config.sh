@@ -10,8 +10,12 @@ for flag in -ffp-contract=off -fno-math-errno; do
     [[ " $flags " == *" $flag "* ]] || { echo "ansatz.pc has lost $flag: $flags"; exit 1; }
 done
 
+# ccache, where it is there, keeps objects and not programs: so the two steps.
+IFS='|' read -ra launcher <<< "${ANSATZ_LAUNCHER:-}"
 # shellcheck disable=SC2086  (the flags are words)
 for program in engine pool; do
-    "$compiler" -std=c++20 $flags "$here/$program.cpp" -o "$folder/${program}_of_pkg_config"
+    built=$folder/${program}_of_pkg_config
+    "${launcher[@]}" "$compiler" -std=c++20 $flags -MD -c "$here/$program.cpp" -o "$built.o"
+    "$compiler" -std=c++20 $flags "$built.o" -o "$built"
     "$folder/${program}_of_pkg_config"
 done
