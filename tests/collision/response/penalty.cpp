@@ -321,3 +321,28 @@ TEST_CASE("what passes by a corner feels nothing of it", "[collision][penalty]")
             passes(Sphere{0.25 * metre}, -1 + (0.25 - gap) / std::sqrt(2.0), 2 + (0.25 - gap) / std::sqrt(2.0)));
     });
 }
+
+TEST_CASE("a damper that would stop a body before it touches leaves an implicit step without a solution, and says so",
+          "[collision][penalty]") {
+    // A ball comes towards a fixed one without gravity. The velocity v_1 at the end of the step has to be
+    // v_0 + (h / m) F(v_1), and the two touch there if v_1 is faster than v_c = gap / h. Where they just touch the
+    // damper pushes with c v_c at once, beside which nothing is there: F jumps. If that push takes more than v_0 - v_c,
+    // the ball neither touches (it has v_0 then, and would) nor does not. So there is a solution just where (h c + m)
+    // v_c <= m v_0.
+    constexpr double h = 0.01, m = 1, v = 3, gap = 0.02, k = 100;
+    constexpr double limit = m * (v - gap / h) / gap; // of c: 50 N s/m
+    const auto unsolved = [&](auto integrator, double c) {
+        auto world = world_of(integrator, Penalty{k * N_per_m, c * N_s_per_m});
+        world.add(Sphere{0.5 * metre}, position(metres(0, 0, 0)), fixed);
+        const auto ball = world.add(Sphere{0.5 * metre}, position(metres(1 + gap, 0, 0)),
+                                    velocity(metres_per_second(-v, 0, 0)), mass(m * kilogram));
+        world.step(h * second);
+        CHECK(std::isfinite(speed_along(world, ball)));
+        CHECK(speed_along(world, ball) >= -v * 1.0001); // whatever is left, nothing was given to it
+        CHECK(speed_along(world, ball) <= 0);
+        return world.status().unsolved;
+    };
+    CHECK(unsolved(ImplicitEuler{}, 0.98 * limit) == 0);
+    CHECK(unsolved(ImplicitEuler{}, 1.02 * limit) > 0);
+    CHECK(unsolved(ImplicitEuler{}, 20 * limit) > 0);
+}
