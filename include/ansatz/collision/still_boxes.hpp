@@ -149,7 +149,10 @@ private:
     static constexpr std::array<double, grids> per_metre = [] {
         std::array<double, grids> all{}; // the last one stays zero: all coordinates are in one cell
         double cells = 18446744073709551616.0;
-        for (std::uint32_t grid = 0; grid + 1 < grids; ++grid, cells /= 4) all[grid] = cells;
+        for (std::uint32_t grid = 0; grid + 1 < grids; ++grid) {
+            all[grid] = cells;
+            cells /= 4;
+        }
         return all;
     }();
     using Cell = std::array<std::int64_t, dimension>;
