@@ -203,7 +203,8 @@ private:
         const bool twice = detail::keep_contacts_at_rest(data, w.found);
         w.order.sort(w.found, data.bodies.ids(), w.found.size() - before);
         if constexpr (C::holds_near) w.order.sort(w.near.all, data.bodies.ids());
-        if (C::sweeps || twice) detail::keep_the_first_of_each_pair(w.found); // what the discrete functions saw
+        if (C::sweeps || twice)
+            detail::keep_the_first_of_each_pair(w.found); // of what the discrete functions found and what was added
     }
     template <class Data, class Policies, class Pull>
     void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
@@ -237,8 +238,8 @@ private:
         ContactOrder<S> order;
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         [[no_unique_address]] std::conditional_t<C::anticipates, LookAhead<S>, detail::NotAhead> ahead;
-        StillBoxes<S> still;              // boxes of who is fixed or at rest
-        bool as_before = false;           // whether nothing moved where contacts were found last
+        StillBoxes<S> still;              // boxes of bodies that are fixed or at rest
+        bool as_before = false;           // whether no body could move when contacts were found last
         std::vector<Contact<S>> touching; // what follows only where it is used
         [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes;
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near;
@@ -255,7 +256,8 @@ private:
     template <class Data> void gather(const Data& data) {
         auto& w = working_.value;
         const auto resize = [&](std::size_t size) { w.boxes.resize(size), w.ids.resize(size); };
-        if (w.ids.capacity() < data.bodies.size()) detail::reserve_each(2 * data.bodies.size(), w.boxes, w.ids);
+        if (w.ids.capacity() < data.bodies.size())
+            detail::reserve_each(std::max(data.bodies.size(), 2 * w.ids.capacity()), w.boxes, w.ids);
         resize(data.bodies.count(Motion::awake) + data.bodies.count(Motion::moving));
         std::size_t n = 0;
         for (const auto motion : {Motion::awake, Motion::moving}) n = gather_range(data, motion, n);
@@ -268,20 +270,20 @@ private:
         for (const auto motion : {Motion::resting, Motion::fixed}) n = gather_range(data, motion, n);
         resize(n);
     }
-    /// Whether it is better to ask who of those that stand still is met than to look at all of them. A plane that moves
-    /// meets everybody.
+    /// Whether to look for the still bodies that are near to moving ones, instead of giving all of them to the
+    /// broadphase. Not where a plane moves, since it may meet every body.
     template <class Data> bool most_are_still(const Data& data, std::size_t active) {
         if (C::rests && data.bodies.size() >= StillBoxes<S>::fewest) // room before they are asleep
             working_.value.still.make_room(data.bodies.size(), data.bodies.ids());
         const std::size_t still = data.bodies.count(Motion::resting) + data.bodies.count(Motion::fixed);
-        bool few_go = still >= StillBoxes<S>::fewest && still >= 2 * active;
-        if (few_go)
+        bool few_move = still >= StillBoxes<S>::fewest && still >= 2 * active;
+        if (few_move)
             Narrowphase::for_each_kind([&]<class Kind>() {
                 if constexpr (!Kind::bounded)
                     for (const auto id : shapes.template owners<Kind>())
-                        few_go = few_go && !data.bodies.goes(data.bodies.slot_of_id(id));
+                        few_move = few_move && !data.bodies.goes(data.bodies.slot_of_id(id));
             });
-        return few_go;
+        return few_move;
     }
     template <class Data> void gather_near(const Data& data) {
         auto& w = working_.value;
@@ -297,7 +299,7 @@ private:
                                   w.ids.push_back(id);
                               });
     }
-    /// The box of a body; of one that is not finite World::status tells.
+    /// The box of a body, if it has one and it is finite; World::status tells of those that are not.
     /// \return whether there is one
     template <class Data>
     [[gnu::always_inline]] bool box_of(const Data& data, std::size_t slot, auto& lower, auto& upper) const {
@@ -392,7 +394,7 @@ private:
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
     detail::Cache<Working> working_;
-    detail::Stamp assigned_; // another where `working_` was kept and the rest is another world's
+    detail::Stamp assigned_; // changes when another world is assigned, whose `working_` does not come along
 };
 
 } // namespace ansatz

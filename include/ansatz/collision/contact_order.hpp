@@ -51,7 +51,7 @@ private:
     };
     static std::uint64_t ids_of(const Contact<S>& c) { return std::uint64_t(c.first.id) << 32 | c.second.id; }
 
-    /// By comparing them: nothing is asked of the bodies that have none.
+    /// By comparing them: the work does not grow with the number of bodies.
     void sort_few(const std::vector<Contact<S>>& contacts, std::size_t found) {
         keys_.clear();
         for (std::size_t i = 0; i < found; ++i) keys_.push_back({ids_of(contacts[i]), std::uint32_t(i)});
@@ -79,8 +79,7 @@ private:
         for (std::size_t id = 0; id < ids; ++id)
             if (begin_[id + 1] - begin_[id] > few) sort_those_of_one(contacts, begin_[id], begin_[id + 1]);
     }
-    /// The ground has a contact with everybody: to put each in its place among them would be the square of their
-    /// number.
+    /// The contacts of one body that has many, as the ground has: insertion would take the square of their number.
     /// \param spare contacts that are not needed any more
     void sort_those_of_one(std::vector<Contact<S>>& spare, std::size_t begin, std::size_t end) {
         keys_.clear();
@@ -91,9 +90,9 @@ private:
                   spare.begin() + std::ptrdiff_t(begin));
         for (std::size_t i = begin; i < end; ++i) sorted_[i] = spare[keys_[i - begin].place];
     }
-    /// Those that were sorted come before those of the same pair that were in order.
+    /// The sorted contacts and those that were in order already; of one pair, the sorted ones come first.
     void merge(std::vector<Contact<S>>& contacts, std::size_t found) {
-        std::size_t next = found, to = 0; // what is read is never behind what is written
+        std::size_t next = found, to = 0; // reading never falls behind writing
         for (const auto& c : sorted_) {
             for (; next < contacts.size() && ids_of(contacts[next]) < ids_of(c); ++next)
                 contacts[to++] = contacts[next];
@@ -138,7 +137,7 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
     for (; old != known.cend(); ++old) ended.push_back({old->first, old->second});
 }
 
-/// Where nothing has moved since contacts were found, they are the same ones, a step later.
+/// Where no body has moved since contacts were found, they are the same, a step older.
 template <class S> void contacts_go_on(std::vector<Contact<S>>& contacts, auto& ended, bool later) {
     if (later) return;
     ended.clear();

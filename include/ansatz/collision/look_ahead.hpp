@@ -2,8 +2,9 @@
 #pragma once
 
 /// \file
-/// `LookAhead`: how far bodies come in the next step, for responses that act before two bodies touch (`SoftSubsteps`):
-/// their boxes are widened by it, and of the pairs that these find those are kept that may meet.
+/// `LookAhead`: how far bodies may come in the next step, for responses that act before two bodies touch
+/// (`SoftSubsteps`; beyond the notes, whose section 2.2 answers intersections). Boxes are widened by it, and of the
+/// pairs that the broadphase finds those are kept that may meet (notes 2.1).
 
 #include <ansatz/units.hpp>
 #include <ansatz/world/bodies.hpp>
@@ -25,7 +26,7 @@ public:
 
     /// Room for so many bodies.
     void reserve(std::size_t n) { all_.reserve(n); }
-    /// Where everybody is on the way.
+    /// From the velocities and accelerations of all bodies that move.
     /// \param step     its length
     /// \param pull     a function of a slot: the acceleration of an awake body, m/s^2
     /// \param velocity a function of a slot: its velocity, m/s
@@ -54,11 +55,11 @@ public:
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
-    /// How far apart two may be that will meet.
+    /// How far apart two bodies may be and still meet within the step.
     [[gnu::always_inline]] typename S::Length margin(const Bodies& bodies, std::size_t a, std::size_t b) const {
         return S::Length::from_value(of(bodies, a).margin + of(bodies, b).margin);
     }
-    /// Whether two will meet that are so far apart, if they go on so: not two that fall abreast.
+    /// Whether two bodies with this gap meet within the step if they go on as they do: not two that fall side by side.
     /// \param gap m
     [[gnu::always_inline]] bool closes(const Bodies& bodies, std::size_t a, std::size_t b, Scalar gap) const {
         const Ahead &one = of(bodies, a), &other = of(bodies, b);

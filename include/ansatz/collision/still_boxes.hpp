@@ -2,14 +2,15 @@
 #pragma once
 
 /// \file
-/// `StillBoxes`: the boxes of bodies that are fixed or at rest, kept from step to step, so that a step looks only at
-/// those which somebody comes near to. A broadphase is given these and the bodies that move: a level of ten thousand
-/// fixed boxes costs what is met of it.
+/// `StillBoxes`: the boxes of bodies that are fixed or at rest (notes 1.1), kept from step to step, so that a step
+/// looks only at those which a moving body comes near to. A broadphase (notes 2.1.1) is given these and the bodies that
+/// move: a level of ten thousand fixed boxes costs what is met of it.
 ///
-/// They are in cells by a hash, each box in that of its lower corner, in a grid whose cells are wider than it; each
-/// grid is four times as coarse as the one before. What changed since the last step is found by comparing who is where,
-/// and brought up to date one by one: nobody has to say that a body woke.
+/// It is a spatial hash with several grids, each four times as coarse as the one before. A box is in the cell of its
+/// lower corner, in a grid whose cells are wider than the box. In each step the ids and places of all still bodies are
+/// compared with those of the step before, and only boxes of bodies that differ are taken out and put in again.
 
+#include <ansatz/collision/broadphase/cells.hpp>
 #include <ansatz/units.hpp>
 #include <ansatz/world/bodies.hpp>
 
@@ -24,17 +25,17 @@
 
 namespace ansatz {
 
-/// A cache: what it finds follows from where the bodies are.
+/// The boxes of still bodies, by cells. It is a cache: all of it can be made again from where the bodies are.
 template <class S> class StillBoxes {
 public:
     using Raw = Vector<typename S::Scalar, S::dimension>; ///< raw SI
     using Corner = typename S::Position;                  ///< m
-    /// So few are gone through as quickly.
+    /// With fewer it is as quick to go through all of them.
     static constexpr std::size_t fewest = 64;
 
     /// Room for so many bodies, with ids below `ids`.
     void make_room(std::size_t bodies, std::size_t ids) {
-        if (seen_.size() < bodies) { // last what is asked about: where one of them fails, all are asked for again
+        if (seen_.size() < bodies) { // `seen_` last: if an allocation fails, the next call makes all of them
             const std::size_t slots = std::max(bodies, 2 * seen_.size());
             changed_.reserve(slots);
             for (auto& lane : places_) lane.resize(slots);
@@ -50,7 +51,7 @@ public:
         }
         boxes_.resize(boxes);
     }
-    /// Nothing is known any more.
+    /// Forgets all boxes; the next `follow` puts them in again.
     void forget() {
         std::fill(heads_.begin(), heads_.end(), none);
         std::fill(seen_.begin(), seen_.end(), none);
@@ -59,7 +60,7 @@ public:
         used_ = 0;
         ranges_ = {};
     }
-    /// A body has another shape, or none, or is another body of this id.
+    /// Forgets the box of a body: it has been removed, or has another shape.
     void forget(std::uint32_t id) {
         if (id >= boxes_.size()) return;
         const auto slot = boxes_[id].slot;
@@ -68,9 +69,9 @@ public:
     }
     /// Where bodies are: the lane of each coordinate, by slot, m.
     using Places = std::array<const typename S::Scalar*, std::size_t(S::dimension)>;
-    /// Brings everything up to date.
+    /// Puts in, takes out and replaces the boxes of all still bodies that are not as they were in the last call.
     /// \param bounds `bounds(slot, lower, upper)`: the box of a body; false, where it has none that is finite
-    /// \param world  another number where the whole world is another one
+    /// \param world  a number that changes when another world is assigned to this one
     template <class Bounds>
     void follow(const Bodies& bodies, std::uint64_t world, const Places& places, const Bounds& bounds) {
         make_room(bodies.size(), bodies.ids());
@@ -81,7 +82,7 @@ public:
         const std::array<Range, 2> now{Range{bodies.begin(Motion::resting), bodies.end(Motion::resting)},
                                        Range{bodies.begin(Motion::fixed), bodies.end(Motion::fixed)}};
         for (const auto& range : now) compare(bodies, places, range);
-        for (const auto& range : ranges_) // who is there no more
+        for (const auto& range : ranges_) // slots in which no body stands still any more
             for (std::size_t slot = range.begin; slot < range.end;) {
                 if (now[0].holds(slot)) slot = now[0].end;
                 else if (now[1].holds(slot)) slot = now[1].end;
@@ -90,7 +91,7 @@ public:
                     ++slot;
                 }
             }
-        for (const auto slot : changed_) { // all of them before any comes: some have only changed places
+        for (const auto slot : changed_) { // all are taken out before any is put in: some have exchanged slots
             if (seen_[slot] != none && boxes_[seen_[slot]].grid != none) remove(seen_[slot]);
             seen_[slot] = none;
         }
@@ -106,13 +107,14 @@ public:
         ranges_ = now;
         complete_ = true;
     }
-    /// Nobody has been told of yet.
+    /// Begins a round of queries, in which each box is found once.
     void begin_asking() {
         if (++asked_ != 0) return;
         for (auto& box : boxes_) box.asked = 0;
         asked_ = 1;
     }
-    /// Calls `f(id, lower, upper)` for each box that touches the one from `lower` to `upper` and has not been told of.
+    /// Calls `f(id, lower, upper)` for each box that touches the one from `lower` to `upper` and was not found before
+    /// in this round.
     template <class F> void each_near(const Raw& lower, const Raw& upper, F&& f) {
         for (std::uint64_t left = used_; left != 0; left &= left - 1) {
             const auto grid = std::uint32_t(std::countr_zero(left));
@@ -128,7 +130,7 @@ public:
             if (cells > double(boxes_.size())) return each_of_all(lower, upper, f);
             const auto row = [&](std::uint64_t sum) {
                 for (auto x = from[0]; x <= to[0]; ++x, sum += odd[0])
-                    for (auto id = heads_[bucket_of(sum)]; id != none; id = boxes_[id].next) tell(id, lower, upper, f);
+                    for (auto id = heads_[bucket_of(sum)]; id != none; id = boxes_[id].next) find(id, lower, upper, f);
             };
             const auto plane = [&](std::uint64_t sum) {
                 for (auto y = from[1]; y <= to[1]; ++y, sum += odd[1]) row(sum);
@@ -143,12 +145,10 @@ public:
 private:
     static constexpr std::size_t dimension = std::size_t(S::dimension);
     static constexpr std::uint32_t none = 0xffffffffu;
-    static constexpr std::uint32_t grids = 64;          // 4^-32 m, 4^-31 m, ..., and one that has a single cell
-    static constexpr double margin = 1 + 1.0 / 1024;    // of a cell: more than floor can be wrong by
-    static constexpr double exact = 1.0 / (1ull << 38); // a coordinate of so many cells is known to 1/4096 of a cell
+    static constexpr std::uint32_t grids = 64; // 4^-32 m, 4^-31 m, ..., and one that has a single cell
     static constexpr std::array<double, grids> per_metre = [] {
-        std::array<double, grids> all{}; // the last one stays zero: all coordinates are in one cell
-        double cells = 18446744073709551616.0;
+        std::array<double, grids> all{};       // the last one stays zero: all coordinates are in one cell
+        double cells = 18446744073709551616.0; // 4^32
         for (std::uint32_t grid = 0; grid + 1 < grids; ++grid) {
             all[grid] = cells;
             cells /= 4;
@@ -156,6 +156,7 @@ private:
         return all;
     }();
     using Cell = std::array<std::int64_t, dimension>;
+    // Random odd numbers, one for each axis: what a step to the next cell adds to the hash.
     static constexpr std::array<std::uint64_t, 3> odd{0xbf58476d1ce4e5b9ull, 0x94d049bb133111ebull,
                                                       0xff51afd7ed558ccdull};
     static constexpr Cell all_cells(std::int64_t cell) {
@@ -175,21 +176,21 @@ private:
         std::uint32_t bucket = 0;
         std::uint32_t grid = none; // none: it is in no grid
         std::uint32_t slot = 0;    // where it was seen
-        std::uint32_t asked = 0;   // when it was told of
+        std::uint32_t asked = 0;   // the last round in which it was found
     };
     struct Range {
         std::size_t begin = 0, end = 0;
         bool holds(std::size_t slot) const { return slot >= begin && slot < end; }
     };
 
-    /// Notes the slots of a range in which somebody else is, or somewhere else. Nearly always nobody is: so many
-    /// together are compared without a branch.
+    /// Notes the slots of a range in which there is another body than before, or at another place. Nearly always there
+    /// is none, so that `together` slots are compared without a branch.
     void compare(const Bodies& bodies, const Places& places, const Range& range) {
         constexpr std::size_t together = 64;
         for (std::size_t begin = range.begin; begin < range.end; begin += together) {
             const std::size_t end = std::min(begin + together, range.end);
             const auto differs = [&](std::size_t from, std::size_t to) {
-                unsigned any = 0; // a whole number, and pointers of our own: g++ compares eight at once then
+                unsigned any = 0; // not a bool, which g++ 12 does not vectorize
                 const auto differ = [&](const auto* seen, const auto* now) {
                     for (std::size_t slot = from; slot < to; ++slot) any |= unsigned(!(seen[slot] == now[slot]));
                 };
@@ -203,25 +204,21 @@ private:
         }
     }
 
-    /// That of the grid whose cells are wider than a box, and in whose cells it is known exactly where it is.
+    /// The finest grid whose cells are wide enough for a box.
     static std::uint32_t grid_of(const Raw& lower, const Raw& upper) {
-        double widest = 0, farthest = 0;
-        for (int k = 0; k < int(dimension); ++k) {
-            const double low = double(lower[k]), high = double(upper[k]);
-            widest = std::max(widest, high - low);
-            farthest = std::max({farthest, std::abs(low), std::abs(high)});
-        }
-        const double need = std::max(widest * margin, farthest * exact);
+        const double need = detail::cell_needed(
+            S::dimension, [&](int k) { return lower[k]; }, [&](int k) { return upper[k]; });
         if (!(need > 0)) return 0;
-        const int exponent = std::ilogb(need) + 1; // 2^exponent is wider than need be, by two at most
+        const int exponent = std::ilogb(need) + 1; // 2^exponent is the least power of two above it
         return std::uint32_t(std::clamp((exponent + (exponent & 1)) / 2 + 32, 0, int(grids) - 1));
     }
-    /// Far outside of all cells that a box of this grid can be in, one is as good as another.
+    /// The cell of a coordinate. No box of a grid is more than 2^38 cells from the origin, so that what is farther away
+    /// is held at 2^40.
     static std::int64_t cell_of(double coordinate, std::uint32_t grid) {
         constexpr double far = double(1ull << 40);
-        return std::int64_t(std::floor(std::clamp(coordinate * per_metre[grid], -far, far)));
+        return detail::floor_of(std::clamp(coordinate * per_metre[grid], -far, far));
     }
-    /// Of a cell, a number that goes up by the same with each cell of a row.
+    /// The hash of a cell, not yet mixed: it grows by `odd[k]` from one cell to the next along axis k.
     static std::uint64_t sum_of(const Cell& cell, std::uint32_t grid) {
         std::uint64_t sum = grid * 0xd6e8feb86659fd93ull;
         for (std::size_t k = 0; k < dimension; ++k) sum += std::uint64_t(cell[k]) * odd[k];
@@ -261,7 +258,7 @@ private:
         if (--count_[box.grid] == 0) used_ &= ~(std::uint64_t(1) << box.grid);
         box.grid = none;
     }
-    template <class F> [[gnu::always_inline]] void tell(std::uint32_t id, const Raw& lower, const Raw& upper, F& f) {
+    template <class F> [[gnu::always_inline]] void find(std::uint32_t id, const Raw& lower, const Raw& upper, F& f) {
         Box& box = boxes_[id];
         if (box.asked == asked_) return;
         for (int k = 0; k < int(dimension); ++k)
@@ -269,10 +266,10 @@ private:
         box.asked = asked_;
         f(id, Corner::from_value(box.lower), Corner::from_value(box.upper));
     }
-    /// Where a box reaches over more cells than there are bodies.
+    /// The same for a box that reaches over more cells than there are bodies.
     template <class F> void each_of_all(const Raw& lower, const Raw& upper, F& f) {
         for (std::uint32_t id = 0; id < boxes_.size(); ++id)
-            if (boxes_[id].grid != none) tell(id, lower, upper, f);
+            if (boxes_[id].grid != none) find(id, lower, upper, f);
     }
 
     std::vector<Box> boxes_;                                        // by id

@@ -47,7 +47,7 @@ public:
     /// \param inside what stands in the schedule between its beginning and the contacts: forces and integrator
     template <class Inside> void run(const Inside& inside) {
         look_ahead();
-        const bool anybody = constrained || data_.bodies.any_goes(); // what lies still presses on and is not solved
+        const bool anybody = constrained || data_.bodies.any_goes(); // sleeping contacts keep their impulses
         if (anybody) find_contacts();
         for (int part = 0; part < response_.parts(); ++part) {
             begin_part(part);

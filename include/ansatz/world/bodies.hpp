@@ -87,7 +87,7 @@ public:
     /// How many there are of a kind.
     std::size_t count(Motion m) const { return end(m) - begin(m); }
 
-    /// Whether the body of a slot may be somewhere else after a step.
+    /// Whether the body of a slot may move in a step: it is awake, or a platform.
     [[gnu::always_inline]] bool goes(std::size_t slot) const {
         return slot < end(Motion::awake) || (slot >= begin(Motion::moving) && slot < end(Motion::moving));
     }

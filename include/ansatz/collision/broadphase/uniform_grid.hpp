@@ -93,25 +93,14 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
     private:
         static constexpr bool takes_any_order = detail::takes_any_order<Inside>;
         static constexpr std::size_t most_levels = 12;
-        static constexpr std::size_t fewest = 8;         // a grid of fewer is not worth its cells
-        static constexpr double wider = 1.25;            // than need be: fewer empty cells
-        static constexpr double ratio = 4;               // from one level to the next
-        static constexpr double margin = 1 + 1.0 / 1024; // of a cell: more than floor can be wrong by
-        static constexpr double exact =
-            1.0 / (1ull << 38); // where a coordinate is so many cells, its own is known to 1/4096 of a cell
+        static constexpr std::size_t fewest = 8; // a grid of fewer is not worth its cells
+        static constexpr double wider = 1.25;    // than need be: fewer empty cells
+        static constexpr double ratio = 4;       // from one level to the next
 
         /// How wide a cell must be for this body, at least.
         static double need_of(const Boxes<S>& boxes, std::size_t i) {
-            double widest = 0, farthest = 0,
-                   wrong = 0; // 0 / 0 where a number is not finite: then no cell is wide enough
-            for (int k = 0; k < dimension; ++k) {
-                const double low = double(boxes.lower(k)[i]), high = double(boxes.upper(k)[i]);
-                const double width = high - low, far = std::max(std::abs(low), std::abs(high));
-                widest = width > widest ? width : widest;
-                farthest = far > farthest ? far : farthest;
-                wrong += (low - low) + (high - high);
-            }
-            return std::max(widest * margin, farthest * exact) + wrong;
+            return detail::cell_needed(
+                dimension, [&](int k) { return boxes.lower(k)[i]; }, [&](int k) { return boxes.upper(k)[i]; });
         }
         void choose_levels(const Boxes<S>& boxes) {
             needs_.resize(boxes.size());

@@ -4,6 +4,7 @@
 /// \file
 /// One grid of a `UniformGrid`: the bodies of about one size, by cells (notes 2.1.1, "World Partitioning").
 
+#include <ansatz/collision/broadphase/cells.hpp>
 #include <ansatz/collision/broadphase/lot.hpp>
 
 #include <algorithm>
@@ -29,12 +30,6 @@ public:
     std::size_t first = 0, last = 0; ///< of their places
     bool few = true;                 ///< so few that they are in no grid
 
-    /// The whole number below: of numbers that are below 2^41 in size. `std::floor` is a call where the processor is
-    /// not known to have it.
-    [[gnu::always_inline]] static std::int64_t floor_of(double x) {
-        const auto whole = std::int64_t(x);
-        return whole - std::int64_t(x < double(whole));
-    }
     /// Empty, with cells of this width.
     void start(double cell) {
         width = cell, per_metre_ = 1 / cell, count = 0;
