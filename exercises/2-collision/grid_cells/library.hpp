@@ -2,7 +2,7 @@
 #pragma once
 
 // The library's own answer to this exercise.
-#include <ansatz/collision/broadphase/uniform_grid_level.hpp>
+#include <ansatz/collision/broadphase/cells.hpp>
 #include <ansatz/world.hpp>
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Cells {
 };
 
 inline std::int64_t cell_of(Length x, Length width) {
-    return ansatz::detail::GridLevel<ansatz::Space<>>::floor_of(x / width);
+    return ansatz::detail::floor_of(x / width);
 }
 /// The grid of the library writes a body down once, in its first cell, and looks for it in those around; an octree
 /// writes it down in all.
