@@ -84,6 +84,41 @@ expect 0 "measure what accuracy costs" costs --help
 expect 0 "./workbook exercise semi_implicit_euler" exercise --help
 COLUMNS=99999999999999999999 expect 0 "Cloth of springs" list
 
+# Whoever asks a verb for help gets its help, with an example, and nothing else happens; what a verb does not know it refuses with
+# a sentence, and nothing is begun. Of both, a folder build would be left behind, or cmake would find no project here.
+before=$(find "$tree" | sort)
+for file in "$tree"/tools/workbook.d/verbs/*.sh; do
+    name=${file##*/}
+    name=${name%.sh}
+    expect 0 "./workbook $name" "$name" --help
+    expect 2 "$name knows no option '--frobnicate'" "$name" --frobnicate
+done
+expect 0 "build everything and run the tests" test --help
+expect 0 "build everything and run the tests" test -R units --help
+expect 0 "measure what accuracy costs" costs motion --quick -h
+expect 2 "./workbook docs --help says what it takes" docs -Z
+expect 2 "-LE, --rerun-failed" test --frobnicate
+expect 2 "did you mean --rerun-failed?" test --rerun-faild
+expect 2 "test knows no option '--version'" test --version
+expect 2 "Its options: --times, --checks." doctor --time
+expect 2 "./workbook test -R units" test units
+expect 2 "./workbook test -R units" test -L world units
+expect 2 "--touched stands alone" test --touched -R units
+expect 2 "--touched stands alone" test -V --touched
+expect 2 "there is no commit 'nowhere'" test --touched nowhere
+expect 2 "test takes no 'b'" test --touched a b
+expect 2 "doctor takes one option at a time" doctor --times --checks
+expect 2 "what is 'x'?" peers collision 3 x
+expect 2 "what is 'list'?" help costs list
+if [ "$(find "$tree" | sort)" = "$before" ]; then passed=$((passed + 1))
+else failures=$((failures + 1)); echo "FAILED: help or a refusal left something behind"; fi
+# What ctest knows is handed on, with its value: cmake is asked first, and finds no project.
+for words in "-R units -N" "-j8" "-LE perf --show-only=json-v1" "--repeat until-fail:2" "--no-tests=ignore" "-VV"; do
+    # shellcheck disable=SC2086
+    expect 1 "CMake could not configure the project" test --yes $words
+done
+rm -rf "$tree/build"
+
 # Exercises by name, by a part of it, by a section above them, by the path of a file.
 mkdir -p "$tree/exercises/1-motion"
 for name in explicit_euler implicit_euler drag; do

@@ -17,7 +17,6 @@ verb_cases() {
         case $argument in
             --last) last=true ;;
             --all) all=(--all) ;;
-            -*) complain "cases knows no option '$argument'; ./workbook help cases"; return 2 ;;
             *) words+=("$(tr '[:lower:]' '[:upper:]' <<< "$argument")") ;;
         esac
     done

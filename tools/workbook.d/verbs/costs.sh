@@ -7,9 +7,14 @@
 #   ./workbook costs motion       one module
 #   ./workbook costs motion --quick
 #
-# Options go to the program: --quick (3 repeats), --repeats N, --untimed (errors, work and orders only),
-# --only TEXT, --check (fail when a fitted order is off the known one), --list. The table goes to
-# build/costs/<module>.json. Close other programs first: times are only as quiet as the machine.
+#   --quick          3 repeats of each row
+#   --repeats N      so many
+#   --untimed        errors, work and orders only
+#   --only TEXT      the rows whose name contains it
+#   --check          fail when a fitted order is off the known one
+#   --list           only name the rows
+#
+# The table goes to build/costs/<module>.json. Close other programs first: times are only as quiet as the machine.
 
 cost_modules() {
     local file
@@ -30,7 +35,6 @@ sort_costs_arguments() {
                 options+=("$1" "$2")
                 shift ;;
             --quick | --untimed | --check | --list) options+=("$1") ;;
-            -*) complain "costs knows no option '$1'; ./workbook help costs"; return 2 ;;
             *)
                 if [ -n "$chosen" ]; then complain "one module at a time; what is '$1'? ./workbook help costs"; return 2; fi
                 chosen=$1 ;;

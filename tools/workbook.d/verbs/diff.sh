@@ -11,7 +11,6 @@ verb_diff() {
     for argument in "$@"; do
         case $argument in
             --anyway) anyway=true ;;
-            -*) complain "diff knows no '$argument'; it knows --anyway"; return 2 ;;
             *)
                 if [ -n "$word" ]; then complain "one exercise at a time; what is '$argument'? ./workbook help diff"; return 2; fi
                 word=$argument ;;

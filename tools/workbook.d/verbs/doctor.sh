@@ -31,6 +31,7 @@ version_of() {
 }
 
 verb_doctor() {
+    if [ $# -gt 1 ]; then complain "doctor takes one option at a time; what is '$2'? ./workbook help doctor"; return 2; fi
     if [ "$*" = --times ]; then
         times_table && return
         complain "no times are known yet; ./workbook test keeps them"

@@ -3,10 +3,12 @@
 #
 # what the verbs are, or how one of them is used
 #
-#   ./workbook help [verb]
+#   ./workbook help               all verbs
+#   ./workbook help costs         one of them; ./workbook costs --help says the same
 
 verb_help() {
     local verb
+    if [ $# -gt 1 ]; then complain "help takes one verb; what is '$2'?"; return 2; fi
     if [ $# -gt 0 ]; then
         verb=$1
         if [ ! -f "$ROOT/tools/workbook.d/verbs/${verb##*/}.sh" ]; then
@@ -14,6 +16,8 @@ verb_help() {
             return 2
         fi
         help_of "${verb##*/}"
+        echo
+        echo "With every verb: --help (-h) shows its help, --yes (-y) answers yes where something would be installed."
         return 0
     fi
     heading "./workbook [verb] [arguments]"

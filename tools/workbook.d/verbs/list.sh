@@ -3,7 +3,8 @@
 #
 # the chapters, sections and exercises, and how far you are
 #
-#   ./workbook list [number]      all, or what lies below a number: list 1.6
+#   ./workbook list               all of them
+#   ./workbook list 1.6           what lies below a number
 
 verb_list() {
     if [ $# -gt 1 ]; then complain "list takes one number; what is '$2'?"; return 2; fi

@@ -23,6 +23,7 @@ verb_peers() {
     local areas area chosen repeats=${2:-}
     areas=$(peer_areas)
     chosen=${1:-$areas}
+    if [ $# -gt 2 ]; then complain "peers takes an area and a number of repeats; what is '$3'? ./workbook help peers"; return 2; fi
     case $repeats in *[!0-9]*) complain "the number of repeats is a whole number, not '$repeats'"; return 2 ;; esac
     if [ $# -gt 0 ] && ! printf '%s\n' "$areas" | grep -q -x -F -e "$1"; then
         complain "there is no area '$1'$(did_you_mean "$1" "$areas")"

@@ -1,13 +1,22 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# build everything and run the tests; arguments go to ctest
+# build everything and run the tests, or some of them
 #
 #   ./workbook test
 #   ./workbook test -R units      those whose name contains "units"
 #   ./workbook test -N            only list them
 #   ./workbook test --touched     what depends on a file that was changed since the last commit
 #   ./workbook test --touched main   the same since the branch left main, e.g. before a merge
+#
+#   -R NAME, -E NAME     the tests whose name matches, or all others
+#   -L LABEL, -LE LABEL  the same by label; the label of a test is its module
+#   --rerun-failed       those that failed in the last run
+#   -V                   everything that they print
+#   -N                   list what would run, after building it
+#
+# Every other option of ctest that is about running tests is handed on as well; ctest --help has them. Everything is built first,
+# whichever tests are chosen; --touched builds only what it runs.
 #
 # --touched asks the compiler's own record of what each program was made from, and of those that include a header of the
 # library takes the ones that name what is in it: the tests of the changed headers first, then what compiles quickly, as many as
@@ -16,6 +25,49 @@
 # left to a whole run, and what would take longer is counted and left, too.
 #
 # Shows what fails, ctest's closing lines and what took longest; the whole log is build/logs/test.log.
+
+# The options of ctest, which answers none of its own questions here: --help is ours, and --version asks for no test. It passes over
+# what it does not know and runs all tests, so they are asked for before. Where it is not installed yet, everything may be one.
+options_of_test() {
+    command -v ctest > /dev/null || { echo ANY; return; }
+    ctest --help | awk '
+        /^Generators|^$/ && options { exit }
+        /^Options$/ { options = 1; next }
+        !options || !/^  -/ { next }
+        {
+            sub(/ *= [A-Z].*/, "")
+            value = / <|\[Start|\[0|until|after/ ? " VALUE" : ""
+            while (match($0, /(^|[ ,])--?[A-Za-z][A-Za-z0-9.-]*\[?=?/)) {
+                name = substr($0, RSTART, RLENGTH); $0 = substr($0, RSTART + RLENGTH)
+                sub(/^[ ,]*/, "", name)
+                if (name ~ /^--?([hH]|help.*|usage|version|preset|list-presets|test-dir)[[=]*$/) continue
+                if (name ~ /=$/) { sub(/\[?=$/, "", name); print name "="; if (!value) print name }
+                else { sub(/\[$/, "", name); print name value }
+            }
+        }'
+}
+
+# test_words <arguments...>: a word that is no option's value would be passed over in silence, and all tests be run.
+test_words() {
+    local most=0
+    case " $* " in
+        *' --touched '*)
+            most=1
+            if [ "$1" != --touched ] || [ $# -ne $((1 + ${#WORDS[@]})) ]; then
+                complain "--touched stands alone, or with a commit: ./workbook test --touched main"
+                return 2
+            fi
+            ;;
+    esac
+    if [ ${#WORDS[@]} -gt $most ]; then
+        complain "test takes no '${WORDS[most]}'; the tests of a name are chosen by -R: ./workbook test -R ${WORDS[most]}"
+        return 2
+    fi
+    if [ ${#WORDS[@]} -gt 0 ] && ! git rev-parse -q --verify "${WORDS[0]}^{commit}" > /dev/null 2>&1; then
+        complain "there is no commit '${WORDS[0]}'"
+        return 2
+    fi
+}
 
 # The files that were changed since a commit, new ones too; touched_files [the commit, HEAD without it]
 touched_files() {
@@ -77,6 +129,7 @@ touched() {
 }
 
 verb_test() {
+    test_words "$@" || return 2
     provide || return 1
     configure || return 1
     if [ "${1:-}" = --touched ]; then touched "${2:-}"; return; fi
@@ -88,7 +141,7 @@ verb_test() {
     for argument in "$@"; do
         case $argument in
             # Asked to talk: then nothing is kept back.
-            -N | --show-only* | -V | -VV | --verbose | --extra-verbose | --print-labels | --help*)
+            -N | --show-only* | -V | -VV | --verbose | --extra-verbose | --print-labels)
                 "${run[@]}"
                 return
                 ;;

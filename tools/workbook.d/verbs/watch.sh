@@ -3,7 +3,8 @@
 #
 # test your answer again whenever you save it
 #
-#   ./workbook watch [exercise]
+#   ./workbook watch              the next exercise that is not done
+#   ./workbook watch drag         one by name
 #
 # Without a name it goes on to the next exercise when one is done. Ctrl-C ends it.
 
