@@ -64,7 +64,7 @@ expect 2 "docs takes no 'now'" docs now
 
 # The hard cases: from a list alone, without a test, a build or a run.
 mkdir -p "$tree/tools/workshop" "$tree/tests" || exit 1
-cp "$project/tools/workshop/cases.py" "$tree/tools/workshop/" || exit 1
+cp "$project"/tools/workshop/{cases,hard_cases,case_verdicts,__init__}.py "$tree/tools/workshop/" || exit 1
 printf '== C Contact\nC1 Two bodies part.\nC28 Convex shapes.\n    does not apply yet: there are none\n' > "$tree/tests/hard_cases.txt"
 expect 0 "./workbook cases --last" help cases
 expect 0 "2 rows: 1 not run, 1 does not apply yet" cases --last

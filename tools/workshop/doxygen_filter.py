@@ -14,11 +14,13 @@ It starts once for each of some hundred files, so it imports little and looks up
 
 from __future__ import annotations
 
-import functools
-import glob
 import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop.link_targets import Course, policy_of, read, stem_of  # noqa: E402  (it is run as a file)
+from workshop.text_pages import TextPage  # noqa: E402
 
 # What a member is, by its name, where it has no comment of its own.
 MEMBERS = {
@@ -71,97 +73,10 @@ MEMBER = re.compile(
     r"| +template <class Cost, class Graph>(?: auto (?P<bind>bind)\(|$)")
 
 
-def read(file: str) -> list[str]:
-    """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
-
-
-def stem_of(file: str) -> str:
-    """"explicit_euler" of a path."""
-    return re.sub(r"\.[a-z]+$", "", file.rpartition("/")[2])
-
-
-def policy_of(stem: str) -> str:
-    """"ExplicitEuler" of "explicit_euler"."""
-    return "".join(word[:1].upper() + word[1:] for word in stem.split("_"))
-
-
 def indented(line: str, comment: str) -> str:
     """The line with a comment before its first word."""
     bare = line.lstrip(" ")
     return f"{line[:len(line) - len(bare)]}/** {comment} */ {bare}"
-
-
-class Course:
-    """What a link can lead to, from the folder that the program was started in: each asked when it is first needed."""
-
-    @functools.cached_property
-    def sections(self) -> frozenset[str]:
-        """The labels of the sections."""
-        found: set[str] = set()
-        for page in glob.glob("docs/*.md"):
-            found.update(re.findall(r"\{#(section_[0-9_]+)\}", "\n".join(read(page))))
-        return frozenset(found)
-
-    @functools.cached_property
-    def exercises(self) -> dict[str, str]:
-        """The page of an exercise by its name: exercise_motion_drag of drag."""
-        pages: dict[str, str] = {}
-        for folder in sorted(glob.glob("exercises/*/*/")):
-            _, module, name, _ = folder.split("/")
-            pages[name] = f"exercise_{re.sub('^[0-9]+-', '', module)}_{name}"
-        return pages
-
-    @functools.cached_property
-    def names(self) -> dict[str, str]:
-        """What headers are named after: ansatz::World of World, which world.hpp holds, with the namespace that the
-        header opens first."""
-        names: dict[str, str] = {}
-        type_line = re.compile(r"(?:template <.*> *)?(?:struct|class) [A-Z][A-Za-z0-9]*(?: |$|\{)")
-        for folder, _, files in sorted(os.walk("include/ansatz")):
-            for file in sorted(files):
-                policy, space, there = policy_of(stem_of(file)), "", False
-                for line in read(f"{folder}/{file}"):
-                    if not space and (opened := re.match(r"namespace (ansatz::[a-z_]+) \{", line)):
-                        space = opened[1]
-                    if type_line.match(line) and not re.search(r"; *$", line):
-                        name = re.sub(r"^.*(?:struct|class) ", "", line)
-                        there = there or re.sub(r"[^A-Za-z0-9].*", "", name) == policy
-                if there:
-                    names[policy] = f"{space or 'ansatz'}::{policy}"
-        return names
-
-    @functools.lru_cache(maxsize=None)
-    def label_of(self, file: str) -> str:
-        """The label of a page, from the first heading of its file that has one."""
-        try:
-            lines = read(file)
-        except OSError:
-            return ""
-        labelled = (re.match(r"# .*\{#([A-Za-z0-9_]+)\} *$", line) for line in lines)
-        return next((label[1] for label in labelled if label), "")
-
-    def linked(self, number: str) -> str:
-        """"1.6.1" as a link, where its page has that section."""
-        anchor = "section_" + number.replace(".", "_")
-        return f'\\ref {anchor} "{number}"' if anchor in self.sections else number
-
-    def with_sections(self, text: str) -> tuple[str, str]:
-        """The text with the numbers behind its first "(notes " as links, and the first of those numbers."""
-        number = r"[0-9]+(?:\.[0-9]+)+"
-        if not (notes := re.search(r"\(notes ([0-9., and]+)", text)):
-            return text, ""
-        first = re.search(number, notes[1])
-        linked = re.sub(number, lambda found: self.linked(found[0]), notes[1])
-        return text[:notes.start(1)] + linked + text[notes.end(1):], first[0] if first else ""
-
-    def with_names(self, text: str) -> str:
-        """`Drag` as a link."""
-        def link(quoted: re.Match[str]) -> str:
-            name = quoted[1]
-            return f'<code>\\ref {self.names[name]} "{name}"</code>' if name in self.names else quoted[0]
-        return re.sub("`([^`]+)`", link, text) if "`" in text else text
 
 
 class Header:
@@ -275,103 +190,6 @@ class Header:
             return line
         behind = line.endswith("}") and name not in ("parameters", "check")
         return f"{line} ///< {MEMBERS[name]}" if behind else indented(line, MEMBERS[name])
-
-
-class TextPage:
-    """A text page, line by line."""
-
-    def __init__(self, course: Course, file: str) -> None:
-        self.course = course
-        # Doxygen names files by their whole path: from the project's folder on, links can be followed.
-        self.folder = file.removeprefix(os.environ.get("PWD", os.getcwd()) + "/").rpartition("/")[0]
-        self.is_exercise = bool(re.search(r"exercises/.*README\.md$", file))
-        self.place = file.split("/")
-        self.fenced = False
-
-    def filtered(self, lines: list[str]) -> list[str]:
-        """What stands in their place."""
-        out: list[str] = []
-        if self.is_exercise:
-            out += self.heading(lines.pop(0))
-        elif self.place[-1] == "README.md":
-            out.append("# At a glance {#page_readme}")    # a forge shows the text without a label
-            lines.pop(0)
-        elif re.search(r"docs/[^/]*\.md$", "/".join(self.place)) and lines[0].startswith("# ") and is_long(lines):
-            out += [lines.pop(0), "", "[TOC]"]
-        for line in lines:
-            if re.match(" *(```|~~~)", line):
-                self.fenced = not self.fenced
-            out.append(line if self.fenced else self.text(line))
-        return out
-
-    def heading(self, title: str) -> list[str]:
-        """Of an exercise, with its command."""
-        *_, module, name, _ = self.place
-        title = re.sub(r"^# ([0-9.]+) ", r"# Exercise \1: ", title)
-        return [f"{title} {{#{self.course.exercises.get(name, '')}}}", "",
-                f"`./workbook exercise {name}` builds and tests your answer, which you write in "
-                f"`exercises/{module}/{name}/exercise.hpp`."]
-
-    def text(self, line: str) -> str:
-        """A line that is no code."""
-        if self.is_exercise:    # "Notes 1.7" leads to the section
-            line = re.sub(r"([Nn]otes )([0-9]+(?:\.[0-9]+)*)", lambda notes: notes[1] + self.course.linked(notes[2]),
-                          line, count=1)
-        if line.startswith("#"):
-            return line
-        return self.course.with_names(re.sub(r"(!?)\[([^]]*)\]\(([^)]*)\)", self.link, line) if "](" in line else line)
-
-    def link(self, link: re.Match[str]) -> str:
-        """A link as it is on the site; a picture stays."""
-        return link[0] if link[1] else self.link_of(link[2], link[3])
-
-    def link_of(self, text: str, target: str) -> str:
-        """What a link of a text page to a file of the project becomes."""
-        if re.match(r"https?:|mailto:|#|@ref|\\ref", target):
-            return f"[{text}]({target})"
-        bare = text.replace("`", "")
-        path = plain_path(f"{self.folder}/{target}" if self.folder else target)
-        if path == "LICENSE":
-            return f'<a href="LICENSE.txt">{bare}</a>'
-        if path.endswith(".md") and not path.startswith("exercises/") and path != "README.md":
-            label = self.course.label_of(path) if re.fullmatch(r"(docs/)?[^/]*\.md", path) else ""
-            return f'\\ref {label} "{bare}"' if label else f"[{text}]({path})"
-        page = self.page_of(path)
-        return f'\\ref {page} "{bare}"' if page else f"`{bare}`"
-
-    def page_of(self, path: str) -> str:
-        """The page on which a file or folder is shown, or nothing."""
-        part = path.split("/")
-        name = part[-1]
-        module = re.sub("^[0-9]+-", "", part[1]) if len(part) > 1 else ""
-        if path == "README.md" or re.match(r"include/.*\.hpp$", path):
-            return "page_readme" if path == "README.md" else path.removeprefix("include/")
-        if part[0] == "exercises":
-            if len(part) < 3:
-                return "page_exercises"
-            return self.course.exercises.get(part[2], "") if len(part) == 3 or name == "README.md" else ""
-        if part[0] != "chapters":
-            return ""
-        if len(part) < 3:
-            return (len(part) == 2 and self.course.label_of(f"docs/{module}.md")) or "page_programs"
-        if not re.fullmatch(r"chapters/[^/]*/[^/]*\.[ch]pp", path):
-            return ""
-        # The name that tools/workshop/pages.py gives to a program's page.
-        program = re.sub("[^A-Za-z0-9]", "_", name[:-len(".cpp")])
-        return f"program_{module}_{program}" + ("_hpp" if name.endswith(".hpp") else "")
-
-
-def plain_path(path: str) -> str:
-    """A path without "folder/.."."""
-    while (shorter := re.sub(r"[^/.][^/]*/\.\./", "", path, count=1)) != path:
-        path = shorter
-    return path.replace("/./", "/").removeprefix("./").removesuffix("/")
-
-
-def is_long(lines: list[str]) -> bool:
-    """Whether a page begins with its contents: of more than two sections, unless it asks for them itself."""
-    asks = re.search(r"\[TOC\]|[\\@]tableofcontents", "\n".join(lines))
-    return not asks and sum(line.startswith("## ") for line in lines) > 2
 
 
 def filtered(file: str) -> list[str]:

@@ -7,7 +7,7 @@ import json
 import math
 import unittest
 
-from test_advice import LADDER, ROWS, RUN, WORDY
+from test_advice_blocks import LADDER, ROWS, RUN, WORDY
 from workshop import cost_rows
 
 

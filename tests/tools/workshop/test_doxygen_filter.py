@@ -5,47 +5,10 @@ from __future__ import annotations
 
 import contextlib
 import io
-import os
-import tempfile
 import unittest
 
+from test_link_targets import OfAProject
 from workshop import doxygen_filter
-
-
-class OfAProject(unittest.TestCase):
-    """Each works in a small project: chapter 1 has section 1.7, the exercise drag, and the headers drag and cell."""
-
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.addCleanup(os.chdir, os.getcwd())
-        before = os.environ.get("PWD", "")
-        self.addCleanup(os.environ.__setitem__, "PWD", before)
-        os.chdir(folder.name)
-        os.environ["PWD"] = folder.name
-        self.write("docs/motion.md", "# Chapter 1: motion {#chapter_motion}", "", "## 1.7 Drag {#section_1_7}",
-                   "## 1.9 Rest {#section_1_9}")
-        self.write("docs/plain.md", "# No label")
-        self.write("exercises/1-motion/drag/README.md", "# 1.7 Drag", "", "Notes 1.7 and Notes 1.8.")
-        self.write("include/ansatz/motion/drag.hpp", "namespace ansatz {", "struct Drag {", "};", "}")
-        self.write("include/ansatz/paths/cell.hpp", "namespace ansatz::paths {", "class Cell {", "};", "}")
-        self.write("include/ansatz/paths/later.hpp", "namespace ansatz {", "struct Later ;", "}")
-
-    def write(self, file: str, *lines: str) -> None:
-        """A file of the project."""
-        os.makedirs(os.path.dirname(file), exist_ok=True)
-        with open(file, "w", encoding="utf-8") as stream:
-            stream.write("".join(line + "\n" for line in lines))
-
-    def header(self, name: str, *lines: str) -> list[str]:
-        """What stands in the place of these lines in a header of this name."""
-        self.write(f"include/ansatz/motion/{name}.hpp", *lines)
-        return doxygen_filter.filtered(f"include/ansatz/motion/{name}.hpp")
-
-    def page(self, *lines: str) -> list[str]:
-        """And on a text page of docs/."""
-        self.write("docs/page.md", *lines)
-        return doxygen_filter.filtered("docs/page.md")
 
 
 class Links(OfAProject):
@@ -63,62 +26,10 @@ class Links(OfAProject):
             '<code>\\ref ansatz::Drag "Drag"</code>, <code>\\ref ansatz::paths::Cell "Cell"</code>, `Later`.',
             "# `Drag`", "```", "`Drag`", "```"])
 
-    def test_readme(self) -> None:
-        """Gets its label here, so that a forge shows none."""
-        self.write("./README.md", "# Ansatz", "", "Text.")
-        self.assertEqual(doxygen_filter.filtered("README.md"), ["# At a glance {#page_readme}", "", "Text."])
-
     def test_names_in_concepts(self) -> None:
         """Doxygen finds none of these itself; in other headers it does."""
         self.assertEqual(self.header("concepts", "/// As `Drag`."), ['/// As <code>\\ref ansatz::Drag "Drag"</code>.'])
         self.assertEqual(self.header("other", "/// As `Drag`."), ["/// As `Drag`."])
-
-    def test_files(self) -> None:
-        """A link to a file of the project leads to its page."""
-        for target, becomes in {
-                "motion.md": '\\ref chapter_motion "x"', "plain.md": "[x](docs/plain.md)",
-                "../README.md": '\\ref page_readme "x"', "../LICENSE": '<a href="LICENSE.txt">x</a>',
-                "../include/ansatz/motion/drag.hpp": '\\ref ansatz/motion/drag.hpp "x"',
-                "../exercises/1-motion/drag/": '\\ref exercise_motion_drag "x"',
-                "../exercises/1-motion/drag/README.md": '\\ref exercise_motion_drag "x"',
-                "../exercises/1-motion": '\\ref page_exercises "x"',
-                "../exercises/1-motion/drag/solution.hpp": "`x`",
-                "../chapters/1-motion": '\\ref chapter_motion "x"',
-                "../chapters/9-magic": '\\ref page_programs "x"', "../chapters": '\\ref page_programs "x"',
-                "../chapters/1-motion/1.7-drag.cpp": '\\ref program_motion_1_7_drag "x"',
-                "../chapters/1-motion/problems.hpp": '\\ref program_motion_problems_hpp "x"',
-                "../tools/mirror": "`x`", "https://example.org": "[x](https://example.org)",
-                "#here": "[x](#here)"}.items():
-            with self.subTest(target):
-                self.assertEqual(self.page(f"A [`x`]({target})." if "`" in becomes else f"A [x]({target})."),
-                                 [f"A {becomes}."])
-        self.assertEqual(self.page("A picture ![x](motion.md)."), ["A picture ![x](motion.md)."])
-
-
-class Pages(OfAProject):
-    """Their beginnings."""
-
-    def test_contents(self) -> None:
-        """Of three sections on, unless the page has them already."""
-        sections = ["## a", "## b", "## c"]
-        self.assertEqual(self.page("# Title", *sections), ["# Title", "", "[TOC]", *sections])
-        self.assertEqual(self.page("# Title", *sections[:2]), ["# Title", *sections[:2]])
-        own = ["# Title", *sections, "\\tableofcontents"]
-        self.assertEqual(self.page(*own), own)
-
-    def test_exercise(self) -> None:
-        """Its title says its number, its second paragraph its command; the first section of a line is a link."""
-        self.assertEqual(doxygen_filter.filtered("exercises/1-motion/drag/README.md"), [
-            "# Exercise 1.7: Drag {#exercise_motion_drag}", "",
-            "`./workbook exercise drag` builds and tests your answer, which you write in "
-            "`exercises/1-motion/drag/exercise.hpp`.", "", 'Notes \\ref section_1_7 "1.7" and Notes 1.8.'])
-
-    def test_other_files(self) -> None:
-        """The list of the headers gets its links to sections; what is made already, and what is no page, stays."""
-        for file, line in (("build/pages/library.md", '(notes \\ref section_1_7 "1.7") `Drag`'),
-                           ("build/pages/exercises.md", "(notes 1.7) `Drag`"), ("docs/a.dox", "(notes 1.7) `Drag`")):
-            self.write(file, "(notes 1.7) `Drag`")
-            self.assertEqual(doxygen_filter.filtered(file), [line])
 
 
 class Headers(OfAProject):
