@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // How often a force is asked in a step with contacts, and that asking it once for response and integrator changes no
 // answer.
+// Compiles like 25 kB: a world of its own, with counted forces, for each integrator and response.
 
 #include "tests/collision/support.hpp"
 

@@ -42,3 +42,29 @@ sed -i 's/return 2;/return int(std::complex<double>(3, 4).imag());/' "$tree/two.
 build "an include that is added"
 expect "the changed one answers" $'one 1\ntwo 4' "$("$tree/build/program")"
 expect "nothing was configured anew" "$configured" "$(stat -c %Y "$tree/build/build.ninja")"
+
+# A group that holds a file which compiles like a larger one is cut: each file is compiled once, as before, and no other group is
+# another for it, so that what was compiled of those is found in the ccache.
+tree=$ANSATZ_SCRATCH/groups
+mkdir -p "$tree"
+cat > "$tree/CMakeLists.txt" <<'END_OF_PROJECT'
+cmake_minimum_required(VERSION 3.25)
+project(groups LANGUAGES NONE)
+include(${TOGETHER})
+file(GLOB sources ${PROJECT_SOURCE_DIR}/*.cpp)
+ansatz_together(of sources BYTES 1000)
+END_OF_PROJECT
+for name in a b c d e f; do printf '%300s\n' "// $name" > "$tree/$name.cpp"; done
+groups() {    # a line for each group, with its files
+    rm -rf "$tree/build"
+    cmake -G Ninja -S "$tree" -B "$tree/build" -DTOGETHER="$project/cmake/Together.cmake" > "$ANSATZ_SCRATCH/log" 2>&1 || { cat "$ANSATZ_SCRATCH/log"; exit 1; }
+    (cd "$tree/build/together" && for file in *[0-9].cpp; do echo "$file: $(sed -n 's/^#include "\(.\)\.cpp"$/\1/p' "$file" | paste -s -d ' ')"; done)
+}
+expect "by their size" $'of_1.cpp: a b c\nof_2.cpp: d e f' "$(groups)"
+cp "$tree/build/together/of_2.cpp" "$ANSATZ_SCRATCH/before"
+# Together with this line the first three have more bytes than a group holds; it does not count.
+printf '// Compiles like 1 kB: it is said for this test, at some length, so that the line by itself would push a file out of its group.\n%300s\n' "// b" > "$tree/b.cpp"
+expect "the heavy one is cut" $'of_1.cpp: a\nof_1_2.cpp: b c\nof_2.cpp: d e f' "$(groups)"
+cmp "$tree/build/together/of_2.cpp" "$ANSATZ_SCRATCH/before"
+printf '// Compiles like 9 kB: it fills several parts by itself.\n%300s\n' "// b" > "$tree/b.cpp"
+expect "no part is empty" $'of_1.cpp: a\nof_1_2.cpp: b\nof_1_3.cpp: c\nof_2.cpp: d e f' "$(groups)"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Steps that are too large, with Swept: hard cases C18 to C20, G12, and what must stay as it was.
+// Compiles like 20 kB: swept worlds under every integrator and in every space.
 
 #include "tests/collision/support.hpp"
 
