@@ -2,7 +2,8 @@
 # Several sources compiled as one. Most of a compiler's time for a test or a section goes into what its neighbours need too: the
 # headers, the same worlds. So files are compiled several at a time, each in a namespace of its own, with the includes of all before
 # them: 0.6 of the time for tests (springs 0.58, motion 0.60, measured), 0.4 for sections (four of chapter 7).
-# A file that cannot stand in a namespace says so in a line of its own, "// Compiled alone: why".
+# A file that cannot stand in a namespace says so in a line of its own, "// Compiled alone: why". One that asks where it lies
+# (__FILE__) is compiled alone, too: what ccache shares between checkouts would tell it where another one lies.
 
 # What compiles many worlds needs memory: no more at a time than the machine has room for.
 cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)    # MiB
@@ -98,7 +99,7 @@ function(ansatz_together program sources_variable)
     foreach(source IN LISTS ${sources_variable})
         get_source_file_property(not_precompiled ${source} SKIP_PRECOMPILE_HEADERS)
         file(STRINGS ${source} apart LIMIT_COUNT 1
-            REGEX "^// Compiled alone: |^namespace (ansatz|std|Eigen|Catch|boost)|^template <> ")
+            REGEX "__FILE__|^// Compiled alone: |^namespace (ansatz|std|Eigen|Catch|boost)|^template <> ")
         if(not_precompiled OR apart)
             list(APPEND alone ${source})
             continue()
