@@ -5,6 +5,8 @@
 /// How wide the cells of a grid must be for a box, and how a coordinate is rounded down to its cell (notes 2.1.1,
 /// "World Partitioning"): what `UniformGrid` and `StillBoxes` have in common.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
