@@ -131,13 +131,17 @@ template <class World> void rest_both(World alone) {
 }
 
 // ---------------------------------------------------------------- bodies that collide, among others that stand still
-// 200 balls that roll, alone (`rolling_alone`) and with a level of 10,000 fixed ones out of their way
-// (`rolling_in_a_level`); and balls that all sleep on the ground, 1,000 (`asleep_few`) and 5,000 (`asleep_many`).
+// 200 balls that roll, alone (`rolling_alone`), with a level of 10,000 fixed ones out of their way
+// (`rolling_in_a_level`), and with 10,000 that sleep on the same ground (`rolling_beside_sleepers`); and balls that all
+// sleep on the ground, 1,000 (`asleep_few`) and 5,000 (`asleep_many`).
 
 template <class World> [[gnu::noinline]] void rolling_alone(World& world, Quantity<unit::Time> dt) {
     for (int s = 0; s < steps; ++s) world.step(dt);
 }
 template <class World> [[gnu::noinline]] void rolling_in_a_level(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void rolling_beside_sleepers(World& world, Quantity<unit::Time> dt) {
     for (int s = 0; s < steps; ++s) world.step(dt);
 }
 template <class World> [[gnu::noinline]] void asleep_few(World& world, Quantity<unit::Time> dt) {
@@ -168,6 +172,20 @@ template <class World> void roll_both(World alone) {
         std::exit(1);
     }
 }
+template <class World> void roll_beside_sleepers(World world) {
+    const auto h = 0.01 * unknown_to_the_compiler * second;
+    world.add(Plane::ground(), fixed);
+    add_balls(world, 10'000, 200, mass(1.0 * kilogram));
+    for (int s = 0; s < 200 && world.count(Motion::awake) > 0; ++s) world.step(h);
+    add_balls(world, 200, 0, velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    for (int s = 0; s < 2; ++s) world.step(h);
+    rolling_beside_sleepers(world, h);
+    if (world.count(Motion::awake) != 200 || world.count(Motion::resting) != 10'000 ||
+        world.contacts().size() != 10'200) {
+        std::puts("somebody does not sleep, or not roll, so that there is nothing to compare");
+        std::exit(1);
+    }
+}
 template <class World> void sleep_both(World few) {
     const auto h = 0.01 * unknown_to_the_compiler * second;
     few.add(Plane::ground(), fixed);
@@ -176,7 +194,7 @@ template <class World> void sleep_both(World few) {
     add_balls(many, 5'000, 0, mass(1.0 * kilogram));
     for (World* world : {&few, &many}) {
         for (int s = 0; s < 200 && world->count(Motion::awake) > 0; ++s) world->step(h);
-        world->step(h);
+        for (int s = 0; s < 2; ++s) world->step(h);
     }
     asleep_few(few, h);
     asleep_many(many, h);
@@ -184,6 +202,14 @@ template <class World> void sleep_both(World few) {
         std::puts("somebody does not sleep, so that there is nothing to compare");
         std::exit(1);
     }
+}
+
+template <class... Response> void collide_all(const Response&... response) {
+    const World colliding{Space<float, 3>{}, SemiImplicitEuler{},          Gravity{},  Rest{},
+                          UniformGrid{},     Narrowphase<Sphere, Plane>{}, response...};
+    roll_both(colliding);
+    roll_beside_sleepers(colliding);
+    sleep_both(colliding);
 }
 
 inline void count_all() {
@@ -196,10 +222,8 @@ inline void count_all() {
     fly_both<double, 3, false>();
     fly_both<double, 3, true>();
     rest_both(World{SemiImplicitEuler{}, Rest{}, AppliedForces{}});
-    const World colliding{Space<float, 3>{}, SemiImplicitEuler{},          Gravity{}, Rest{},
-                          UniformGrid{},     Narrowphase<Sphere, Plane>{}, Impulse{}, Projection{}};
-    roll_both(colliding);
-    sleep_both(colliding);
+    collide_all(Impulse{}, Projection{});
+    collide_all(SoftSubsteps{});
 }
 
 } // namespace ansatz::counted

@@ -20,6 +20,7 @@
 #include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/collision/sleep.hpp>
 #include <ansatz/collision/still_boxes.hpp>
+#include <ansatz/collision/world_contacts.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/cache.hpp>
 #include <ansatz/world/columns.hpp>
@@ -39,19 +40,24 @@ namespace ansatz {
 template <class C> class SweptCollisions;
 
 /// \tparam C the world's composition
-template <class C> class Collisions : public Division<detail::any_brings_bodies<typename C::keepers, typename C::S>> {
+template <class C>
+class Collisions
+    : public WorldContacts<C>
+    , public Division<detail::any_brings_bodies<typename C::keepers, typename C::S>> {
+    using Contacts_ = WorldContacts<C>;
+
 public:
-    using S = typename C::S; ///< the space
+    using Contacts_::contacts, Contacts_::ended; ///< as the last step found them
+    using S = typename C::S;                     ///< the space
     using Scalar = typename S::Scalar;
     using Narrowphase = typename C::Narrowphase;             ///< of the world
     using Broadphase = typename C::Broadphase;               ///< of the world
     using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
 
-    Shapes shapes;                    ///< of the bodies, by their ids
-    std::vector<Contact<S>> contacts; ///< as the last step found them, by the ids of their bodies; see `lasts`
-    typename S::Time expected{};      ///< the length of the step for which bodies are looked at, s
-    int parts = 1;                    ///< into how many the last step was divided
-    std::vector<ContactEnd> ended;    ///< what was a contact before the last step and is none now
+    Shapes shapes;                 ///< of the bodies, by their ids
+    typename S::Time expected{};   ///< the length of the step for which bodies are looked at, s
+    int parts = 1;                 ///< into how many the last step was divided
+    detail::Movers had_velocities; ///< when a response that owns substeps placed the bodies
 
     /// Whether steps of this world divide bodies.
     static constexpr bool divides = detail::any_brings_bodies<typename C::keepers, S>;
@@ -78,7 +84,7 @@ public:
     void make_room_to_come(std::size_t n, std::size_t ids) {
         make_room(std::uint32_t(ids + n - 1));
         shapes.make_room_for_more(n);
-        detail::make_room_for_copies(contacts);
+        detail::make_room_for_copies(contacts.acting);
     }
     /// A body has been divided (division.hpp). What acts in the next step is looked for again.
     void body_divided(const Bodies& bodies, std::uint32_t id, std::uint32_t part) {
@@ -86,7 +92,9 @@ public:
         sensors_[part] = sensors_[id];
         if constexpr (C::rests) pulls_[part] = pulls_[id];
         if constexpr (divides) this->siblings_.divided(id, part);
-        detail::copy_contacts(contacts, bodies.handle(bodies.slot_of_id(id)), bodies.handle(bodies.slot_of_id(part)));
+        contacts.changed();
+        detail::copy_contacts(contacts.acting, bodies.handle(bodies.slot_of_id(id)),
+                              bodies.handle(bodies.slot_of_id(part)));
         stale_ = true;
     }
     /// Whether assigning cannot fail where there is room.
@@ -94,7 +102,7 @@ public:
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const Collisions& other) {
         shapes.make_room_for(other.shapes);
-        contacts.reserve(other.contacts.size());
+        contacts.make_room_for(other.contacts);
         ended.reserve(other.ended.size());
         sensors_.reserve(other.sensors_.size());
         pulls_.reserve(other.pulls_.size());
@@ -106,8 +114,6 @@ public:
         Contact<S> contact;
         return Narrowphase::template collide_bodies<S>(shapes, a, at(a), b, at(b), contact);
     }
-    /// Whether two bodies were in contact when the last step was done; the one with the smaller id first.
-    bool has_contact(std::uint32_t a, std::uint32_t b) const { return detail::has_contact(contacts, a, b); }
     /// Whether a body only notices.
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
     /// Says so.
@@ -118,11 +124,7 @@ public:
         working_.value.still.forget(id);
         if constexpr (divides) this->siblings_.leave(id);
         if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body
-        somebody_removed_ = true;
-    }
-    /// Whether both bodies of a contact are still there.
-    bool lasts(const Bodies& bodies, const Contact<S>& c) const {
-        return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
+        this->body_gone();
     }
     /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
     typename S::Acceleration pull_when_it_slept(std::uint32_t id) const {
@@ -144,8 +146,10 @@ public:
     /// \param later whether this is a part of a step and not the first
     template <class Data, class Policies, class Pull>
     void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
-        if (working_.value.as_before && !stale_ && !somebody_removed_ && !data.bodies.any_goes())
-            return detail::contacts_go_on(contacts, ended, later);
+        if (working_.value.as_before && !stale_ && !this->any_gone() && !data.bodies.any_goes())
+            return this->go_on(later);
+        this->wake_contacts(data);
+        if (!later) contacts.sleep_on();
         this->part_siblings([&](std::uint32_t a, std::uint32_t b) { return intersect(data, a, b); });
         find(data, policies, pull);
         stale_ = false;
@@ -153,9 +157,10 @@ public:
             hand_over(data, NextStep{}, working_.value.found);
             const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
             detail::keep_those_that_touch<C::substeps>(working_.value.found, acting, working_.value.touching);
-            compare(working_.value.touching, later);
-        } else compare(working_.value.found, later);
+            this->compare(working_.value.touching, later);
+        } else this->compare(working_.value.found, later);
         working_.value.as_before = !data.bodies.any_goes();
+        this->put_contacts_to_sleep(data, std::exchange(working_.value.kept, {}).asleep);
     }
     /// Bodies were added or changed between two steps: what acts in the next one follows them.
     /// \return whether it was found anew
@@ -164,6 +169,7 @@ public:
         if (!stale_) return false;
         working_.value.as_before = false;
         if constexpr (C::acts_next) {
+            this->wake_contacts(data);
             find(data, policies, pull);
             hand_over(data, NextStep{}, working_.value.found);
         }
@@ -186,9 +192,7 @@ public:
     void make_stale() { stale_ = true; }
 
 private:
-    /// Those that act in the next step.
-    using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>,
-                                        typename C::template responses<Level::accelerations>>;
+    using typename Contacts_::NextStep;
 
     /// The present contacts, sorted, into `found`.
     template <class Data, class Policies, class Pull>
@@ -200,10 +204,10 @@ private:
         if constexpr (C::sweeps)
             static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
         const auto before = w.found.size();
-        const bool twice = detail::keep_contacts_at_rest(data, w.found);
+        w.kept = detail::keep_contacts_at_rest(data, w.found);
         w.order.sort(w.found, data.bodies.ids(), w.found.size() - before);
         if constexpr (C::holds_near) w.order.sort(w.near.all, data.bodies.ids());
-        if (C::sweeps || twice)
+        if (C::sweeps || w.kept.twice)
             detail::keep_the_first_of_each_pair(w.found); // of what the discrete functions found and what was added
     }
     template <class Data, class Policies, class Pull>
@@ -235,6 +239,7 @@ private:
         std::vector<std::uint32_t> ids; // whose they are
         std::optional<typename Broadphase::template In<S>> finder;
         std::vector<Contact<S>> found;
+        detail::ContactsKept kept;
         ContactOrder<S> order;
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         [[no_unique_address]] std::conditional_t<C::anticipates, LookAhead<S>, detail::NotAhead> ahead;
@@ -380,16 +385,8 @@ private:
         });
     }
 
-    void compare(std::vector<Contact<S>>& found, bool later) {
-        if (!later) ended.clear();
-        detail::compare_contacts(contacts, found, ended, later);
-        contacts.swap(found);
-        somebody_removed_ = false;
-    }
-
     friend struct CollisionArchive;
     template <class> friend class SweptCollisions;
-    bool somebody_removed_ = false;               // since the last step
     bool stale_ = false;                          // what follows from where the bodies are does not any more
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id

@@ -60,7 +60,7 @@ struct Contacts {
         constexpr bool collides = requires { data.collisions.contacts; };
         static_assert(collides, "Ansatz: a policy sees the contacts of a world whose bodies do not collide; add a "
                                 "Narrowphase and what belongs to it, or take Contacts out of `sees`");
-        if constexpr (collides) return data.collisions.contacts;
+        if constexpr (collides) return data.collisions.contacts.all();
         else return detail::absent;
     }
 };

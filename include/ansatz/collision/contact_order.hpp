@@ -107,14 +107,6 @@ private:
 
 namespace detail {
 
-/// Whether two bodies are among contacts in order; the one with the smaller id first.
-template <class S> bool has_contact(const std::vector<Contact<S>>& contacts, std::uint32_t a, std::uint32_t b) {
-    const auto at =
-        std::lower_bound(contacts.begin(), contacts.end(), std::pair(a, b),
-                         [](const Contact<S>& c, const auto& ids) { return std::pair(c.first.id, c.second.id) < ids; });
-    return at != contacts.end() && at->first.id == a && at->second.id == b;
-}
-
 /// Which contacts are new, which go on, and which have ended. What happened in any part of a step is news of that step.
 /// \param known, found both in order; those found are told how long they have lasted
 /// \param ended        pairs of handles, to which those that have ended are added
@@ -135,13 +127,6 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
         }
     }
     for (; old != known.cend(); ++old) ended.push_back({old->first, old->second});
-}
-
-/// Where no body has moved since contacts were found, they are the same, a step older.
-template <class S> void contacts_go_on(std::vector<Contact<S>>& contacts, auto& ended, bool later) {
-    if (later) return;
-    ended.clear();
-    for (auto& contact : contacts) ++contact.steps;
 }
 
 /// Of contacts in order, one for each pair: that which stands first.

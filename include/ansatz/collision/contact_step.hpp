@@ -56,10 +56,14 @@ public:
     /// \param first whether contacts have just been found, so that those that begin wake
     template <class Wake> void wake(Wake&& wake, bool first = true) {
         bool more = data_.bodies.count(Motion::resting) > 0 && data_.bodies.any_goes();
+        data_.collisions.wake_contacts(data_);
+        const auto& contacts = data_.collisions.contacts.acting;
         while (more) {
             more = false;
-            for (const auto& contact : data_.collisions.contacts) {
+            for (std::size_t n = 0; n < contacts.size(); ++n) {
+                const auto contact = contacts[n];
                 if (!data_.collisions.lasts(data_.bodies, contact)) continue;
+                bool woke = false;
                 for (const auto& [one, other] :
                      {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
                     const auto sleeper = data_.bodies.slot_of_id(one.id);
@@ -68,8 +72,13 @@ public:
                         continue;
                     if (data_.collisions.is_sensor(one.id) || data_.collisions.is_sensor(other.id)) continue;
                     wake(sleeper);
-                    more = true;
+                    woke = true;
                 }
+                if (!woke) continue;
+                more = true;
+                if (!data_.collisions.contacts.any_sleep()) continue;
+                data_.collisions.wake_contacts(data_); // those of its pile: go on behind this one
+                while (detail::ids_of(contacts[n]) != detail::ids_of(contact)) ++n;
             }
             first = false;
         }
@@ -80,7 +89,7 @@ public:
         const detail::Bound<R, S> response(std::get<R>(policies_));
         if constexpr (detail::answers_as_one<R>) return respond_as_one<R>(response);
         for (int sweep = 0, sweeps = sweeps_of(response); sweep < sweeps; ++sweep)
-            for (const auto& contact : data_.collisions.contacts)
+            for (const auto& contact : data_.collisions.contacts.acting)
                 if (!data_.collisions.is_sensor(contact.first.id) && !data_.collisions.is_sensor(contact.second.id))
                     answer<R>(response, contact);
     }
@@ -113,14 +122,14 @@ private:
         constexpr bool moves = detail::contains<Position, writes_of<R>>;
         auto& pushes = data_.collisions.pushes();
         pushes.clear(data_.bodies.size());
-        for (const auto& contact : data_.collisions.contacts) add<R, true>(response, contact);
+        for (const auto& contact : data_.collisions.contacts.acting) add<R, true>(response, contact);
         if constexpr (C::holds_near) {
-            auto found =
-                data_.collisions.contacts.cbegin(); // a body that was stopped on its way is both in contact and near
+            auto found = data_.collisions.contacts.acting
+                             .cbegin(); // a body that was stopped on its way is both in contact and near
             const auto ids = [](const auto& c) { return std::pair(c.first.id, c.second.id); };
             for (const auto& contact : data_.collisions.near().all) {
-                while (found != data_.collisions.contacts.cend() && ids(*found) < ids(contact)) ++found;
-                if (found == data_.collisions.contacts.cend() || ids(*found) != ids(contact))
+                while (found != data_.collisions.contacts.acting.cend() && ids(*found) < ids(contact)) ++found;
+                if (found == data_.collisions.contacts.acting.cend() || ids(*found) != ids(contact))
                     add<R, false>(response, contact);
             }
         }

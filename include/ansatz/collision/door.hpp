@@ -21,7 +21,7 @@ public:
     /// Which bodies intersected where the last step left them, by their ids; one that `begins()` was none before it.
     /// Stays what it is until the next step, in which those of a removed body end: `contains(contact.first)` tells
     /// whether it is there.
-    std::span<const Contact<typename C::S>> contacts() const { return inside().data.collisions.contacts; }
+    std::span<const Contact<typename C::S>> contacts() const { return inside().data.collisions.contacts.all(); }
     /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays
     /// until the next.
     std::span<const ContactEnd> contacts_ended() const { return inside().data.collisions.ended; }

@@ -42,7 +42,7 @@ template <class C, class Data> void add_collisions_to(StateHash& hash, const Dat
         if constexpr (C::rests)
             for (int k = 0; k < C::S::dimension; ++k) hash.add_number(collisions.pull_when_it_slept(id).value()[k]);
     }
-    for (const auto& c : collisions.contacts) {
+    for (const auto& c : collisions.contacts.all()) {
         if (!collisions.lasts(data.bodies, c)) continue; // a file does not know it either
         hash.add(std::uint64_t(c.first.id) << 32 | c.second.id);
         hash.add(c.steps);

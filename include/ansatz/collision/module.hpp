@@ -160,7 +160,7 @@ struct Collision {
         }
     }
     template <class C> static void on(hook::EachNeighbour, const WorldData<C>& data, std::uint32_t id, const auto& f) {
-        for (const auto& contact : data.collisions.contacts) {
+        for (const auto& contact : data.collisions.contacts.all()) {
             if (!data.collisions.lasts(data.bodies, contact)) continue;
             if (contact.first.id == id) f(contact.second.id);
             if (contact.second.id == id) f(contact.first.id);
@@ -189,7 +189,10 @@ struct Collision {
     }
 
     // A step.
-    static void on(hook::LookAround, const auto& inside, const auto& dt) { look_around(inside, dt); }
+    static void on(hook::LookAround, const auto& inside, const auto& dt) {
+        inside.data.collisions.wake_contacts(inside.data);
+        look_around(inside, dt);
+    }
     template <class C> static void on(hook::RefreshBetweenSteps, WorldData<C>& data, const auto& policies) {
         if constexpr (!C::substeps) data.collisions.refresh_between_steps(data, policies);
     }
@@ -204,7 +207,7 @@ struct Collision {
     // Rest.
     static void on(hook::WakeTouching, auto& step) { CollisionStep(step).wake_touching(); }
     static void on(hook::MarkHeld, auto& data, auto& scratch) {
-        for (const auto& contact : data.collisions.contacts)
+        for (const auto& contact : data.collisions.contacts.acting)
             for (const auto& body : {contact.first, contact.second}) scratch.held[data.bodies.slot_of_id(body.id)] = 1;
     }
     template <class C> static void on(hook::Join, const WorldData<C>& data, auto& scratch) {

@@ -44,7 +44,7 @@ struct CollisionArchive {
         }
         if constexpr (C::rests) write_pulls_of_shapeless<C, Files>(file, data);
         auto& contacts = file["contacts"] = Json::array();
-        for (const auto& c : collisions.contacts) {
+        for (const auto& c : collisions.contacts.all()) {
             if (!collisions.lasts(data.bodies, c)) continue;
             Json one{{"first", c.first.id},
                      {"second", c.second.id},
@@ -91,7 +91,7 @@ struct CollisionArchive {
         std::pair<std::uint32_t, std::uint32_t> last{};
         for (std::size_t i = 0; i < most; ++i) {
             const auto json = contacts.at(i);
-            Contact_<C> contact;
+            Contact<typename C::S> contact;
             const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
             if (a >= b || (i > 0 && std::pair(a, b) <= last))
                 json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
@@ -111,7 +111,7 @@ struct CollisionArchive {
             contact.first = data.bodies.handle(sa);
             contact.second = data.bodies.handle(sb);
             contact.steps = std::uint32_t(json.at("steps").whole(0xffffffffu));
-            collisions.contacts.push_back(contact);
+            collisions.contacts.acting.push_back(contact);
         }
         if constexpr (std::remove_cvref_t<decltype(collisions)>::divides) read_siblings(data, file.at("siblings"));
         collisions.parts = int(file.at("parts").whole(1u << 30));
@@ -146,10 +146,6 @@ private:
             detail::field_from_file(data.collisions.pulls_[id], json.at("pull"));
         }
     }
-    template <class C>
-    using Contact_ =
-        typename decltype(std::declval<typename C::Narrowphase::template Collisions<C>>().contacts)::value_type;
-
     template <class Data, class File> static std::uint32_t body(const Data& data, const File& json) {
         const auto id = json.whole(data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1);
         if (id >= data.bodies.ids() || !data.bodies.alive(std::uint32_t(id)))

@@ -101,6 +101,7 @@ private:
     }
     /// The contacts and their bodies, for all parts.
     void find_contacts() {
+        data_.collisions.wake_contacts(data_);
         bodies_.place(contacts_.bodies, contacts_.kicks);
         contacts_.expect_platforms(data_.bodies.count(Motion::moving) > 0);
         begin_contacts();
@@ -225,6 +226,7 @@ private:
         for (const auto id : hit)
             if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
         if (hit.empty()) return false;
+        data_.collisions.wake_contacts(data_);
         RestStep<StepT>(step_).wake_neighbours();
         return true;
     }

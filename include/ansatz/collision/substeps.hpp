@@ -11,6 +11,8 @@
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/motion/state.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace ansatz {
@@ -26,18 +28,27 @@ public:
     /// Of a world.
     SubstepBodies(WorldData<C>& data, const Acceleration& acceleration) : data_(data), acceleration_(acceleration) {}
 
-    /// All bodies, with their weights: zero for what is not awake. Nothing accelerates them yet.
+    /// All bodies, with their weights: zero for what is not awake. Nothing accelerates them yet. What sleeps or is
+    /// fixed has no velocity from when it was placed before, and is not gone through again; where it is, a contact
+    /// says.
     template <class Body>
-    [[gnu::flatten]] void place(std::vector<Body>& bodies, std::vector<typename Body::Raw>& kicks) const {
-        bodies.resize(data_.bodies.size());
-        kicks.assign(bodies.size(), S::template zero_vector<unit::Velocity>().value());
-        for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
-            bodies[slot].position = data_.lanes.template get<Position>(slot).value();
-            bodies[slot].u = S::template zero_vector<unit::Velocity>().value();
-            bodies[slot].weight = slot < data_.bodies.end(Motion::awake)
-                                      ? data_.lanes.template get<InverseMass>(slot).value()
-                                      : Scalar(0);
-        }
+    [[gnu::flatten]] void place(std::vector<Body>& bodies, std::vector<typename Body::Raw>& kicks) {
+        const auto& all = data_.bodies;
+        auto& before = data_.collisions.had_velocities;
+        const auto zero = S::template zero_vector<unit::Velocity>().value();
+        bodies.resize(all.size(), Body{zero, zero, Scalar(0)});
+        kicks.resize(all.size(), zero);
+        const auto stop = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t slot = begin; slot < std::min(end, all.size()); ++slot) {
+                bodies[slot] = Body{zero, zero, Scalar(0)};
+                kicks[slot] = zero;
+            }
+        };
+        stop(0, before.awake);
+        stop(before.moving, before.moving_end);
+        for (std::size_t slot = 0; slot < all.end(Motion::awake); ++slot)
+            bodies[slot].weight = data_.lanes.template get<InverseMass>(slot).value();
+        before = {all.end(Motion::awake), all.begin(Motion::moving), all.end(Motion::moving)};
     }
     /// v + factor a h and the position, for all that move.
     /// \param last  the length of the substep before, from which a history's velocity is derived

@@ -157,6 +157,10 @@ public:
         }
     }
 
+    /// How often a body that rested has gone on; what is kept of resting bodies is not theirs any more where it
+    /// changes.
+    std::uint64_t woken() const { return woken_; }
+
     /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs. With room for it, it cannot
     /// fail.
     Handle push_back() {
@@ -179,6 +183,7 @@ public:
     /// Moves the body in `slot` to another range; calls `swap(i, j)` for each pair of slots to exchange.
     template <class Swap> Slot move(Slot slot, Motion to, Swap&& swap) {
         auto from = std::size_t(motion(slot));
+        if (Motion(from) == Motion::resting && to == Motion::awake) ++woken_;
         for (; from < std::size_t(to); ++from) { // upwards: to the end of the range, then the border moves down over it
             exchange(slot, Slot(end_[from] - 1), swap);
             slot = Slot(--end_[from]);
@@ -246,6 +251,7 @@ private:
     std::vector<std::uint32_t> generation_; // by id
     std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
     Ends end_;                              // of each range
+    std::uint64_t woken_ = 0;
 };
 
 } // namespace ansatz

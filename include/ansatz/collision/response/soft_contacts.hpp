@@ -16,8 +16,11 @@
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/division.hpp>
 #include <ansatz/collision/response/soft_impacts.hpp>
+#include <ansatz/collision/response/soft_islands.hpp>
 #include <ansatz/collision/response/soft_loads.hpp>
+#include <ansatz/collision/response/solver_body.hpp>
 #include <ansatz/collision/restitution.hpp>
+#include <ansatz/collision/sleeping_contacts.hpp>
 #include <ansatz/world/bodies.hpp>
 
 #include <algorithm>
@@ -29,29 +32,6 @@
 #include <vector>
 
 namespace ansatz {
-
-/// How a soft contact answers in a substep of length h: \f$ \omega = 2\pi f \f$, \f$ a_1 = 2\zeta + \omega h \f$, \f$ a_2 = \omega h a_1 \f$.
-template <class Scalar> struct Softness {
-    Scalar rate = 0;    ///< 1/s: how much of the depth is taken away in a second, omega / a1
-    Scalar mass = 1;    ///< the share of the wrong velocity that is taken away, a2 / (1 + a2)
-    Scalar impulse = 0; ///< the share of the impulse so far that is given back, 1 / (1 + a2)
-    /// \param f    1/s
-    /// \param zeta damping ratio
-    /// \param h    s
-    static Softness of(Scalar f, Scalar zeta, Scalar h) {
-        const Scalar omega = Scalar(6.283185307179586476925286766559) * f, a1 = 2 * zeta + omega * h,
-                     a2 = omega * h * a1;
-        return {omega / a1, a2 / (1 + a2), 1 / (1 + a2)};
-    }
-};
-
-/// A body while its contacts are solved.
-template <class S> struct SolverBody {
-    using Raw = Vector<typename S::Scalar, S::dimension>; ///< raw SI
-    Raw u;                                                ///< the mean velocity over the substep, m/s
-    Raw position;                                         ///< where it is, m
-    typename S::Scalar weight{};                          ///< 1/m, 1/kg; zero for what is not moved
-};
 
 /// \tparam Rubs whether there is friction
 template <class S, bool Rubs> class SoftContacts {
@@ -77,7 +57,7 @@ public:
         [[no_unique_address]] std::conditional_t<Rubs, Scalar, Nothing<1>> friction{}; ///< the coefficient of the two
     };
     static constexpr bool rubs = Rubs; ///< whether there is friction
-    std::vector<Constraint> all;       ///< by the ids of their bodies
+    std::vector<Constraint> all;       ///< by the ids of their bodies; without those whose bodies sleep
     std::vector<Body> bodies;          ///< by slot
     std::vector<Raw> kicks;            ///< by slot: what acceleration does to a velocity in a substep, m/s
     std::vector<Raw> pushed;           ///< by slot: by how much contacts changed a velocity before the substep, m/s
@@ -95,6 +75,7 @@ public:
             old_.reserve(std::max(contacts.size(), 2 * old_.capacity())); // or impulses are lost
         old_.swap(all);
         all.clear();
+        impacts.pairs.clear(); // of the last step: they name contacts by their places
         auto before = old_.cbegin();
         for (const auto& c : contacts) {
             if (data.collisions.is_sensor(c.first.id) || data.collisions.is_sensor(c.second.id)) continue;
@@ -115,12 +96,35 @@ public:
         }
     }
 
+    /// \name Contacts whose bodies sleep; where there is room, none of these can fail
+    /// @{
+    void make_room_to_sleep(std::size_t n) { asleep_.make_room(n); }     ///< for so many more
+    void put_to_sleep(const auto& sleeps) { asleep_.take(all, sleeps); } ///< those for which it holds
+    /// For all of them.
+    void make_room_to_wake() {
+        if (all.capacity() < all.size() + asleep_.size()) all.reserve(all.size() + asleep_.size());
+    }
+    /// All of them act, those that were put to sleep included.
+    void wake_contacts() {
+        std::size_t asleep = 0; // before each of those that may bounce
+        for (auto& pair : impacts.pairs) {
+            while (asleep < asleep_.size() && detail::ids_of(asleep_.all()[asleep]) < detail::ids_of(all[pair.which]))
+                ++asleep;
+            pair.which += std::uint32_t(asleep);
+        }
+        asleep_.wake(all);
+    }
+    /// @}
+
     /// Before the iterations of a step: where the bodies are, and how each contact will answer.
     /// \param friction the coefficient of two slots
     template <class Data, class FrictionOf> void begin(const Data& data, const FrictionOf& friction) {
+        awake_ = data.bodies.end(Motion::awake);
         for (auto& c : all) {
             c.slot_a = data.bodies.slot_of_id(c.a);
             c.slot_b = data.bodies.slot_of_id(c.b);
+            for (const auto slot : {c.slot_a, c.slot_b})
+                if (slot >= awake_) bodies[slot].position = data.lanes.template get<Position>(slot).value();
         }
         weigh();
         if constexpr (Rubs)
@@ -141,8 +145,10 @@ public:
             acting_.push_back(std::uint32_t(n));
             c.mass = 1 / (wa + wb);
         }
-        islands_.clear(); // those of another step; they are looked for where they are asked for
+        islands_.forget(); // those of another step; they are looked for where they are asked for
     }
+    /// How many bodies contacts may push; they come first.
+    std::size_t awake() const { return awake_; }
     /// There are bodies that move by themselves.
     void expect_platforms(bool any) { platforms_ = any; }
     /// How far two are apart; negative where they intersect, m.
@@ -200,63 +206,10 @@ public:
     /// After the warm start of a step: what pushes because of a load that has gone is taken back (soft_loads.hpp).
     /// \param before by slot: the velocities before the warm start, m/s
     void unload(const std::vector<Raw>& before) { loads_.take_off(*this, before); }
-    /// Contacts take energy and do not give it. An island whose contacts have given it some, because they parted bodies
-    /// that lay in each other, gets the share of its impulses that leaves it the least kinetic energy. Where something
-    /// accelerates an island, up to `most_given` times the energy of that acceleration in a substep is let pass: with
-    /// less, columns tremble.
+    /// Islands whose contacts have given them energy give it back (soft_islands.hpp).
     /// \param before by slot: the velocities before the last pass, m/s
     /// \return whether there was such an island; its bodies' velocities are not those of before
-    bool calm(const std::vector<Raw>& before) {
-        bool given = platforms_; // an island is given something only where one of its bodies is
-        for (std::size_t slot = 0; slot < pushed.size(); ++slot) {
-            const Body& body = bodies[slot];
-            if (!(body.weight > Scalar(0))) continue;
-            pushed[slot] += body.u - before[slot];
-            given = given || 2 * dot(body.u, pushed[slot]) - pushed[slot].squaredNorm() >
-                                 2 * most_given * kicks[slot].squaredNorm();
-        }
-        if (!given) return false;
-        if (islands_.empty()) find_islands();
-        for (auto& island : islands_) island = Island();
-        for (std::size_t slot = 0; slot < island_.size(); ++slot) {
-            const Body& body = bodies[slot];
-            if (!(body.weight > Scalar(0))) continue;
-            auto& island = islands_[island_[slot]];
-            const Scalar m = 1 / body.weight;
-            island.square += m * pushed[slot].squaredNorm();
-            island.along += m * dot(body.u, pushed[slot]);
-            island.kick += m * kicks[slot].squaredNorm();
-        }
-        for (auto& island : islands_) island.along -= island.square;
-        if (platforms_)
-            each_acting([&](const Constraint& c) {
-                for (const auto slot : {c.slot_a, c.slot_b})
-                    if (!(bodies[slot].weight > Scalar(0))) {
-                        const auto other = slot == c.slot_a ? c.slot_b : c.slot_a;
-                        const Scalar work = dot(whole(c), Raw(bodies[slot].u));
-                        islands_[island_[other]].along += slot == c.slot_a ? work : -work;
-                    }
-            });
-        bool any = false;
-        for (auto& island : islands_) {
-            if (!(island.along + island.square / 2 > most_given * island.kick)) continue;
-            island.keep = std::clamp(-island.along / island.square, Scalar(0), Scalar(1));
-            any = true;
-        }
-        if (!any) return false;
-        for (std::size_t slot = 0; slot < island_.size(); ++slot)
-            if (bodies[slot].weight > Scalar(0)) {
-                const Scalar keep = islands_[island_[slot]].keep;
-                if (keep < Scalar(1)) bodies[slot].u -= (1 - keep) * pushed[slot];
-            }
-        each_acting([&](Constraint& c) {
-            const Scalar keep = islands_[island_[bodies[c.slot_a].weight > Scalar(0) ? c.slot_a : c.slot_b]].keep;
-            if (!(keep < Scalar(1))) return;
-            c.impulse *= keep;
-            if constexpr (Rubs) c.rubbing *= keep;
-        });
-        return true;
-    }
+    bool calm(const std::vector<Raw>& before) { return islands_.calm(*this, before, platforms_); }
     /// Those that have bounced in this step have touched.
     void note_impacts() {
         for (const auto& pair : impacts.pairs)
@@ -274,7 +227,7 @@ public:
     void begin_step() {}    ///< Nothing to forget.
     void reserve_notes() {} ///< Nothing to make room for.
     /// Room for so many bodies, of which steps make some.
-    void reserve(std::size_t n) { detail::reserve_each(n, bodies, kicks, pushed, impacts, loads_, island_, islands_); }
+    void reserve(std::size_t n) { detail::reserve_each(n, bodies, kicks, pushed, impacts, loads_, islands_); }
     /// Room for the contacts of bodies that a step may make by dividing others.
     void make_room_to_come() { detail::make_room_for_copies(all); }
     /// A body has been divided: the new one takes its share of the impulses, since it has that share of the load.
@@ -284,6 +237,7 @@ public:
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SoftContacts& other) {
         all.reserve(other.all.size());
+        asleep_.make_room_for(other.asleep_);
         bodies.reserve(other.bodies.size());
         kicks.reserve(other.kicks.size());
         pushed.reserve(other.pushed.size());
@@ -291,32 +245,32 @@ public:
         old_.reserve(other.old_.size());
         acting_.reserve(other.acting_.size());
         loads_.make_room_for(other.loads_);
-        island_.reserve(other.island_.size());
-        islands_.reserve(other.islands_.size());
+        islands_.make_room_for(other.islands_);
     }
     /// Slots are looked up at the beginning of a step.
     void arrange(const Bodies&, std::uint64_t) {}
     /// Its contacts go with it.
     void body_removed(std::uint32_t id) {
         std::erase_if(all, [id](const Constraint& c) { return c.a == id || c.b == id; });
+        asleep_.forget(id);
     }
     /// The impulses are state: the next step begins with them.
     void add_to(auto& hash) const {
-        for (const auto& c : all)
-            if (c.impulse != Scalar(0)) {
-                hash.add(std::uint64_t(c.a) << 32 | c.b);
-                hash.add_number(c.impulse);
-            }
+        asleep_.each(all, [&](const Constraint& c) {
+            if (c.impulse == Scalar(0)) return;
+            hash.add(std::uint64_t(c.a) << 32 | c.b);
+            hash.add_number(c.impulse);
+        });
     }
     /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it
     /// would be another by the last bits, and a loaded world would go on beside the saved one.
     template <class F> void saved(F&& f) const {
-        for (const auto& c : all) {
+        asleep_.each(all, [&](const Constraint& c) {
             std::vector<Scalar> numbers{c.impulse, c.touching};
             numbers.insert(numbers.end(), c.normal.data(), c.normal.data() + S::dimension);
             if constexpr (Rubs) numbers.insert(numbers.end(), c.rubbing.data(), c.rubbing.data() + S::dimension);
             f(c.a, c.b, numbers);
-        }
+        });
     }
     static constexpr int numbers_each = 2 + (Rubs ? 2 : 1) * S::dimension; ///< of a contact in a file
     /// What is wrong with the numbers of one from a file, and where; nothing, if it was taken.
@@ -343,34 +297,6 @@ public:
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
 private:
-    static constexpr int most_given = 16; // found by trial on columns of six: 4 and 16 come to rest, 0.5 and 1 do not
-    /// Bodies that contacts of this step join, through no body that is not moved.
-    struct Island {
-        Scalar square{0}, along{0}; // of what contacts did: M (change)^2, and M (change) . (velocity before), J
-        Scalar kick{0};             // M (what acceleration does)^2, J
-        Scalar keep{1};             // of their impulses
-    };
-    void find_islands() {
-        islands_.clear();
-        island_.resize(bodies.size());
-        for (std::uint32_t slot = 0; slot < bodies.size(); ++slot) island_[slot] = slot;
-        for (const auto n : acting_) {
-            const auto& c = all[n];
-            if (bodies[c.slot_a].weight > Scalar(0) && bodies[c.slot_b].weight > Scalar(0)) {
-                const auto a = root(c.slot_a), b = root(c.slot_b);
-                island_[std::max(a, b)] = std::min(a, b);
-            }
-        }
-        std::uint32_t count = 0; // a root has the smallest slot of its island, so that it comes first
-        for (std::uint32_t slot = 0; slot < bodies.size(); ++slot)
-            island_[slot] = island_[slot] == slot ? count++ : island_[island_[slot]];
-        islands_.resize(count);
-    }
-    std::uint32_t root(std::uint32_t slot) {
-        while (island_[slot] != slot) slot = island_[slot] = island_[island_[slot]];
-        return slot;
-    }
-
     [[gnu::always_inline]] void press(Constraint& c, Scalar bias, Scalar mass_share, Scalar impulse_share) {
         const Scalar j = -c.mass * mass_share * (along(c) + bias) - impulse_share * c.impulse;
         const Scalar now = std::max(c.impulse + j, Scalar(0)); // contacts never pull
@@ -389,11 +315,12 @@ private:
             c.rubbing = now;
         }
     }
+    SleepingContacts<Constraint> asleep_;
     std::vector<Constraint> old_;
     std::vector<std::uint32_t> acting_; // which of all act in this step
     SoftLoads<S> loads_;
-    std::vector<std::uint32_t> island_; // by slot
-    std::vector<Island> islands_;
+    SoftIslands<S> islands_;
+    std::size_t awake_ = 0;
     bool platforms_ = false; // whether there are bodies that move and are not moved
 };
 

@@ -65,7 +65,7 @@ public:
     /// \param threshold m/s, slower ones are no impacts
     /// \return whether there were any
     bool answer(auto& contacts, Scalar h, Scalar threshold) {
-        bodies_.assign(contacts.bodies.size(), Struck());
+        begin(contacts);
         bool any = false;
         // A row of n bodies takes n rounds. What meets more often (a grain under a piston) goes on in the next substep.
         for (std::size_t left = 64 + 4 * pairs.size(); left > 0 && find(contacts, h, threshold); --left) {
@@ -75,7 +75,7 @@ public:
             any = true;
         }
         if (!any) return false;
-        for (std::size_t slot = 0; slot < bodies_.size(); ++slot)
+        for (std::size_t slot = 0; slot < contacts.awake(); ++slot)
             if (bodies_[slot].struck) contacts.bodies[slot].position -= bodies_[slot].late;
         return true;
     }
@@ -110,6 +110,14 @@ private:
         bool struck = false;
     };
 
+    /// Nobody has been struck yet: of those that may be, and of those whom they may meet.
+    void begin(const auto& contacts) {
+        bodies_.resize(contacts.bodies.size());
+        std::fill_n(bodies_.begin(), contacts.awake(), Struck());
+        for (const auto& pair : pairs)
+            for (const auto slot : {contacts.all[pair.which].slot_a, contacts.all[pair.which].slot_b})
+                bodies_[slot] = Struck();
+    }
     template <class F> void each_body(const auto& contacts, const auto& c, F&& f) {
         if (contacts.bodies[c.slot_a].weight > Scalar(0)) f(bodies_[c.slot_a]);
         if (contacts.bodies[c.slot_b].weight > Scalar(0)) f(bodies_[c.slot_b]);

@@ -34,9 +34,9 @@ public:
     /// \param before by slot: the velocities before the warm start, m/s
     void take_off(auto& contacts, const std::vector<Raw>& before) {
         auto& bodies = contacts.bodies;
-        nets_.resize(bodies.size());
+        nets_.resize(bodies.size(), Raw::Zero());
         bool any = false;
-        for (std::size_t slot = 0; slot < bodies.size(); ++slot) {
+        for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
             nets_[slot] = bodies[slot].weight > Scalar(0) ? Raw(bodies[slot].u - before[slot]) : Raw::Zero();
             any = any || is_overpushed(contacts, slot);
         }
@@ -44,7 +44,7 @@ public:
         bool less = false;
         for (int round = 0; round < most_rounds && find_overpushed(contacts) && lessen(contacts); ++round) less = true;
         if (!less) return;
-        for (std::size_t slot = 0; slot < bodies.size(); ++slot)
+        for (std::size_t slot = 0; slot < contacts.awake(); ++slot)
             if (bodies[slot].weight > Scalar(0)) bodies[slot].u = before[slot];
         contacts.warm_start();
     }
@@ -76,7 +76,7 @@ private:
     }
     bool find_overpushed(const auto& contacts) {
         bool any = false;
-        for (std::size_t slot = 0; slot < nets_.size(); ++slot) {
+        for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
             if (!is_overpushed(contacts, slot)) continue;
             if (!any) over_.assign(nets_.size(), Overpushed());
             any = true;
@@ -98,7 +98,7 @@ private:
             count(over_[c.slot_a], bodies[c.slot_a].weight * impulse);
             count(over_[c.slot_b], -bodies[c.slot_b].weight * impulse);
         });
-        for (std::size_t slot = 0; slot < over_.size(); ++slot) {
+        for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
             auto& o = over_[slot];
             if (!o.is) continue;
             const Scalar needed = std::max(-dot(o.towards, contacts.kicks[slot]), Scalar(0)) - o.against;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSL-1.0
+#pragma once
+
+/// \file
+/// `WorldContacts`: the contacts of a world from step to step. Those that go on are known again; those of bodies that
+/// sleep are kept apart, with what responses keep of them, until a body wakes or is taken away (notes 1.1).
+
+#include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/facts.hpp>
+#include <ansatz/collision/sleep.hpp>
+#include <ansatz/collision/sleeping_contacts.hpp>
+#include <ansatz/world/bodies.hpp>
+#include <ansatz/world/data.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace ansatz {
+
+/// \tparam C the world's composition
+template <class C> class WorldContacts {
+public:
+    using S = typename C::S;       ///< the space
+    ContactLists<S> contacts;      ///< by the ids of their bodies; see `lasts`
+    std::vector<ContactEnd> ended; ///< what was a contact before the last step and is none now
+    bool keeps_apart = true; ///< those of sleeping bodies; else a step goes through them, and comes to the same bits
+
+    /// Whether two bodies were in contact when the last step was done; the one with the smaller id first.
+    bool has_contact(std::uint32_t a, std::uint32_t b) const { return contacts.has(a, b); }
+    /// Whether both bodies of a contact are still there.
+    bool lasts(const Bodies& bodies, const Contact<S>& c) const {
+        return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
+    }
+    /// Where bodies have woken or gone since, the contacts of those that slept act again.
+    template <class Data> void wake_contacts(Data& data) {
+        if (contacts.any_sleep() && (woken_ != data.bodies.woken() || somebody_removed_)) wake_all_contacts(data);
+    }
+    /// All of them act again. Where it fails, none does.
+    template <class Data> void wake_all_contacts(Data& data) {
+        contacts.make_room_to_wake();
+        each_acting_state(data, [](auto& state) { state.make_room_to_wake(); });
+        contacts.wake();
+        each_acting_state(data, [](auto& state) { state.wake_contacts(); });
+    }
+
+protected:
+    /// Responses that act in the next step.
+    using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>,
+                                        typename C::template responses<Level::accelerations>>;
+
+    /// A body has been removed.
+    void body_gone() { somebody_removed_ = true; }
+    /// Whether one has been, since the last step.
+    bool any_gone() const { return somebody_removed_; }
+    /// Those that were found take the place of those that acted.
+    /// \param later whether this is a part of a step and not the first
+    void compare(std::vector<Contact<S>>& found, bool later) {
+        if (!later) ended.clear();
+        detail::compare_contacts(contacts.acting, found, ended, later);
+        contacts.acting.swap(found);
+        contacts.changed();
+        somebody_removed_ = false;
+    }
+    /// No body has moved since contacts were found: they are the same, a step older.
+    void go_on(bool later) {
+        if (later) return;
+        ended.clear();
+        contacts.sleep_on();
+        for (auto& contact : contacts.acting) ++contact.steps;
+    }
+    /// Contacts of bodies that have slept for a whole step leave those that steps go through.
+    /// \param n how many there are; with none there is nothing to do
+    template <class Data> void put_contacts_to_sleep([[maybe_unused]] Data& data, [[maybe_unused]] std::size_t n) {
+        if constexpr (can_keep_apart<Data>()) {
+            if (n == 0 || !keeps_apart) return;
+            const auto sleeps = [&](const auto& pair) { return detail::sleeps<C>(data, pair); };
+            contacts.make_room_to_sleep(n);
+            each_acting_state(data, [&](auto& state) { state.make_room_to_sleep(n); });
+            contacts.put_to_sleep(sleeps);
+            each_acting_state(data, [&](auto& state) { state.put_to_sleep(sleeps); });
+            woken_ = data.bodies.woken();
+        }
+    }
+
+private:
+    /// Whether all that keeps something of contacts for the next step can keep what sleeps apart.
+    template <class Data> static constexpr bool can_keep_apart() {
+        if constexpr (!C::rests || !C::acts_next) return C::rests;
+        else
+            return []<class... R>(Types<R...>) {
+                return (requires(Data& data) { data.template state<R>().wake_contacts(); } && ...);
+            }(NextStep{});
+    }
+    template <class Data> static void each_acting_state([[maybe_unused]] Data& data, [[maybe_unused]] auto&& f) {
+        if constexpr (C::acts_next && can_keep_apart<Data>())
+            [&]<class... R>(Types<R...>) { (f(data.template state<R>()), ...); }(NextStep{});
+    }
+
+    bool somebody_removed_ = false; // since the last step
+    std::uint64_t woken_ = 0;       // bodies, when contacts were put to sleep
+};
+
+} // namespace ansatz

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSL-1.0
+// Contacts of bodies that sleep are kept apart: the lists against plain ones; and worlds in which they are, against
+// worlds in which they are not.
+
+#include "tests/collision/support.hpp"
+#include "tests/dice.hpp"
+
+#include <ansatz/collision/response/soft_islands.hpp>
+#include <ansatz/collision/response/soft_substeps.hpp>
+#include <ansatz/collision/response/solver_body.hpp>
+#include <ansatz/collision/sleeping_contacts.hpp>
+#include <ansatz/collision/world_contacts.hpp>
+#include <ansatz/world/save.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <sstream>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using namespace collision_tests;
+using ansatz::test::Dice;
+
+namespace {
+
+using S = Space<float, 3>;
+using Ids = std::pair<std::uint32_t, std::uint32_t>;
+
+struct Pair {
+    std::uint32_t a, b;
+    int what;
+};
+
+/// Contacts of a few bodies, in order, each pair once.
+std::vector<Contact<S>> some_contacts(Dice& dice, std::uint32_t bodies) {
+    std::map<Ids, Contact<S>> by_ids;
+    for (auto n = dice.below(30); n > 0; --n) {
+        Contact<S> c;
+        c.first = {dice.below(bodies), 0};
+        c.second = {c.first.id + 1 + dice.below(bodies), 0};
+        c.steps = dice.below(std::uint32_t(5));
+        by_ids[detail::ids_of(c)] = c;
+    }
+    std::vector<Contact<S>> all;
+    for (const auto& [ids, c] : by_ids) all.push_back(c);
+    return all;
+}
+std::map<Ids, std::uint32_t> steps_of(const std::vector<Contact<S>>& contacts) {
+    std::map<Ids, std::uint32_t> steps;
+    for (const auto& c : contacts) steps[detail::ids_of(c)] = c.steps;
+    CHECK(steps.size() == contacts.size());
+    CHECK(std::ranges::is_sorted(contacts, {}, [](const auto& c) { return detail::ids_of(c); }));
+    return steps;
+}
+
+} // namespace
+
+TEST_CASE("pairs that sleep and pairs that act are the pairs that there were", "[collision][contacts]") {
+    Dice dice(3);
+    std::map<Ids, int> expected;
+    std::vector<Pair> acting;
+    SleepingContacts<Pair> asleep;
+    int taken = 0, back = 0;
+    for (int round = 0; round < 3000; ++round) {
+        switch (dice.below(5)) {
+        case 0: // others are found
+            if (!asleep.empty()) break;
+            expected.clear();
+            for (auto n = dice.below(20); n > 0; --n)
+                expected[{dice.below(8u), 8 + dice.below(8u)}] = int(dice.below(1000u));
+            acting.clear();
+            for (const auto& [ids, what] : expected) acting.push_back({ids.first, ids.second, what});
+            break;
+        case 1: {
+            const auto which = dice.below(8u);
+            const auto before = asleep.size();
+            asleep.make_room(acting.size());
+            asleep.take(acting, [&](const Pair& p) { return p.a == which || p.b == which + 8; });
+            CHECK(std::ranges::none_of(acting, [&](const Pair& p) { return p.a == which || p.b == which + 8; }));
+            taken += int(asleep.size() - before);
+            break;
+        }
+        case 2:
+            if (!dice.one_in(3)) break;
+            back += int(asleep.size());
+            asleep.wake(acting);
+            CHECK(asleep.empty());
+            break;
+        case 3: {
+            if (!dice.one_in(5)) break;
+            const auto body = dice.below(16u);
+            asleep.forget(body);
+            std::erase_if(acting, [&](const Pair& p) { return p.a == body || p.b == body; });
+            std::erase_if(expected, [&](const auto& p) { return p.first.first == body || p.first.second == body; });
+            break;
+        }
+        default: // one of the sleeping ones is changed
+            asleep.change_each([&](Pair& p) { p.what = expected[{p.a, p.b}] = p.what + 1; });
+        }
+        auto next = expected.begin();
+        asleep.each(acting, [&](const Pair& p) {
+            REQUIRE(next != expected.end());
+            REQUIRE(next->first == Ids(p.a, p.b));
+            REQUIRE(next->second == p.what);
+            ++next;
+        });
+        REQUIRE(next == expected.end());
+        REQUIRE(acting.size() + asleep.size() == expected.size());
+    }
+    CHECK(taken > 500); // or nothing was tried
+    CHECK(back > 500);
+}
+
+TEST_CASE("a contact has lasted as long, whether its bodies sleep or not", "[collision][contacts]") {
+    Dice dice(4);
+    ContactLists<S> lists;
+    std::map<Ids, std::uint32_t> expected;
+    bool some_slept = false;
+    for (int round = 0; round < 3000; ++round) {
+        if (dice.one_in(50)) { // other contacts
+            lists = {};
+            lists.acting = some_contacts(dice, 10);
+            lists.changed();
+            expected = steps_of(lists.acting);
+        }
+        if (dice.one_in(3)) { // a step
+            lists.sleep_on();
+            for (auto& c : lists.acting) ++c.steps;
+            for (auto& [ids, steps] : expected) ++steps;
+        }
+        if (dice.one_in(4)) {
+            const auto which = dice.below(10u);
+            lists.make_room_to_sleep(lists.acting.size());
+            lists.put_to_sleep([&](const auto& c) { return c.first.id == which; });
+        }
+        if (dice.one_in(10)) {
+            lists.make_room_to_wake();
+            lists.wake();
+            CHECK(!lists.any_sleep());
+            CHECK(steps_of(lists.acting) == expected);
+        }
+        if (dice.one_in(10)) { // of a copy, and of what is assigned to one that has been asked
+            const ContactLists<S> copy = lists;
+            CHECK(steps_of(copy.all()) == expected);
+            ContactLists<S> other;
+            other.acting = some_contacts(dice, 10);
+            other.make_room_to_sleep(other.acting.size());
+            other.put_to_sleep([](const auto& c) { return c.first.id % 2 == 0; });
+            CHECK(other.all().size() >= other.acting.size());
+            other = lists;
+            CHECK(steps_of(other.all()) == expected);
+        }
+        some_slept = some_slept || lists.any_sleep();
+        const auto* const first = lists.all().data();
+        CHECK(steps_of(lists.all()) == expected);
+        CHECK(lists.all().data() == first); // put together once
+        const auto a = dice.below(10u), b = dice.below(20u);
+        CHECK(lists.has(a, b) == expected.contains({a, b}));
+    }
+    CHECK(some_slept);
+}
+
+TEST_CASE("several threads may ask for all contacts at once", "[collision][contacts]") {
+    Dice dice(6);
+    for (int round = 0; round < 50; ++round) {
+        ContactLists<S> lists;
+        while (lists.acting.size() < 3) lists.acting = some_contacts(dice, 10);
+        const auto expected = steps_of(lists.acting);
+        lists.make_room_to_sleep(lists.acting.size());
+        lists.put_to_sleep([&](const auto& c) { return c.first.id != lists.acting.front().first.id; });
+        std::vector<const Contact<S>*> seen(4);
+        std::vector<std::thread> threads;
+        for (auto& one : seen) threads.emplace_back([&] { one = lists.all().data(); });
+        for (auto& thread : threads) thread.join();
+        for (const auto* one : seen) CHECK(one == lists.all().data());
+        CHECK(steps_of(lists.all()) == expected);
+    }
+}
+
+namespace {
+
+/// A heap that falls asleep again and again, beside a platform that stands or goes, if there is one.
+template <class World_> class Heap {
+public:
+    Heap(const World_& empty, std::uint64_t seed) : world(empty), dice_(seed), empty_(empty) {
+        bodies_.push_back(world.add(Plane::ground(), fixed));
+        if (seed % 2 == 0) platform_ = world.add(Sphere{0.4 * metre}, position(metres(-3, 0.4, 0)), moving);
+        bodies_.push_back(world.add(Sphere{0.7 * metre}, position(metres(0, 0.2, 0)), fixed));
+        bodies_.push_back(world.add(Sphere{0.3 * metre}, position(metres(0.2, 0.3, 0)), mass(1.0 * kilogram), sensor));
+        for (int i = 0; i < 25; ++i) add(mass(1.0 * kilogram));
+        kept_ = world;
+    }
+    /// Before a step.
+    void meddle() {
+        if (dice_.one_in(16)) change();
+    }
+    auto& collisions() { return detail::Key::inside(world).data.collisions; }
+
+    World_ world;
+    int sleepers_removed = 0;
+
+private:
+    template <class... P> void add(const P&... property) {
+        const auto radius = dice_.number(0.15, 0.3) * metre;
+        const auto x = somewhere();
+        bodies_.push_back(
+            world.add(Sphere{radius}, position(x), restitution(dice_.one_in(3) ? 0.5 : 0.0), property...));
+    }
+    auto somewhere() -> decltype(metres(0, 0, 0)) {
+        const double x = dice_.number(-1, 1), y = dice_.number(0.2, 2), z = dice_.number(-1, 1);
+        return metres(x, y, z);
+    }
+    void change() {
+        const auto body = bodies_[1 + dice_.below(bodies_.size() - 1)];
+        const bool there = world.contains(body);
+        switch (dice_.below(12)) {
+        case 0: return there ? world.set_position(body, somewhere()) : void();
+        case 1:
+            if (there && world.motion(body) != Motion::fixed) world.set_velocity(body, metres_per_second(0.5, 1, -0.3));
+            return;
+        case 2: {
+            const auto sleeper = std::ranges::find_if(
+                bodies_, [&](Handle h) { return world.contains(h) && world.motion(h) == Motion::resting; });
+            if (sleeper == bodies_.end()) return;
+            const auto x = world.position(*sleeper);
+            ++sleepers_removed;
+            world.remove(*sleeper);
+            bodies_.push_back(world.add(Sphere{0.3 * metre}, position(x), mass(1.0 * kilogram))); // with the same id
+            return;
+        }
+        case 3: return add(mass(1.0 * kilogram));
+        case 4: return add(mass(1.0 * kilogram), resting);
+        case 5:
+            if (world.contains(platform_))
+                world.set_velocity(platform_, metres_per_second(dice_.one_in(2) ? 0.3 : 0, 0, 0));
+            return;
+        case 6: return void(kept_ = world);
+        case 7: return dice_.one_in(4) ? void(world = kept_) : void();
+        case 8:
+        case 9:
+        case 10: return add(mass(1.0 * kilogram), velocity(metres_per_second(0, -3, 0)));
+        default:
+            std::stringstream file;
+            save(world, file);
+            World_ loaded = empty_;
+            load(loaded, file);
+            world = std::move(loaded);
+        }
+    }
+
+    Dice dice_;
+    World_ empty_, kept_ = empty_;
+    std::vector<Handle> bodies_;
+    Handle platform_;
+};
+
+template <class World_> void goes_on_as_if_all_acted(const World_& empty) {
+    std::size_t kept_apart = 0, woke = 0;
+    int sleepers_removed = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Heap<World_> apart(empty, seed), together(empty, seed);
+        for (int n = 0; n < 400; ++n) {
+            apart.meddle();
+            together.meddle();
+            together.collisions().keeps_apart = false; // a world that was loaded does
+            REQUIRE(!together.collisions().contacts.any_sleep());
+            if (apart.collisions().contacts.any_sleep()) ++kept_apart;
+            const auto dt = n % 40 == 39 ? 0.01 * second : 1.0 / 60 * second;
+            apart.world.step(dt);
+            together.world.step(dt);
+            const auto same = [](const auto& x, const auto& y) {
+                return x.first == y.first && x.second == y.second && x.steps == y.steps && x.depth == y.depth;
+            };
+            INFO("seed " << seed << ", step " << n);
+            REQUIRE(std::ranges::equal(apart.world.contacts(), together.world.contacts(), same));
+            REQUIRE(std::ranges::equal(apart.world.contacts_ended(), together.world.contacts_ended()));
+            REQUIRE(apart.world.hash() == together.world.hash());
+            for (const auto& event : apart.world.events())
+                if (event.kind == Event::Kind::woke) ++woke;
+        }
+        sleepers_removed += apart.sleepers_removed;
+    }
+    CHECK(kept_apart > 500); // or nothing was tried
+    CHECK(woke > 50);
+    CHECK(sleepers_removed > 10);
+}
+
+} // namespace
+
+TEST_CASE("a world whose sleeping contacts are kept apart goes on as if they were not", "[collision][contacts]") {
+    const Rest rest{0.3 * metre_per_second, 0.15 * second};
+    const Narrowphase<Sphere, Plane> narrow;
+    SECTION("SoftSubsteps") {
+        goes_on_as_if_all_acted(
+            World{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, narrow, SoftSubsteps<Friction>{}, rest});
+    }
+    SECTION("SoftSubsteps, float, a history") {
+        goes_on_as_if_all_acted(World{S{}, Verlet{}, Gravity{}, UniformGrid{}, narrow, SoftSubsteps<Friction>{}, rest});
+    }
+    SECTION("Impulse and Projection") {
+        goes_on_as_if_all_acted(
+            World{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, narrow, Impulse{}, Projection{}, rest});
+    }
+    SECTION("swept") {
+        goes_on_as_if_all_acted(World{SemiImplicitEuler{}, Gravity{}, UniformGrid{},
+                                      Swept<Narrowphase<Sphere, Plane>>{}, Impulse{}, Projection{}, rest});
+    }
+}
