@@ -105,6 +105,12 @@ expect 2 "./workbook test -R units" test units
 expect 2 "./workbook test -R units" test -L world units
 expect 2 "--touched stands alone" test --touched -R units
 expect 2 "--touched stands alone" test -V --touched
+# What is chosen for --touched is one regular expression, whatever is among it twice.
+names=$(. "$tree/tools/workbook.d/verbs/test.sh"; printf '%s\n' 'object o.o' 'mistake a' 'mistake b' 'section 1.6' 'script mirror' | touched_names)
+for name in mirror must_not_compile.precompiled.g++ must_not_compile.a.g++ must_not_compile.b.g++ section.1.6; do
+    if grep -qE "$names" <<< "$name"; then passed=$((passed + 1)); else echo "not chosen by $names: $name"; failures=$((failures + 1)); fi
+done
+if grep -qE "$names" <<< "section.1x6"; then echo "chosen by $names: section.1x6"; failures=$((failures + 1)); fi
 expect 2 "there is no commit 'nowhere'" test --touched nowhere
 expect 2 "test takes no 'b'" test --touched a b
 expect 2 "doctor takes one option at a time" doctor --times --checks

@@ -76,13 +76,30 @@ touched_files() {
     { git diff --name-only "$base" && git ls-files --others --exclude-standard; } | sort -u
 }
 
+# The ctests that a change concerns, as a regular expression of ctest, each once; from lines of "<kind> <rest>" (touched.py)
+touched_names() {
+    {
+        echo '^mirror$'
+        echo '^tools\.must_not_compile$'
+        local kind rest
+        while read -r kind rest; do
+            rest=${rest//./\\.}
+            case $kind in
+                section) echo "^section\\.$rest\$" ;;
+                exercise) echo "^exercises\\.$rest\$" ;;
+                mistake) echo '^must_not_compile\.precompiled\.g\+\+$'; echo "^must_not_compile\\.$rest\\.g\\+\\+\$" ;;
+                script) echo "^$rest\$" ;;
+            esac
+        done
+    } | awk '!seen[$0]++' | paste -s -d '|'
+}
+
 # How long the compiler may be busy with it, of three minutes to a verdict; the tests take the rest.
 TOUCHED_SECONDS=100
 
 # Builds and runs what the changed files concern; touched [the commit]
 touched() {
     local files line kind rest targets=() modules=() programs=() left=0 late=0 longer=0 began status=0 log=build/logs/test.log
-    local names="^mirror$|^tools\\.must_not_compile$"
     began=$(now)
     if [ ! -f "$BUILD/build.ninja" ]; then complain "--touched needs ninja, which knows what each program was made from"; return 2; fi
     files=$(touched_files "${1:-}") || { complain "there is no commit '$1'"; return 2; }
@@ -96,15 +113,12 @@ touched() {
         case $kind in
             object) targets+=("$rest") ;;
             program) modules+=("${rest%% *}"); programs+=("${rest#* }") ;;
-            section) targets+=("section_$rest"); names+="|^section\\.${rest//./\\.}$" ;;
-            exercise) targets+=("exercise.$rest.others"); names+="|^exercises\\.${rest//./\\.}$" ;;
-            mistake) names+="|^must_not_compile\\.(precompiled|$rest)\\.g\\+\\+$" ;;
-            script) names+="|^${rest//./\\.}$" ;;
+            section) targets+=("section_$rest") ;;
+            exercise) targets+=("exercise.$rest.others") ;;
             left) left=$rest ;;
             late) late=${rest% *} longer=${rest#* } ;;
         esac
     done <<< "$chosen"
-    names=$(tr '|' '\n' <<< "$names" | awk '!seen[$0]++' | paste -s -d '|')
     echo "$(wc -l <<< "$files" | tr -d ' ') files were changed: ${#targets[@]} objects and programs name what is in them;" \
         "$left more include them and do not (they wait for a whole ./workbook test)"
     [ "$late" -eq 0 ] ||
@@ -121,7 +135,7 @@ touched() {
         status=1
     done
     clear_progress
-    ctest --test-dir "$BUILD" --output-on-failure --no-tests=error -j "$(jobs_here)" -R "$names" \
+    ctest --test-dir "$BUILD" --output-on-failure --no-tests=error -j "$(jobs_here)" -R "$(touched_names <<< "$chosen")" \
         -LE '^perf$|every_compiler' 2>&1 < /dev/null | tee "$log" | grep -v -E '^ +Start +[0-9]+:| Passed |^Internal ctest|^Test project '
     [ "${PIPESTATUS[0]}" -eq 0 ] || status=1
     echo "the tests of ${modules[*]}: $([ $status -eq 0 ] && echo passed || echo FAILED) after $(duration $(($(now) - began)))"
