@@ -16,7 +16,7 @@ rm -rf "$ANSATZ_SCRATCH/pictures"
 mkdir -p "$ANSATZ_SCRATCH/pictures"
 cd "$project"
 # shellcheck source=/dev/null
-. tools/docs/section_program.sh
+. tools/workbook.d/lib/section_program.sh
 shopt -s nullglob
 faults=0
 fault() { printf 'recordings: %s\n' "$*"; faults=$((faults + 1)); }

@@ -32,7 +32,8 @@ expect() {
     shift 2
     output=$(cd / && "$tree/workbook" "$@" 2>&1 < /dev/null)
     status=$?
-    if [ $status -eq "$code" ] && printf '%s\n' "$output" | grep -q -F -e "$text"; then
+    if [ $status -eq "$code" ] && printf '%s\n' "$output" | grep -q -F -e "$text" &&
+        ! printf '%s\n' "$output" | grep -q -F -e "command not found"; then
         passed=$((passed + 1))
     else
         failures=$((failures + 1))
@@ -52,6 +53,19 @@ expect 0 "4 Soft bodies" list
 expect 0 "4.1    not built           Cloth of springs" list
 expect 0 "1.1    not built" list
 expect 0 "Costs: motion" list
+# What has been built is found: a program of its own, or that of all sections of its chapter, and it is run.
+mkdir -p "$tree/build/chapters" "$scratch/stub" || exit 1
+program() { printf '#!/bin/sh\n%s\n' "$2" > "$tree/build/chapters/$1" && chmod +x "$tree/build/chapters/$1"; }
+program section_1.1 'echo "this is section $1"'
+expect 0 "1.1    built               Newton" list
+program sections_motion 'case $1 in --has) test "$2" = 1.10 ;; *) echo "section $1 of them all" ;; esac'
+expect 0 "1.10   built               Tenth" list
+expect 0 "1.6.1  not built" list
+printf '#!/bin/sh\n' > "$scratch/stub/cmake" && chmod +x "$scratch/stub/cmake" # all is up to date
+PATH=$scratch/stub:$PATH expect 0 "this is section 1.1" section 1.1
+PATH=$scratch/stub:$PATH expect 0 "section 1.10 of them all" section 1.10
+PATH=$scratch/stub:$PATH expect 1 "the program section_1.6.1 was not built" section 1.6.1
+rm -rf "$tree/build"
 expect 0 "1.6.2" list 1.6
 expect 2 "did you mean 1.6.1" section 1.6.3
 expect 2 "by that name there is 1.6.1 (Explicit Euler), 1.6.2 (Implicit Euler)" section euler
