@@ -226,6 +226,30 @@ TEST_CASE("R7: a heavy load that is taken away does not throw up what it lay on"
     CHECK(speed <= 0.05);
 }
 
+TEST_CASE("what lies in each other is parted before it falls asleep, however deep it is", "[collision][rest]") {
+    const auto parted = [](const auto& start, double radius, double depth, bool sleep = true) {
+        using S = typename std::remove_cvref_t<decltype(start)>::S;
+        auto world = start;
+        world.add(Plane::ground(), fixed);
+        const auto sunk = world.add(Sphere{radius * metre}, at<S>(8 * radius, radius - depth), mass(1.0 * kilogram));
+        std::vector<Handle> two;
+        for (const double y : {radius, 3 * radius - depth})
+            two.push_back(world.add(Sphere{radius * metre}, at<S>(0, y), mass(1.0 * kilogram)));
+        run(world, 1200, dt);
+        INFO("radius " << radius << " m, " << depth << " m deep");
+        if (sleep) CHECK(world.count(Motion::resting) == 3);
+        CHECK(height_of(world, sunk) >= radius - 1e-3);
+        CHECK(norm(world.position(two[0]) - world.position(two[1])).value() >= 2 * radius - 1e-3);
+    };
+    for (const double radius : {0.5, 1.0, 2.0})
+        for (const double share : {0.1, 0.8, 1.9}) {
+            parted(with_rest(SoftSubsteps<>{}), radius, share * radius);
+            parted(with_rest<Space<float, 2>>(SoftSubsteps<Friction>{}), radius, share * radius);
+            parted(world_of(Verlet{}, Gravity{}, Rest{}, SoftSubsteps<>{}), radius, share * radius);
+            parted(with_rest(Impulse{}, Projection{}), radius, share * radius, false); // columns may stay awake
+        }
+}
+
 TEST_CASE("who sleeps wakes when what it lies on lets it through, or when something is put into it",
           "[collision][rest]") {
     auto asleep = [](auto& world, const auto&... more) {

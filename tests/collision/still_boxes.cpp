@@ -45,7 +45,7 @@ public:
         switch (dice_.below(6)) {
         case 0: return add();
         case 1: return move(slot, any_motion());
-        case 2: return void(places_[dice_.below(dimension)][slot] = coordinate());
+        case 2: places_[dice_.below(dimension)][slot] = coordinate(); return bodies_.note_change(slot);
         case 3:
             still_.forget(bodies_.id(slot));
             bodies_.erase(slot, swap());

@@ -56,6 +56,12 @@ if ! "$compiler" --version | grep -q clang; then
     said_of=-funsafe-math-optimizations refused ansatz/world.hpp -ffast-math -fno-finite-math-only
     said_of=-freciprocal-math refused ansatz/world.hpp -freciprocal-math
 fi
+# The same for a standard before C++20.
+if reads ansatz/world.hpp -std=c++17 || ! grep -m 1 'error: ' said | grep -qF "compile with -std=c++20 or newer"; then
+    echo "C++17 is not refused by a sentence:"
+    head -3 said
+    faults=$((faults + 1))
+fi
 if ! reads ansatz/world.hpp -O3 -ffp-contract=off -fno-math-errno; then
     echo "the flags of the exported target are refused:"
     head -3 said

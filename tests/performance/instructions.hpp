@@ -133,7 +133,8 @@ template <class World> void rest_both(World alone) {
 // ---------------------------------------------------------------- bodies that collide, among others that stand still
 // 200 balls that roll, alone (`rolling_alone`), with a level of 10,000 fixed ones out of their way
 // (`rolling_in_a_level`), and with 10,000 that sleep on the same ground (`rolling_beside_sleepers`); and balls that all
-// sleep on the ground, 1,000 (`asleep_few`) and 5,000 (`asleep_many`).
+// sleep on the ground, 1,000 (`asleep_few`) and 5,000 (`asleep_many`), of which one wakes, hops and falls asleep again
+// (`waking_among_few`, `waking_among_many`).
 
 template <class World> [[gnu::noinline]] void rolling_alone(World& world, Quantity<unit::Time> dt) {
     for (int s = 0; s < steps; ++s) world.step(dt);
@@ -149,6 +150,17 @@ template <class World> [[gnu::noinline]] void asleep_few(World& world, Quantity<
 }
 template <class World> [[gnu::noinline]] void asleep_many(World& world, Quantity<unit::Time> dt) {
     for (int s = 0; s < steps; ++s) world.step(dt);
+}
+
+template <class World> void wake(World& world, Quantity<unit::Time> dt, Handle ball) {
+    world.set_velocity(ball, metres_per_second(0, 0.3, 0));
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void waking_among_few(World& world, Quantity<unit::Time> dt, Handle ball) {
+    wake(world, dt, ball);
+}
+template <class World> [[gnu::noinline]] void waking_among_many(World& world, Quantity<unit::Time> dt, Handle ball) {
+    wake(world, dt, ball);
 }
 
 /// Balls on the ground, in rows of 20 along z.
@@ -200,6 +212,13 @@ template <class World> void sleep_both(World few) {
     asleep_many(many, h);
     if (few.count(Motion::resting) != 1'000 || many.count(Motion::resting) != 5'000) {
         std::puts("somebody does not sleep, so that there is nothing to compare");
+        std::exit(1);
+    }
+    for (World* world : {&few, &many}) wake(*world, h, world->body_at(7)); // once, for what is looked at only once
+    waking_among_few(few, h, few.body_at(few.size() / 2));
+    waking_among_many(many, h, many.body_at(many.size() / 2));
+    if (few.count(Motion::resting) != 1'000 || many.count(Motion::resting) != 5'000) {
+        std::puts("who woke does not sleep again, so that there is nothing to compare");
         std::exit(1);
     }
 }

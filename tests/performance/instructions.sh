@@ -10,8 +10,9 @@
 #   - 200 balls that roll and collide, with 10,000 fixed ones out of their way, or with 10,000 that sleep on the same
 #     ground, against the 200 alone: at most 1.3 times
 #   - balls that all sleep on the ground, 5,000 against 1,000: as many instructions a step
+#   - one of them wakes, hops and falls asleep again: at most 1.05 times
 #
-# The last two with two responses: Impulse with Projection, and SoftSubsteps, which owns substeps.
+# The last three with two responses: Impulse with Projection, and SoftSubsteps, which owns substeps.
 #
 # With every compiler found, for x86-64-v3 (AVX2), since valgrind does not know AVX-512. The bodies and the two ways to
 # step them are in instructions.hpp.
@@ -21,7 +22,7 @@ set -euo pipefail
 export LC_ALL=C
 project=$(cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}" && pwd)
 source "$project/tests/programs.bash"
-flight_limit=1.02 rest_limit=1.01 level_limit=1.3
+flight_limit=1.02 rest_limit=1.01 level_limit=1.3 wake_limit=1.05
 
 command -v valgrind callgrind_annotate > /dev/null || skip "no valgrind (on Debian: apt install valgrind)"
 [ "$(uname -m)" = x86_64 ] || skip "the loops are compared on x86-64, and this is $(uname -m)"
@@ -87,6 +88,7 @@ for compiler in "${compilers[@]}"; do
     for response in Impulse SoftSubsteps; do
         row "$compiler" "10,000 fixed, $response" "rolling_alone<.*$response" "rolling_in_a_level<.*$response" "$level_limit"
         row "$compiler" "10,000 asleep, $response" "rolling_alone<.*$response" "rolling_beside_sleepers<.*$response" "$level_limit"
+        row "$compiler" "one wakes, $response" "waking_among_few<.*$response" "waking_among_many<.*$response" "$wake_limit"
     done
 done
 printf '\n%-12s %-24s %9s %9s\n' compiler "a step, all asleep" 1,000 5,000

@@ -56,6 +56,9 @@ static_assert(std::is_convertible_v<Parameter<unit::Length>, Quantity<unit::Leng
 TEST_CASE("parameters take quantities", "[units]") {
     const Drag drag{0.1 / second};
     CHECK(drag.rate == 0.1 / second);
+    const VectorParameter<unit::Dimensionless> normal = Eigen::Vector2d(3, 4), turned = -2 * Eigen::Vector2f(3, 4);
+    CHECK(normal.value() == Eigen::Vector3d(3, 4, 0));
+    CHECK(turned.value() == Eigen::Vector3d(-6, -8, 0));
     CHECK(Drag{2 / second}.rate == 2.0 / second);
     CHECK(Drag{2 * hertz}.rate == 2.0 / second);
     CHECK(Drag{0.5f / second}.rate == 0.5 / second); // a float widens

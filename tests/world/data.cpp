@@ -6,6 +6,8 @@
 #include "tests/catch.hpp"
 #include "tests/world/worlds.hpp"
 
+#include <sstream>
+
 using namespace ansatz;
 using namespace ansatz::test;
 
@@ -23,6 +25,13 @@ TEST_CASE("a world whose numbers are finite is well, an infinite one says who", 
     CHECK(status.not_finite == 2);
     CHECK(status.first_not_finite == fast);
     CHECK(status.unsolved == 0);
+    std::ostringstream text;
+    text << status;
+    CHECK(text.str() == "2 bodies not finite, the first is body 1");
+    CHECK(describe(Status{false, 3, 0, {}}) == "3 body steps unsolved");
+    CHECK(describe(Status{false, 3, 1, first}) == "3 body steps unsolved, 1 bodies not finite, the first is body 0");
+    CHECK(describe(Status{true, 0, 0, {}}) == "a step was broken off by an exception");
+    CHECK(describe(Status{}) == "ok");
     CHECK(world.position(first) == metres(0, 0, 0)); // and the others are not drawn into it
     world.remove(fast);
     CHECK(world.status().first_not_finite == faster);

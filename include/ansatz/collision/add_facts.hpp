@@ -50,21 +50,23 @@ template <class C, class... Property> struct ShapeAddFacts {
     static constexpr bool ok =
         shape_once && shape_wanted && shape_known && sensor_has_shape && shape_or_none && shape_there;
 };
-template <class C, class... Property> struct CheckShapeAdd {
+template <class C, class... Property> struct CheckShapeAdd : ShapeAddFacts<C, Property...> {
     using Facts = ShapeAddFacts<C, Property...>;
-    static_assert(Facts::shape_once, "Ansatz: add: a body has one shape; add several bodies for several shapes");
+    using Facts::shape_once, Facts::shape_wanted, Facts::shape_known, Facts::sensor_has_shape, Facts::shape_or_none,
+        Facts::shape_there, Facts::properties;
+    static_assert(shape_once, "Ansatz: add: a body has one shape; add several bodies for several shapes");
     static_assert(
-        Facts::shape_wanted,
+        shape_wanted,
         "Ansatz: add: bodies of this world do not collide, so it takes no shape; add a broadphase, a narrowphase and a "
         "response to its policies, e.g. SortAndSweep{}, Narrowphase<Sphere, Plane>{}, Impulse{}");
-    static_assert(Facts::shape_known, "Ansatz: add: a shape that this world's narrowphase does not know; name it "
-                                      "there, e.g. Narrowphase<Sphere, Plane, Box>{}");
-    static_assert(Facts::sensor_has_shape || !Facts::shape_wanted,
+    static_assert(shape_known, "Ansatz: add: a shape that this world's narrowphase does not know; name it "
+                               "there, e.g. Narrowphase<Sphere, Plane, Box>{}");
+    static_assert(sensor_has_shape || !shape_wanted,
                   "Ansatz: add: a sensor without a shape notices nobody; give it one, e.g. add(Sphere{2.0 * metre}, "
                   "sensor, fixed)");
-    static_assert(Facts::shape_or_none, "Ansatz: add: a body has a shape or is shapeless, not both; leave one out");
+    static_assert(shape_or_none, "Ansatz: add: a body has a shape or is shapeless, not both; leave one out");
     static_assert(
-        Facts::shape_there || !Facts::properties,
+        shape_there || !properties,
         "Ansatz: add: bodies of this world collide, and this one would meet nothing; give it a shape that the "
         "narrowphase knows, e.g. add(Sphere{0.5 * metre}, ...), or say so: add(shapeless, ...)");
 };

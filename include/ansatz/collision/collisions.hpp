@@ -84,7 +84,7 @@ public:
     void make_room_to_come(std::size_t n, std::size_t ids) {
         make_room(std::uint32_t(ids + n - 1));
         shapes.make_room_for_more(n);
-        detail::make_room_for_copies(contacts.acting);
+        detail::make_room_for_copies(contacts.acting, contacts.asleep());
     }
     /// A body has been divided (division.hpp). What acts in the next step is looked for again.
     void body_divided(const Bodies& bodies, std::uint32_t id, std::uint32_t part) {
@@ -124,7 +124,7 @@ public:
         working_.value.still.forget(id);
         if constexpr (divides) this->siblings_.leave(id);
         if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body
-        this->body_gone();
+        this->body_gone(id);
     }
     /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
     typename S::Acceleration pull_when_it_slept(std::uint32_t id) const {

@@ -57,12 +57,10 @@ public:
     template <class Wake> void wake(Wake&& wake, bool first = true) {
         bool more = data_.bodies.count(Motion::resting) > 0 && data_.bodies.any_goes();
         data_.collisions.wake_contacts(data_);
-        const auto& contacts = data_.collisions.contacts.acting;
         while (more) {
             more = false;
-            for (std::size_t n = 0; n < contacts.size(); ++n) {
-                const auto contact = contacts[n];
-                if (!data_.collisions.lasts(data_.bodies, contact)) continue;
+            data_.collisions.each_acting(data_, [&](const auto& contact) {
+                if (!data_.collisions.lasts(data_.bodies, contact)) return false;
                 bool woke = false;
                 for (const auto& [one, other] :
                      {std::pair(contact.first, contact.second), std::pair(contact.second, contact.first)}) {
@@ -74,12 +72,9 @@ public:
                     wake(sleeper);
                     woke = true;
                 }
-                if (!woke) continue;
-                more = true;
-                if (!data_.collisions.contacts.any_sleep()) continue;
-                data_.collisions.wake_contacts(data_); // those of its pile: go on behind this one
-                while (detail::ids_of(contacts[n]) != detail::ids_of(contact)) ++n;
-            }
+                more = more || woke;
+                return woke;
+            });
             first = false;
         }
     }

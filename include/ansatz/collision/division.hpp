@@ -137,8 +137,9 @@ void make_finder(std::optional<Finder>& finder, const auto& broadphase, [[maybe_
     if constexpr (Divides) reserve_one(n, *finder);
 }
 /// Room for what divided bodies take along: as much again as there is.
-template <class T> void make_room_for_copies(std::vector<T>& all) {
-    if (all.capacity() < 2 * all.size()) all.reserve(4 * all.size());
+/// \param more how many may come to them before
+template <class T> void make_room_for_copies(std::vector<T>& all, std::size_t more) {
+    if (const auto n = all.size() + more; all.capacity() < 2 * n) all.reserve(4 * n);
 }
 /// Gives a body the contacts that another has, in their places among contacts in order.
 /// \param from, to both bodies; they are in one place

@@ -116,6 +116,7 @@ struct Collision {
         data.collisions.make_room_for(other.collisions);
     }
     static void on(hook::MakeRoomToCome, auto& data, std::size_t n) {
+        data.collisions.make_room_to_wake(data);
         data.collisions.make_room_to_come(n, data.bodies.ids());
     }
 
@@ -136,6 +137,7 @@ struct Collision {
     }
     template <class C>
     static void on(hook::Divided, WorldData<C>& data, std::uint32_t id, std::uint32_t part, const auto& /*share*/) {
+        data.collisions.wake_contacts_of(data, id); // the part takes them along
         data.collisions.body_divided(data.bodies, id, part);
     }
     static void on(hook::Removed, auto& data, std::uint32_t slot) {
@@ -160,11 +162,7 @@ struct Collision {
         }
     }
     template <class C> static void on(hook::EachNeighbour, const WorldData<C>& data, std::uint32_t id, const auto& f) {
-        for (const auto& contact : data.collisions.contacts.all()) {
-            if (!data.collisions.lasts(data.bodies, contact)) continue;
-            if (contact.first.id == id) f(contact.second.id);
-            if (contact.second.id == id) f(contact.first.id);
-        }
+        data.collisions.each_neighbour(data.bodies, id, f);
     }
 
     // Changes from outside. Whatever of a body changes, the pairs of the next step are found anew.

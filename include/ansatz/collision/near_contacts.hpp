@@ -35,7 +35,9 @@ public:
     /// \param pull     a function of a slot: the acceleration of an awake body, m/s^2
     /// \param velocity a function of a slot: its velocity, m/s
     template <class Pull, class Going> void begin(const Bodies& bodies, const Pull& pull, const Going& velocity) {
-        reach_.assign(bodies.size(), Reach());
+        if (reach_.size() < bodies.size()) reach_.resize(bodies.size());
+        const auto reach_before = std::exchange(reached_, bodies.end(Motion::awake));
+        for (std::size_t slot = reached_; slot < std::min(reach_before, reach_.size()); ++slot) reach_[slot] = Reach();
         for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot) {
             auto& reach = reach_[slot];
             reach.pulled = norm(pull(Bodies::Slot(slot))).value() * step * step;
@@ -84,6 +86,7 @@ private:
         Scalar all{};    // by that or its velocity, m
     };
     std::vector<Reach> reach_; // by slot
+    std::size_t reached_ = 0;  // those of slots behind are zero
 };
 
 } // namespace ansatz

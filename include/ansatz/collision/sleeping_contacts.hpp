@@ -3,13 +3,13 @@
 
 /// \file
 /// `SleepingContacts`: contacts of bodies that sleep, apart from those that act (notes 1.1: nothing is computed for
-/// what rests). They stay as they are until something that they hold wakes, and no step goes through them.
-///
-/// `ContactLists`: the contacts of a world in these two lists, and as one where somebody asks for them.
+/// what rests). They stay as they are until a body of them wakes, and no step goes through them. Those of one body are
+/// found without a look at the others, so that waking a pile costs what the pile is.
 
 #include <ansatz/collision/contact.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -19,93 +19,27 @@
 namespace ansatz {
 
 namespace detail {
-/// The bodies of what is kept of a pair: by these pairs are in order.
+/// The ids of the two bodies of a pair, by which pairs are in order.
 template <class T> [[gnu::always_inline]] inline std::pair<std::uint32_t, std::uint32_t> ids_of(const T& pair) {
     if constexpr (requires { pair.first.id; }) return {pair.first.id, pair.second.id};
     else return {pair.a, pair.b};
 }
-} // namespace detail
 
-/// Pairs of sleeping bodies, in the order of their ids.
-/// \tparam T a pair: a contact, or what a response keeps of one
-template <class T> class SleepingContacts {
+/// A list that is made for the first that asks; several threads may ask at once. Its room is kept.
+template <class T> class MadeWhenAsked {
 public:
-    /// Whether there are none.
-    bool empty() const { return all_.empty(); }
-    /// How many.
-    std::size_t size() const { return all_.size(); }
-    /// All of them.
-    const std::vector<T>& all() const { return all_; }
-    /// Room for what another holds, so that assigning it cannot fail.
-    void make_room_for(const SleepingContacts& other) { all_.reserve(other.size()); }
-
-    /// Takes pairs out of those that act. With room for them in `make_room`, it cannot fail.
-    /// \param sleeps a function of a pair: whether neither of its bodies moves
-    void take(std::vector<T>& acting, const auto& sleeps) {
-        std::size_t from = all_.size(), to = from + std::size_t(std::ranges::count_if(acting, sleeps));
-        all_.resize(to);
-        for (std::size_t n = acting.size(); n-- > 0;) {
-            if (!sleeps(acting[n])) continue;
-            while (from > 0 && detail::ids_of(acting[n]) < detail::ids_of(all_[from - 1])) all_[--to] = all_[--from];
-            all_[--to] = acting[n];
-        }
-        std::erase_if(acting, sleeps);
-    }
-    /// Room for so many more.
-    void make_room(std::size_t n) {
-        if (all_.capacity() < all_.size() + n) all_.reserve(std::max(all_.size() + n, 2 * all_.capacity()));
-    }
-    /// All pairs act again. With room for them in `acting`, it cannot fail.
-    void wake(std::vector<T>& acting) {
-        std::size_t from = acting.size(), left = all_.size(), to = from + left;
-        acting.resize(to);
-        while (left > 0)
-            if (from > 0 && detail::ids_of(all_[left - 1]) < detail::ids_of(acting[from - 1]))
-                acting[--to] = acting[--from];
-            else acting[--to] = all_[--left];
-        all_.clear();
-    }
-    /// Calls `f(pair)` for those that act and those that sleep, in the order of their ids.
-    void each(const std::vector<T>& acting, auto&& f) const {
-        auto asleep = all_.cbegin();
-        for (const T& pair : acting) {
-            for (; asleep != all_.cend() && detail::ids_of(*asleep) < detail::ids_of(pair); ++asleep) f(*asleep);
-            f(pair);
-        }
-        for (; asleep != all_.cend(); ++asleep) f(*asleep);
-    }
-    /// Calls `f(pair)` for each, which it may change but for its ids.
-    void change_each(auto&& f) {
-        for (T& pair : all_) f(pair);
-    }
-    /// A body has been removed, and its pairs with it.
-    void forget(std::uint32_t id) {
-        std::erase_if(all_, [id](const T& pair) {
-            const auto ids = detail::ids_of(pair);
-            return ids.first == id || ids.second == id;
-        });
-    }
-
-private:
-    std::vector<T> all_;
-};
-
-namespace detail {
-/// All contacts in one list, made for the first that asks; several threads may ask at once. Its room is kept.
-template <class S> class JoinedContacts {
-public:
-    using List = std::vector<Contact<S>>;
-    JoinedContacts() = default;
-    JoinedContacts(const JoinedContacts&) noexcept {}
-    JoinedContacts& operator=(const JoinedContacts&) noexcept {
+    using List = std::vector<T>;
+    MadeWhenAsked() = default;
+    MadeWhenAsked(const MadeWhenAsked&) noexcept {}
+    MadeWhenAsked& operator=(const MadeWhenAsked&) noexcept {
         forget();
         return *this;
     }
-    ~JoinedContacts() {
+    ~MadeWhenAsked() {
         delete made_.load();
         delete spare_.load();
     }
-    /// Something has changed.
+    /// What it was made from has changed.
     void forget() {
         if (made_.load(std::memory_order_relaxed)) delete spare_.exchange(made_.exchange(nullptr));
     }
@@ -130,71 +64,203 @@ private:
 };
 } // namespace detail
 
-/// The contacts of a world, by the ids of their bodies.
-template <class S> class ContactLists {
+/// Pairs of sleeping bodies.
+/// \tparam T a pair: a contact, or what a response keeps of one
+template <class T> class SleepingContacts {
 public:
-    /// Those that a step goes through: a body of them may move, or has fallen asleep in the last step.
-    std::vector<Contact<S>> acting;
+    /// Whether there are none.
+    bool empty() const { return marks_.count == 0; }
+    /// How many.
+    std::size_t size() const { return marks_.count; }
+    /// One of them, by its place.
+    const T& operator[](std::uint32_t place) const { return nodes_[place].pair; }
 
-    /// Whether some are kept apart, because their bodies sleep.
-    bool any_sleep() const { return !asleep_.empty(); }
-    /// Acting and sleeping ones; asked for once or a hundred times in a step, they are put together once.
-    const std::vector<Contact<S>>& all() const {
-        if (asleep_.empty()) return acting;
-        return joined_.get([&](auto& list) {
-            list.reserve(acting.size() + asleep_.size());
-            const Contact<S>* first = asleep_.all().data();
-            asleep_.each(acting, [&](const Contact<S>& c) {
-                list.push_back(c);
-                if (&c >= first && &c < first + asleep_.size()) list.back().steps += steps_;
-            });
-        });
-    }
-    /// Whether two bodies are in contact; the one with the smaller id first.
-    bool has(std::uint32_t a, std::uint32_t b) const {
-        const auto in = [&](const std::vector<Contact<S>>& list) {
-            const auto at = std::lower_bound(list.begin(), list.end(), std::pair(a, b),
-                                             [](const auto& c, const auto& ids) { return detail::ids_of(c) < ids; });
-            return at != list.end() && detail::ids_of(*at) == std::pair(a, b);
-        };
-        return in(acting) || in(asleep_.all());
-    }
-    /// A step is done: those that sleep have lasted one more.
-    void sleep_on() {
-        ++steps_;
-        changed();
-    }
-    /// Those that act are others now.
-    void changed() { joined_.forget(); }
-    /// Room for those that sleep among those that act, and back.
-    void make_room_to_wake() {
-        if (acting.capacity() < acting.size() + asleep_.size()) acting.reserve(acting.size() + asleep_.size());
-    }
-    /// All act. With room for them, it cannot fail.
-    void wake() {
-        asleep_.change_each([&](auto& c) { c.steps += steps_; });
-        asleep_.wake(acting);
-        changed();
-    }
-    /// Room for so many that fall asleep.
-    void make_room_to_sleep(std::size_t n) { asleep_.make_room(n); }
-    /// Those for which `sleeps` holds are kept apart. With room for them, it cannot fail.
-    void put_to_sleep(const auto& sleeps) {
-        for (auto& c : acting)
-            if (sleeps(c)) c.steps -= steps_; // counts round where it has lasted less: it is added again
-        asleep_.take(acting, sleeps);
-        changed();
+    /// Room for so many more, and for bodies with ids below `ids`.
+    void make_room(std::size_t n, std::size_t ids) {
+        if (const auto needed = marks_.count + n; nodes_.capacity() < needed)
+            nodes_.reserve(std::max(needed, 2 * nodes_.capacity()));
+        if (first_.size() < ids) first_.resize(ids, none);
     }
     /// Room for what another holds, so that assigning it cannot fail.
-    void make_room_for(const ContactLists& other) {
-        acting.reserve(other.acting.size());
-        asleep_.make_room_for(other.asleep_);
+    void make_room_for(const SleepingContacts& other) {
+        nodes_.reserve(other.nodes_.size());
+        first_.reserve(other.first_.size());
+    }
+    /// Takes pairs out of those that act. With room for them in `make_room`, it cannot fail.
+    /// \param sleeps a function of a pair: whether neither of its bodies moves
+    void take(std::vector<T>& acting, const auto& sleeps) {
+        std::erase_if(acting, [&](const T& pair) {
+            if (!sleeps(pair)) return false;
+            add(pair);
+            return true;
+        });
+        in_order_.forget();
+    }
+
+    /// \name Pairs that act again: those of some bodies leave, then all that have left are merged
+    /// @{
+    /// Room for all to leave.
+    void make_room_to_leave() { order_.reserve(marks_.count); }
+    /// The pairs of a body leave. They are here until they are merged, but no body has them. It cannot fail.
+    /// \param f is called with the place of each
+    void leave(std::uint32_t id, auto&& f) {
+        each_place_of(id, [&](std::uint32_t place, std::size_t side) {
+            unlink(place, 1 - side);
+            nodes_[place].next[0] = std::exchange(marks_.left, place);
+            f(place);
+        });
+        if (id < first_.size()) first_[id] = none;
+    }
+    /// Whether any has left.
+    bool any_left() const { return marks_.left != none; }
+    /// Those that have left, in the order of their ids. With room for them, it cannot fail.
+    const std::vector<std::uint32_t>& left() {
+        order_.clear();
+        for (auto place = marks_.left; place != none; place = nodes_[place].next[0]) order_.push_back(place);
+        std::ranges::sort(order_, {}, [this](std::uint32_t place) { return detail::ids_of(nodes_[place].pair); });
+        return order_;
+    }
+    /// They take their places among those that act. With room for them, it cannot fail.
+    /// \param as what to make of each
+    void merge(std::vector<T>& acting, const auto& as) {
+        if (!any_left()) return;
+        std::size_t from = acting.size(), to = from + left().size();
+        acting.resize(to);
+        for (auto place = order_.rbegin(); place != order_.rend(); ++place) {
+            const T& pair = nodes_[*place].pair;
+            while (from > 0 && detail::ids_of(pair) < detail::ids_of(acting[from - 1])) acting[--to] = acting[--from];
+            acting[--to] = as(pair);
+            release(*place);
+        }
+        marks_.left = none;
+        order_.clear();
+        in_order_.forget();
+    }
+    /// @}
+
+    /// A body has been removed, and its pairs with it.
+    void forget(std::uint32_t id) {
+        each_place_of(id, [&](std::uint32_t place, std::size_t side) {
+            unlink(place, 1 - side);
+            release(place);
+        });
+        if (id < first_.size()) first_[id] = none;
+        in_order_.forget();
+    }
+    /// Whether any pair has this body.
+    bool has(std::uint32_t id) const { return id < first_.size() && first_[id] != none; }
+    /// Whether there is a pair of these two, the one with the smaller id first. The lists of both are gone through side
+    /// by side: the ground's may be long.
+    bool has(std::uint32_t a, std::uint32_t b) const {
+        if (!has(a) || !has(b)) return false;
+        const auto is = [&](std::uint32_t edge) { return detail::ids_of(nodes_[edge / 2].pair) == std::pair(a, b); };
+        auto of_a = first_[a], of_b = first_[b];
+        for (; of_a != none && of_b != none; of_a = next(of_a), of_b = next(of_b))
+            if (is(of_a) || is(of_b)) return true;
+        return false;
+    }
+    /// Calls `f(pair)` for those of a body, in any order.
+    void each_of(std::uint32_t id, auto&& f) const {
+        if (!has(id)) return;
+        for (auto edge = first_[id]; edge != none; edge = next(edge)) f(nodes_[edge / 2].pair);
+    }
+    /// In the order of their ids, calls `act(pair)` for those that act, and `sleep(pair)` for those here.
+    void each(const std::vector<T>& acting, auto&& act, auto&& sleep) const {
+        const auto& order = in_order();
+        auto here = order.cbegin();
+        for (const T& pair : acting) {
+            for (; here != order.cend() && here->ids < detail::ids_of(pair); ++here) sleep(nodes_[here->place].pair);
+            act(pair);
+        }
+        for (; here != order.cend(); ++here) sleep(nodes_[here->place].pair);
     }
 
 private:
-    SleepingContacts<Contact<S>> asleep_; // how many steps each has lasted is counted without `steps_`
-    std::uint32_t steps_ = 0;             // in which some have slept
-    detail::JoinedContacts<S> joined_;
+    static constexpr std::uint32_t none = 0xffffffffu, unused = none - 1;
+    /// A pair in the lists of its two bodies. An edge is a node and a side of it: 2 place + side.
+    struct Node {
+        T pair;
+        std::array<std::uint32_t, 2> next, previous; // edges
+    };
+    /// Moved from, they are those of an empty list.
+    struct Marks {
+        std::uint32_t left = none; // the place of a pair that has left; `next` names another
+        std::uint32_t free = none; // a place without a pair; `previous` names another
+        std::size_t count = 0;
+        Marks() = default;
+        Marks(const Marks&) = default;
+        Marks(Marks&& other) noexcept { *this = std::move(other); }
+        Marks& operator=(const Marks&) = default;
+        Marks& operator=(Marks&& other) noexcept {
+            left = std::exchange(other.left, none);
+            free = std::exchange(other.free, none);
+            count = std::exchange(other.count, 0);
+            return *this;
+        }
+    };
+    struct Place {
+        std::pair<std::uint32_t, std::uint32_t> ids;
+        std::uint32_t place;
+    };
+
+    std::uint32_t body_of(std::uint32_t place, std::size_t side) const {
+        const auto ids = detail::ids_of(nodes_[place].pair);
+        return side == 0 ? ids.first : ids.second;
+    }
+    std::uint32_t next(std::uint32_t edge) const { return nodes_[edge / 2].next[edge % 2]; }
+    void add(const T& pair) {
+        auto place = std::uint32_t(nodes_.size());
+        if (marks_.free == none) nodes_.push_back({pair, {}, {}});
+        else {
+            place = marks_.free;
+            marks_.free = nodes_[place].previous[0];
+            nodes_[place].pair = pair;
+        }
+        ++marks_.count;
+        for (const std::size_t side : {0u, 1u}) {
+            const auto edge = std::uint32_t(2 * place + side);
+            auto& first = first_[body_of(place, side)];
+            nodes_[place].next[side] = first;
+            nodes_[place].previous[side] = none;
+            if (first != none) nodes_[first / 2].previous[first % 2] = edge;
+            first = edge;
+        }
+    }
+    /// Takes a pair out of the list of one of its bodies.
+    void unlink(std::uint32_t place, std::size_t side) {
+        const auto before = nodes_[place].previous[side], after = nodes_[place].next[side];
+        if (after != none) nodes_[after / 2].previous[after % 2] = before;
+        (before != none ? nodes_[before / 2].next[before % 2] : first_[body_of(place, side)]) = after;
+    }
+    /// Its place is given to another pair.
+    void release(std::uint32_t place) {
+        nodes_[place].next[0] = unused;
+        nodes_[place].previous[0] = std::exchange(marks_.free, place);
+        if (--marks_.count > 0) return;
+        nodes_.clear();
+        marks_.free = none;
+    }
+    /// Calls `f(place, side)` for the pairs of a body, which may leave meanwhile.
+    void each_place_of(std::uint32_t id, auto&& f) {
+        if (!has(id)) return;
+        for (auto edge = first_[id]; edge != none;) {
+            const auto now = std::exchange(edge, next(edge));
+            f(now / 2, now % 2);
+        }
+    }
+    const std::vector<Place>& in_order() const {
+        return in_order_.get([this](std::vector<Place>& order) {
+            for (std::uint32_t place = 0; place < nodes_.size(); ++place)
+                if (nodes_[place].next[0] != unused) order.push_back({detail::ids_of(nodes_[place].pair), place});
+            std::ranges::sort(order, {}, &Place::ids);
+        });
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> first_; // by id: an edge of the body
+    std::vector<std::uint32_t> order_; // of those that have left
+    Marks marks_;
+    detail::MadeWhenAsked<Place> in_order_;
 };
 
 } // namespace ansatz

@@ -7,8 +7,9 @@
 /// move: a level of ten thousand fixed boxes costs what is met of it.
 ///
 /// It is a spatial hash with several grids, each four times as coarse as the one before. A box is in the cell of its
-/// lower corner, in a grid whose cells are wider than the box. In each step the ids and places of all still bodies are
-/// compared with those of the step before, and only boxes of bodies that differ are taken out and put in again.
+/// lower corner, in a grid whose cells are wider than the box. In each step the ids and places of still bodies are
+/// compared with those of the step before, where `Bodies::changes` says that some may differ, and only boxes of bodies
+/// that do are taken out and put in again.
 
 #include <ansatz/collision/broadphase/cells.hpp>
 #include <ansatz/units.hpp>
@@ -39,6 +40,7 @@ public:
             const std::size_t slots = std::max(bodies, 2 * seen_.size());
             changed_.reserve(slots);
             for (auto& lane : places_) lane.resize(slots);
+            blocks_.resize(slots / Bodies::block + 1, never);
             seen_.resize(slots, none);
         }
         if (boxes_.size() >= ids) return;
@@ -55,6 +57,8 @@ public:
     void forget() {
         std::fill(heads_.begin(), heads_.end(), none);
         std::fill(seen_.begin(), seen_.end(), none);
+        std::fill(blocks_.begin(), blocks_.end(), never);
+        changes_ = never;
         for (auto& box : boxes_) box.grid = none;
         count_.fill(0);
         used_ = 0;
@@ -64,7 +68,11 @@ public:
     void forget(std::uint32_t id) {
         if (id >= boxes_.size()) return;
         const auto slot = boxes_[id].slot;
-        if (slot < seen_.size() && seen_[slot] == id) seen_[slot] = none;
+        if (slot < seen_.size() && seen_[slot] == id) {
+            seen_[slot] = none;
+            blocks_[slot / Bodies::block] = never;
+            changes_ = never;
+        }
         if (boxes_[id].grid != none) remove(id);
     }
     /// Where bodies are: the lane of each coordinate, by slot, m.
@@ -74,6 +82,7 @@ public:
     /// \param world  a number that changes when another world is assigned to this one
     template <class Bounds>
     void follow(const Bodies& bodies, std::uint64_t world, const Places& places, const Bounds& bounds) {
+        if (complete_ && world == world_ && changes_ == bodies.changes()) return;
         make_room(bodies.size(), bodies.ids());
         if (!complete_ || world != world_) forget();
         world_ = world;
@@ -82,6 +91,8 @@ public:
         const std::array<Range, 2> now{Range{bodies.begin(Motion::resting), bodies.end(Motion::resting)},
                                        Range{bodies.begin(Motion::fixed), bodies.end(Motion::fixed)}};
         for (const auto& range : now) compare(bodies, places, range);
+        std::copy_n(bodies.changes_by_block().begin(), std::min(blocks_.size(), bodies.changes_by_block().size()),
+                    blocks_.begin());
         for (const auto& range : ranges_) // slots in which no body stands still any more
             for (std::size_t slot = range.begin; slot < range.end;) {
                 if (now[0].holds(slot)) slot = now[0].end;
@@ -105,6 +116,7 @@ public:
             boxes_[id].slot = slot;
         }
         ranges_ = now;
+        changes_ = bodies.changes();
         complete_ = true;
     }
     /// Begins a round of queries, in which each box is found once.
@@ -145,6 +157,7 @@ public:
 private:
     static constexpr std::size_t dimension = std::size_t(S::dimension);
     static constexpr std::uint32_t none = 0xffffffffu;
+    static constexpr std::uint32_t never = 0;
     static constexpr std::uint32_t grids = 64; // 4^-32 m, 4^-31 m, ..., and one that has a single cell
     static constexpr std::array<double, grids> per_metre = [] {
         std::array<double, grids> all{};       // the last one stays zero: all coordinates are in one cell
@@ -183,12 +196,14 @@ private:
         bool holds(std::size_t slot) const { return slot >= begin && slot < end; }
     };
 
-    /// Notes the slots of a range in which there is another body than before, or at another place. Nearly always there
-    /// is none, so that `together` slots are compared without a branch.
+    /// Notes the slots of a range in which there is another body than before, or at another place. Often there is
+    /// none in a block, so that its slots are compared without a branch.
     void compare(const Bodies& bodies, const Places& places, const Range& range) {
-        constexpr std::size_t together = 64;
-        for (std::size_t begin = range.begin; begin < range.end; begin += together) {
-            const std::size_t end = std::min(begin + together, range.end);
+        const auto& blocks = bodies.changes_by_block();
+        for (std::size_t begin = range.begin, end; begin < range.end; begin = end) {
+            const auto block = begin / Bodies::block;
+            end = std::min((block + 1) * Bodies::block, range.end);
+            if (blocks[block] == blocks_[block]) continue;
             const auto differs = [&](std::size_t from, std::size_t to) {
                 unsigned any = 0; // not a bool, which g++ 12 does not vectorize
                 const auto differ = [&](const auto* seen, const auto* now) {
@@ -275,6 +290,7 @@ private:
     std::vector<Box> boxes_;                                        // by id
     std::vector<std::uint32_t> seen_;                               // by slot: whose id was there
     std::array<std::vector<typename S::Scalar>, dimension> places_; // by slot: and where, m
+    std::vector<std::uint32_t> blocks_;                             // what `Bodies::changes_by_block` was
     std::vector<std::uint32_t> heads_;                              // the first of each bucket
     std::vector<std::uint32_t> changed_;
     std::array<std::size_t, grids> count_{};
@@ -283,7 +299,8 @@ private:
     std::array<Range, 2> ranges_{};
     std::uint32_t asked_ = 0;
     std::uint64_t world_ = 0;
-    bool complete_ = true; // whether the last `follow` came to its end
+    std::uint64_t changes_ = never; // what `Bodies::changes` was
+    bool complete_ = true;          // whether the last `follow` came to its end
 };
 
 } // namespace ansatz

@@ -47,20 +47,26 @@ public:
     /// \param inside what stands in the schedule between its beginning and the contacts: forces and integrator
     template <class Inside> void run(const Inside& inside) {
         look_ahead();
-        const bool anybody = constrained || data_.bodies.any_goes(); // sleeping contacts keep their impulses
-        if (anybody) find_contacts();
+        bool found = false; // not while everybody sleeps: their contacts keep their impulses
         for (int part = 0; part < response_.parts(); ++part) {
+            if (!found && (constrained || data_.bodies.any_goes())) {
+                find_contacts();
+                found = true;
+            }
             begin_part(part);
-            if (!anybody) {
+            if (!found) {
                 move(part, inside);
                 continue;
             }
-            see_bodies();
+            if (somebody_woke()) see_who_woke();
+            else see_bodies();
             if constexpr (C::rests)
                 if (wake_the_hit()) see_who_woke();
             const bool struck = bounce();
             hold(part);
             move(part, inside);
+            if constexpr (C::rests) // what is being parted is no slower for it that this is taken back
+                if (part + 1 == response_.parts()) RestStep<StepT>(step_).look_at_speed();
             let_go(struck);
         }
         if (bounces_) contacts_.note_impacts();
@@ -105,6 +111,7 @@ private:
         bodies_.place(contacts_.bodies, contacts_.kicks);
         contacts_.expect_platforms(data_.bodies.count(Motion::moving) > 0);
         begin_contacts();
+        woken_ = data_.bodies.woken();
     }
     void begin_contacts() {
         contacts_.begin(data_, [&](std::size_t a, std::size_t b) { return response_.friction(data_, a, b); });
@@ -120,8 +127,19 @@ private:
     }
     /// Positions, and the mean velocities over this part, were there no contacts.
     void see_bodies() { bodies_.gather(contacts_.bodies, before_, 0.5 + leads, dt_, last_, &contacts_.kicks); }
+    /// Something has pulled at a sleeper in the part before: it goes on from here with its contacts and neighbours.
+    /// \return whether any body was woken
+    bool somebody_woke() {
+        if constexpr (C::rests && C::coupled) {
+            if (woken_ == data_.bodies.woken()) return false;
+            data_.collisions.wake_contacts(data_);
+            RestStep<StepT>(step_).wake_neighbours();
+            return true;
+        } else return false;
+    }
     /// The same where others stand in other slots now.
     void see_who_woke() {
+        woken_ = data_.bodies.woken();
         bodies_.place(contacts_.bodies, contacts_.kicks);
         contacts_.impacts.find_again([&] { begin_contacts(); });
         if constexpr (shares) {
@@ -214,21 +232,54 @@ private:
         if (data_.bodies.count(Motion::resting) == 0) return false;
         auto& hit = data_.sleep.value.sleepers;
         hit.clear();
-        const auto rests = [&](Slot slot) { return data_.bodies.motion(slot) == Motion::resting; };
+        bool near = false; // whether any sleeper is near to a body that moves
         contacts_.each_acting([&](const auto& c) {
             const bool a_rests = rests(Slot(c.slot_a));
             if (!a_rests && !rests(Slot(c.slot_b))) return;
+            near = true;
             const Scalar way =
                 Scalar(1.25) * h_ * contacts_.along(c); // a body that is woken in vain falls asleep again
             if (!(c.impulse > Scalar(0)) && !(contacts_.apart(c) + way < Scalar(0))) return;
             if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
         });
+        if (near) find_struck();
         for (const auto id : hit)
             if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
         if (hit.empty()) return false;
         data_.collisions.wake_contacts(data_);
         RestStep<StepT>(step_).wake_neighbours();
         return true;
+    }
+
+    bool rests(Slot slot) const { return data_.bodies.motion(slot) == Motion::resting; }
+    /// And sleepers that somebody is about to be struck into: with what another gives it in this part, it may be as
+    /// fast as twice their approach.
+    void find_struck() {
+        auto& struck = data_.sleep.value.struck;
+        if (struck.size() < data_.bodies.size()) struck.resize(data_.bodies.size());
+        contacts_.each_acting([&](const auto& c) { struck[c.slot_a] = struck[c.slot_b] = Scalar(0); });
+        bool more = false;
+        contacts_.each_acting([&](const auto& c) {
+            const Scalar approach = -contacts_.along(c);
+            if (c.impulse > Scalar(0) || !(contacts_.apart(c) < Scalar(1.25) * h_ * approach)) return;
+            for (const auto& [one, other] : {std::pair(c.slot_a, c.slot_b), std::pair(c.slot_b, c.slot_a)})
+                if (data_.bodies.motion(one) == Motion::awake && disturbs(data_, Slot(other), false, dt_)) {
+                    struck[one] = std::max(struck[one], 2 * approach);
+                    more = true;
+                }
+        });
+        while (std::exchange(more, false))
+            contacts_.each_acting([&](const auto& c) {
+                const auto reached = [&](Slot from, Slot to) {
+                    if (!(struck[from] > struck[to]) || to >= data_.bodies.end(Motion::resting)) return;
+                    if (!(contacts_.apart(c) < Scalar(1.25) * h_ * struck[from])) return;
+                    struck[to] = struck[from];
+                    more = true;
+                    if (rests(to)) data_.sleep.value.sleepers.push_back(data_.bodies.id(to));
+                };
+                reached(Slot(c.slot_a), Slot(c.slot_b));
+                reached(Slot(c.slot_b), Slot(c.slot_a));
+            });
     }
 
     detail::Bound<R, S> response_;
@@ -238,10 +289,11 @@ private:
     std::remove_reference_t<decltype(std::declval<Data&>().collisions.before_solving())>& before_;
     typename S::ClockTime start_;
     Context<S> whole_;
-    Scalar h_;              // s, a part
-    typename S::Time dt_;   // the same
-    typename S::Time last_; // the part before
-    bool bounces_ = false;  // whether anything may, in this step
+    Scalar h_;                // s, a part
+    typename S::Time dt_;     // the same
+    typename S::Time last_;   // the part before
+    bool bounces_ = false;    // whether anything may, in this step
+    std::uint64_t woken_ = 0; // bodies, when they were seen last
 };
 template <class StepT> SubstepDriver(StepT&) -> SubstepDriver<StepT>; ///< of a step
 

@@ -5,13 +5,14 @@
 /// `WorldContacts`: the contacts of a world from step to step. Those that go on are known again; those of bodies that
 /// sleep are kept apart, with what responses keep of them, until a body wakes or is taken away (notes 1.1).
 
+#include <ansatz/collision/contact_lists.hpp>
 #include <ansatz/collision/contact_order.hpp>
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/sleep.hpp>
-#include <ansatz/collision/sleeping_contacts.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/data.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -33,16 +34,45 @@ public:
     bool lasts(const Bodies& bodies, const Contact<S>& c) const {
         return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
     }
-    /// Where bodies have woken or gone since, the contacts of those that slept act again.
-    template <class Data> void wake_contacts(Data& data) {
-        if (contacts.any_sleep() && (woken_ != data.bodies.woken() || somebody_removed_)) wake_all_contacts(data);
+    /// Calls `f(id)` for each body in contact with one, by their ids.
+    void each_neighbour(const Bodies& bodies, std::uint32_t id, const auto& f) const {
+        std::vector<std::uint32_t> neighbours;
+        contacts.each_of(id, [&](const auto& c) {
+            if (lasts(bodies, c)) neighbours.push_back(c.first.id == id ? c.second.id : c.first.id);
+        });
+        std::ranges::sort(neighbours);
+        for (const auto neighbour : neighbours) f(neighbour);
     }
-    /// All of them act again. Where it fails, none does.
-    template <class Data> void wake_all_contacts(Data& data) {
+    /// Where bodies have woken or gone since, their contacts that slept act again. Where it fails, none does.
+    template <class Data> void wake_contacts(Data& data) {
+        if (woken_ == data.bodies.woken() && !somebody_removed_) return;
+        if (contacts.any_sleep()) {
+            make_room_to_wake(data);
+            for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake); ++slot) leave(data, data.bodies.id(slot));
+            wake(data);
+        }
+        woken_ = data.bodies.woken();
+    }
+    /// Room for all of them.
+    template <class Data> void make_room_to_wake(Data& data) {
         contacts.make_room_to_wake();
         each_acting_state(data, [](auto& state) { state.make_room_to_wake(); });
-        contacts.wake();
-        each_acting_state(data, [](auto& state) { state.wake_contacts(); });
+    }
+    /// Those of one body act again. With room for them, it cannot fail.
+    template <class Data> void wake_contacts_of(Data& data, std::uint32_t id) {
+        leave(data, id);
+        wake(data);
+    }
+    /// Calls `f(contact)` for each that acts, in the order of their ids. Where it returns that it has woken bodies of
+    /// the contact, theirs act, too; those that stand behind it are still visited.
+    template <class Data> void each_acting(Data& data, const auto& f) {
+        if (contacts.any_sleep()) make_room_to_wake(data);
+        contacts.each_acting([&](const auto& contact) {
+            if (!f(contact) || !contacts.any_sleep()) return;
+            for (const auto id : {contact.first.id, contact.second.id})
+                if (data.bodies.motion(data.bodies.slot_of_id(id)) == Motion::awake) leave(data, id, contact);
+        });
+        wake(data);
     }
 
 protected:
@@ -50,8 +80,11 @@ protected:
     using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>,
                                         typename C::template responses<Level::accelerations>>;
 
-    /// A body has been removed.
-    void body_gone() { somebody_removed_ = true; }
+    /// A body has been removed; what it was in contact with is told in the next step.
+    void body_gone(std::uint32_t id) {
+        somebody_removed_ = true;
+        contacts.leave(id);
+    }
     /// Whether one has been, since the last step.
     bool any_gone() const { return somebody_removed_; }
     /// Those that were found take the place of those that acted.
@@ -76,11 +109,11 @@ protected:
         if constexpr (can_keep_apart<Data>()) {
             if (n == 0 || !keeps_apart) return;
             const auto sleeps = [&](const auto& pair) { return detail::sleeps<C>(data, pair); };
-            contacts.make_room_to_sleep(n);
-            each_acting_state(data, [&](auto& state) { state.make_room_to_sleep(n); });
+            const auto ids = data.bodies.ids();
+            contacts.make_room_to_sleep(n, ids);
+            each_acting_state(data, [&](auto& state) { state.make_room_to_sleep(n, ids); });
             contacts.put_to_sleep(sleeps);
             each_acting_state(data, [&](auto& state) { state.put_to_sleep(sleeps); });
-            woken_ = data.bodies.woken();
         }
     }
 
@@ -93,13 +126,26 @@ private:
                 return (requires(Data& data) { data.template state<R>().wake_contacts(); } && ...);
             }(NextStep{});
     }
+    /// A body has woken.
+    /// \param behind within `each_acting`, the contact that is visited
+    template <class Data> void leave(Data& data, std::uint32_t id, const auto&... behind) {
+        if (!contacts.has_sleeping(id)) return;
+        contacts.leave(id, behind...);
+        each_acting_state(data, [id](auto& state) { state.leave(id); });
+    }
+    /// The contacts that have left act.
+    template <class Data> void wake(Data& data) {
+        if (!contacts.any_left()) return;
+        contacts.wake();
+        each_acting_state(data, [](auto& state) { state.wake_contacts(); });
+    }
     template <class Data> static void each_acting_state([[maybe_unused]] Data& data, [[maybe_unused]] auto&& f) {
         if constexpr (C::acts_next && can_keep_apart<Data>())
             [&]<class... R>(Types<R...>) { (f(data.template state<R>()), ...); }(NextStep{});
     }
 
     bool somebody_removed_ = false; // since the last step
-    std::uint64_t woken_ = 0;       // bodies, when contacts were put to sleep
+    std::uint64_t woken_ = 0;       // bodies, when their contacts were looked for last
 };
 
 } // namespace ansatz

@@ -14,6 +14,10 @@
 /// g++ tells of each of them by a macro. clang tells of `-ffast-math` and `-ffinite-math-only` only: there,
 /// `-funsafe-math-optimizations` by itself is not seen.
 
+#if defined(__cplusplus) && __cplusplus < 202002L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 202002L)
+#error "Ansatz: the library is written in C++20; compile with -std=c++20 or newer"
+#endif
+
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST)
 #error                                                                                                                 \
     "Ansatz: -ffast-math is refused: it lets the compiler reorder sums and forget NaN, and equal worlds would differ; use -O3"

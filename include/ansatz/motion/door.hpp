@@ -89,6 +89,7 @@ public:
         in.template tell<hook::Disturbed>(body.id);
         slot = in.data.bodies.slot_of_id(body.id); // bodies that this woke changed places with others
         in.data.lanes.template set<ansatz::Position>(slot, where);
+        in.data.bodies.note_change(slot);
         if constexpr (C::history) {
             if (kind == Motion::fixed || kind == Motion::resting) in.data.stop(slot);
             else in.data.set_velocity(slot, v);

@@ -195,17 +195,29 @@ public:
             typename S::Position old_position{};
             if constexpr (history && velocity) old_velocity = row.template get<Velocity>();
             if constexpr (history && position) old_position = row.template get<Position>();
-            (detail::apply_one<E, S>(std::get<detail::place_of<E, List>>(effects_), row, writes_of<E>{},
-                                     difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}, context),
-             ...);
+            apply_all(row, context);
             if constexpr (history && position)
                 row.template get<PreviousPosition>() += row.template get<Position>() - old_position;
             if constexpr (history && velocity) keep_or_kick(row, old_velocity, over);
         }
     }
+    /// The same for a body whose history has not begun: in its place stands the velocity that it was given.
+    template <class I, class R>
+    [[gnu::always_inline]] void apply_before_history(R& row, const Context<S>& context) const {
+        static_assert(detail::derives_velocity<I>);
+        row.template get<Velocity>() = S::Velocity::from_value(row.template get<PreviousPosition>().value());
+        apply_all(row, context);
+        row.template get<PreviousPosition>() = S::Position::from_value(row.template get<Velocity>().value());
+    }
 
 private:
     using List = std::tuple<E...>;
+
+    template <class R> [[gnu::always_inline]] void apply_all(R& row, const Context<S>& context) const {
+        (detail::apply_one<E, S>(std::get<detail::place_of<E, List>>(effects_), row, writes_of<E>{},
+                                 difference_of<reads_of<E>, union_of<writes_of<E>, Columns<Clock>>>{}, context),
+         ...);
+    }
 
     // A component that no effect changed keeps its history to the bit: a null effect must be the same as none.
     template <class R>
@@ -344,6 +356,21 @@ template <class S, class I, class EffectsT, class Transient> struct EffectsOnly 
 private:
     template <class R, class... C> [[gnu::always_inline]] static void clear(R& row, Columns<C...>) {
         ((row.template get<C>() = value_of<C, S>()), ...);
+    }
+};
+
+/// Effects where velocity is derived, after something has given some of the bodies a velocity.
+/// \tparam Data says which, `data.waiting(slot)`
+template <class S, class I, class EffectsT, class Data> struct EffectsBetweenHistories {
+    EffectsT effects;      ///< the effects
+    Context<S> context;    ///< time and step
+    typename S::Time over; ///< the time between the previous and the present positions of the others, s
+    const Data* data;      ///< of the world
+
+    /// One body's effects.
+    template <class R> void operator()(R& row, std::size_t slot) const {
+        if (data->waiting(std::uint32_t(slot))) effects.template apply_before_history<I>(row, context);
+        else effects.template apply<I>(row, context, over);
     }
 };
 

@@ -52,11 +52,12 @@ template <class S> struct SleepScratch {
     std::vector<typename S::Acceleration>
         pulls; ///< by slot: what pulls at a body at rest, with what its contacts push where that is known
     std::vector<decltype(norm(typename S::Acceleration()))>
-        trembles;                         ///< by slot: how much of it may remain where contacts carry
-    std::vector<std::uint8_t> held;       ///< by slot: whether something holds the body
-    std::vector<std::uint8_t> goes_along; ///< by slot: whether it touches a platform that moves, or hangs on one
-    std::vector<std::uint8_t> restless;   ///< whether an island stays awake, by its root
-    std::vector<std::uint32_t> sleepers;  ///< by id
+        trembles;                           ///< by slot: how much of it may remain where contacts carry
+    std::vector<std::uint8_t> held;         ///< by slot: whether something holds the body
+    std::vector<std::uint8_t> goes_along;   ///< by slot: whether it touches a platform that moves, or hangs on one
+    std::vector<std::uint8_t> restless;     ///< whether an island stays awake, by its root
+    std::vector<std::uint32_t> sleepers;    ///< by id
+    std::vector<typename S::Scalar> struck; ///< by slot: how fast a body may be that is struck in this substep, m/s
 
     /// Room for so many bodies.
     void reserve(std::size_t n) {
@@ -67,6 +68,7 @@ template <class S> struct SleepScratch {
         goes_along.reserve(n);
         restless.reserve(n);
         sleepers.reserve(n);
+        struck.reserve(n);
     }
 };
 

@@ -53,7 +53,7 @@ struct Break {
 /// The forces of the state that was made: Rest looks at them, queries read them, the next step begins with them.
 struct SumForces {
     static constexpr Phase phase = phases::sums;
-    static constexpr std::string_view name = "forces between bodies";
+    static constexpr std::string_view name = "forces for rest, queries and the next step";
     static void run(auto& step) {
         step.data.coupled.current = false;
         refresh_coupled(step.data, step.policies, step.after());

@@ -71,6 +71,13 @@ public:
         } while (detail::wake_through_elements(
             data_, [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); }, wake));
     }
+    /// Whoever moves fast has been slow for no time, even if the step leaves it another velocity.
+    void look_at_speed() {
+        const auto now = context_;
+        context_ = Context<S>(now.time(), TimeStep<S>(S::Time::from_value(Scalar(0)), now.dt()));
+        count_slow();
+        context_ = now;
+    }
     /// Bodies fall asleep one by one.
     void put_to_rest() {
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
@@ -83,9 +90,7 @@ public:
     }
     /// Islands fall asleep: those that touch each other, or hang together, do so together.
     void put_islands_to_rest() {
-        if constexpr (C::rests_late)
-            this->template effects_only<Columns<>>(
-                typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)), context_.dt());
+        if constexpr (C::rests_late) count_slow();
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
         auto& scratch = data_.sleep.value;
         scratch.sleepers.clear();
@@ -114,6 +119,10 @@ public:
     }
 
 private:
+    /// For how long each has been slow; a step longer, or not at all.
+    void count_slow() {
+        this->effects_between(typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)));
+    }
     void put_to_rest(Slot slot) {
         data_.stop(slot);
         data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});

@@ -69,14 +69,14 @@ public:
     template <class E> void row_system(const E& policy) {
         Effects<S, E> one(policy);
         one.prepare(context_);
-        effects_only<Columns<>>(one, context_.dt());
+        effects_between(one);
         if constexpr (couplings_see(writes_of<E>{})) data_.coupled.current = false;
         if constexpr (C::asked == LawsAsked::beforehand &&
                       intersection_of<writes_of<E>, typename C::Laws::needs>::size > 0)
             data_.own.value.known = false;
     }
     /// Effects of the whole step.
-    void effects_at_the_end() { effects_only<Columns<>>(bound_.end, context_.dt()); }
+    void effects_at_the_end() { effects_between(bound_.end); }
 
     /// \name What the laws say, asked once
     /// A part of a step that looks at accelerations before the integrator does asks the laws here; the integrator takes
@@ -175,6 +175,18 @@ protected:
         using Needs = union_of<Written, typename EffectsT::reads, derived,
                                std::conditional_t<Transient_::size != 0, Columns<InverseMass>, Columns<>>>;
         walk<Needs, Written>(range, EffectsOnly<S, I, EffectsT, Transient_>{effects, context_, over});
+    }
+    /// The same before or behind the integrator's own loops, where something may have given bodies a velocity.
+    template <class EffectsT> void effects_between(const EffectsT& effects) {
+        if constexpr (C::history) {
+            using Written = union_of<typename EffectsT::writes, writes_of<I>>;
+            using Needs = union_of<Written, typename EffectsT::reads, derived>;
+            const auto last = data_.last_part; // none before the first step, when who does not wait stands still
+            const auto over = last.value() > Scalar(0) ? last : typename S::Time(context_.dt());
+            if (data_.starts.none()) return effects_only<Columns<>>(effects, over);
+            walk<Needs, Written>(Motion::awake,
+                                 EffectsBetweenHistories<S, I, EffectsT, Data>{effects, context_, over, &data_});
+        } else effects_only<Columns<>>(effects, context_.dt());
     }
     /// One loop over the bodies of a kind.
     template <class Needs, class Written, class Kernel> void walk(Motion range, const Kernel& kernel) {

@@ -17,8 +17,8 @@
 /// | `Ropes{}`             | only pull; takes the same options                                   |
 ///
 /// Ends in one place have no axis: such a spring does nothing until they part. A spring is gone with a body that it
-/// holds. A body on a spring falls asleep only where the forces on it cancel to the last bit. Not provided: torsion,
-/// bending.
+/// holds. A body on a spring falls asleep where what remains of the forces on it is less than `Rest::pull` allows. Not
+/// provided: torsion, bending.
 
 #include <ansatz/motion/concepts.hpp>
 #include <ansatz/springs/constraint.hpp>

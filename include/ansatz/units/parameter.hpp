@@ -31,6 +31,14 @@ template <class S1, int N1, int O1, class S2, int N2, int O2>
 inline constexpr bool widens<Dense<S1, N1, 1, O1>, Dense<S2, N2, 1, O2>> =
     N2 <= N1 && N2 >= 2 && (std::is_same_v<S1, S2> || widens<S1, S2>);
 
+template <class T> inline constexpr bool vector_of_known_size = false;
+template <class T>
+    requires requires {
+        typename T::PlainObject;
+        requires T::RowsAtCompileTime > 0;
+    }
+inline constexpr bool vector_of_known_size<T> = true;
+
 template <class To, class From> constexpr To widened(const From& from) {
     if constexpr (std::is_arithmetic_v<To>) return static_cast<To>(from);
     else {
@@ -111,7 +119,13 @@ private:
             needs_no_unit,
             "Ansatz units: a bare number where a quantity belongs; multiply it with its unit, e.g. 0.5 * metre "
             "or 0.05 / second");
-        if constexpr (needs_no_unit && std::is_convertible_v<Number, Value>)
+        if constexpr (needs_no_unit && detail::vector_of_known_size<Value> && detail::vector_of_known_size<Number>) {
+            constexpr bool fits = detail::widens<Value, typename Number::PlainObject>;
+            static_assert(fits, "Ansatz units: a vector that this parameter cannot hold, because it has more "
+                                "components or another scalar; v.cast<double>() makes it one of doubles");
+            if constexpr (fits) return Base::from_value(detail::widened<Value>(typename Number::PlainObject(number)));
+            else return Base();
+        } else if constexpr (needs_no_unit && std::is_convertible_v<Number, Value>)
             return Base::from_value(static_cast<Value>(number));
         else return Base();
     }

@@ -87,32 +87,37 @@ template <class C, class DatumT, class... Property> struct AddFacts {
                                mass_wanted && mass_there && infinite_mass && fixed_stands && resting_stands &&
                                can_rest && datum_kept && datum_fits;
 };
-template <class Facts> struct CheckAdd {
-    static_assert(Facts::properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
-                                     "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
-    static_assert(Facts::one_kind, "Ansatz: add: a body is one of fixed, moving or resting");
-    static_assert(Facts::once, "Ansatz: add: a property is given twice");
+/// By name: clang prints the condition in front of the sentence.
+template <class Facts> struct CheckAdd : Facts {
+    using Facts::properties, Facts::one_kind, Facts::once, Facts::mass_by_name, Facts::no_history, Facts::own_columns,
+        Facts::mass_wanted, Facts::mass_there, Facts::infinite_mass, Facts::fixed_stands, Facts::resting_stands,
+        Facts::can_rest, Facts::datum_kept, Facts::datum_fits;
+
+    static_assert(properties, "Ansatz: add takes named properties; write e.g. add(position(metres(0, 10, 0)), "
+                              "velocity(metres_per_second(1, 0, 0)), mass(2.0 * kilogram))");
+    static_assert(one_kind, "Ansatz: add: a body is one of fixed, moving or resting");
+    static_assert(once, "Ansatz: add: a property is given twice");
     static_assert(
-        Facts::mass_by_name,
+        mass_by_name,
         "Ansatz: add: a mass is given by mass(...), e.g. mass(2.0 * kilogram), which holds it to be positive");
-    static_assert(Facts::no_history,
+    static_assert(no_history,
                   "Ansatz: add: the integrator makes the history of a body from its velocity; give velocity(...)");
-    static_assert(Facts::own_columns,
+    static_assert(own_columns,
                   "Ansatz: add: the world itself writes this column; a force from outside is given by apply_force");
     static_assert(
-        Facts::mass_wanted,
+        mass_wanted,
         "Ansatz: add: this world stores no mass, because none of its policies needs it (gravity "
         "accelerates every mass alike); leave mass(...) out, or add Keep<InverseMass>{} to the world's policies");
     static_assert(
-        Facts::mass_there || !Facts::mass_by_name,
+        mass_there || !mass_by_name,
         "Ansatz: add: this world's policies need the mass of a body; give it, e.g. mass(2.0 * kilogram), or say fixed");
-    static_assert(Facts::infinite_mass, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
-    static_assert(Facts::fixed_stands,
+    static_assert(infinite_mass, "Ansatz: add: a fixed or moving body has infinite mass; leave mass(...) out");
+    static_assert(fixed_stands,
                   "Ansatz: add: a fixed body has no velocity; a platform that moves is added as `moving`");
-    static_assert(Facts::resting_stands, "Ansatz: add: a resting body has no velocity");
-    static_assert(Facts::can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
-    static_assert(Facts::datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
-    static_assert(Facts::datum_fits,
+    static_assert(resting_stands, "Ansatz: add: a resting body has no velocity");
+    static_assert(can_rest, "Ansatz: add: this world puts no bodies to rest; add Rest{} to its policies");
+    static_assert(datum_kept, "Ansatz: add: this world keeps no datum of yours; add Datum<T>{} to its policies");
+    static_assert(datum_fits,
                   "Ansatz: add: the datum is not of the type that the world keeps; see Datum<T> among its policies");
 };
 

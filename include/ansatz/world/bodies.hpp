@@ -127,8 +127,22 @@ public:
     /// The generation that its handle must have.
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
+    /// A number that changes where bodies come to other slots, and where one is put somewhere else from outside: a
+    /// cache of bodies that do not move need not look at them while it is the same. Never zero, but without bodies.
+    std::uint64_t changes() const { return changes_; }
+    /// The same for each `block` slots.
+    const std::vector<std::uint32_t>& changes_by_block() const { return changes_by_block_; }
+    static constexpr std::size_t block = 64; ///< slots that have one number
+    /// The body of a slot has been put somewhere else.
+    void note_change(std::size_t slot) {
+        ++changes_;
+        auto& changes = changes_by_block_[slot / block];
+        if (++changes == 0) changes = 1;
+    }
+
     /// Room for so many bodies, at once.
     [[gnu::cold]] void reserve(std::size_t n) {
+        changes_by_block_.reserve(n / block + 1);
         id_at_.reserve(n);
         slot_of_.reserve(n);
         generation_.reserve(n);
@@ -139,6 +153,7 @@ public:
     void reserve_notes() { free_.reserve(slot_of_.size()); }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const Bodies& other) {
+        changes_by_block_.reserve(other.changes_by_block_.size());
         id_at_.reserve(other.id_at_.size());
         slot_of_.reserve(other.slot_of_.size());
         generation_.reserve(other.generation_.size());
@@ -157,8 +172,8 @@ public:
         }
     }
 
-    /// How often a body that rested has gone on; what is kept of resting bodies is not theirs any more where it
-    /// changes.
+    /// How often a resting body has woken. What was kept for resting bodies is out of date where this has changed
+    /// since.
     std::uint64_t woken() const { return woken_; }
 
     /// Adds a body in the last slot, as fixed; `move` then brings it where it belongs. With room for it, it cannot
@@ -176,6 +191,8 @@ public:
         }
         slot_of_[id] = Slot(id_at_.size());
         append(id_at_, id);
+        if (changes_by_block_.size() * block < id_at_.size()) append(changes_by_block_, 0);
+        note_change(id_at_.size() - 1);
         ++end_[3];
         return {id, generation_[id]};
     }
@@ -239,7 +256,9 @@ private:
     [[gnu::noinline]] static void append(std::vector<std::uint32_t>& to, std::uint32_t value) { to.push_back(value); }
 
     template <class Swap> void exchange(Slot i, Slot j, Swap& swap) {
+        note_change(i);
         if (i == j) return;
+        note_change(j);
         swap(i, j);
         std::swap(id_at_[i], id_at_[j]);
         slot_of_[id_at_[i]] = i;
@@ -250,7 +269,9 @@ private:
     std::vector<Slot> slot_of_;             // by id
     std::vector<std::uint32_t> generation_; // by id
     std::vector<std::uint32_t> free_;       // ids to give out again, last freed first
-    Ends end_;                              // of each range
+    std::vector<std::uint32_t> changes_by_block_;
+    std::uint64_t changes_ = 0;
+    Ends end_; // of each range
     std::uint64_t woken_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include <ansatz/world/lanes.hpp>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ansatz {
@@ -29,6 +30,23 @@ struct Status {
     Handle first_not_finite{};    ///< the one with the smallest id among them
     /// Nothing went wrong.
     bool ok() const { return !lost && unsolved == 0 && not_finite == 0; }
+    /// "ok", or what went wrong.
+    friend std::string describe(const Status& status) {
+        if (status.lost) return "a step was broken off by an exception";
+        if (status.ok()) return "ok";
+        std::string text;
+        if (status.unsolved > 0)
+            text = detail::joined({describe(std::size_t(status.unsolved)), " body steps unsolved"});
+        if (status.not_finite > 0)
+            text += detail::joined({text.empty() ? "" : ", ", describe(std::size_t(status.not_finite)),
+                                    " bodies not finite, the first is body ",
+                                    describe(std::size_t(status.first_not_finite.id))});
+        return text;
+    }
+    /// The same on a stream.
+    template <class Out> friend auto operator<<(Out& out, const Status& status) -> decltype(out << std::string()) {
+        return out << describe(status);
+    }
 };
 
 template <class C> struct WorldData;

@@ -93,8 +93,9 @@ template <class Q> using stripped = typename Stripped<Q>::type;
 /// Where the body is: a vector of length, e.g. `position(metres(0, 10, 0))`. The origin if it is not given.
 template <class Q> auto position(const Q& x) {
     using Given_ = detail::stripped<Q>;
-    static_assert(detail::has_unit<unit::Length, Given_> && detail::vector_valued<Given_>,
-                  "Ansatz: position takes a vector of lengths; write e.g. position(metres(0, 10, 0))");
+    // By name: clang prints the condition.
+    constexpr bool fits = detail::has_unit<unit::Length, Given_> && detail::vector_valued<Given_>;
+    static_assert(fits, "Ansatz: position takes a vector of lengths; write e.g. position(metres(0, 10, 0))");
     return Given<Position, Given_>{x};
 }
 
@@ -118,7 +119,9 @@ auto velocity(const Number&...) {
 /// How it moves: a vector of velocity, e.g. `velocity(metres_per_second(1, 0, 0))`. %Zero if it is not given.
 template <class Q> auto velocity(const Q& v) {
     using Given_ = detail::stripped<Q>;
-    static_assert(detail::has_unit<unit::Velocity, Given_> && detail::vector_valued<Given_>,
+    // By name: clang prints the condition.
+    constexpr bool fits = detail::has_unit<unit::Velocity, Given_> && detail::vector_valued<Given_>;
+    static_assert(fits,
                   "Ansatz: velocity takes a vector of velocities; write e.g. velocity(metres_per_second(1, 0, 0))");
     return Given<Velocity, Given_>{v};
 }
@@ -126,8 +129,9 @@ template <class Q> auto velocity(const Q& v) {
 /// How heavy it is: e.g. `mass(2.0 * kilogram)`. Needed where the world stores mass.
 template <class Q> auto mass(const Q& m) {
     using Given_ = detail::stripped<Q>;
-    static_assert(detail::has_unit<unit::Mass, Given_> && !detail::vector_valued<Given_>,
-                  "Ansatz: mass takes a mass; write e.g. mass(2.0 * kilogram)");
+    // By name: clang prints the condition.
+    constexpr bool fits = detail::has_unit<unit::Mass, Given_> && !detail::vector_valued<Given_>;
+    static_assert(fits, "Ansatz: mass takes a mass; write e.g. mass(2.0 * kilogram)");
     return GivenMass<Given_>{m};
 }
 

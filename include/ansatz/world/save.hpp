@@ -249,6 +249,8 @@ private:
             kind = motion;
             data.bodies.slot_of_[id] = Bodies::Slot(slot);
             data.bodies.id_at_.push_back(std::uint32_t(id));
+            if (slot % Bodies::block == 0) data.bodies.changes_by_block_.push_back(1);
+            data.bodies.changes_ = 1;
             for (auto m = std::size_t(motion); m < 4; ++m) data.bodies.end_[m] = slot + 1;
             data.lanes.push_back();
             read_columns(data.lanes, body, slot, typename C::state{});

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -98,21 +99,28 @@ public:
 
     /// \name Contacts whose bodies sleep; where there is room, none of these can fail
     /// @{
-    void make_room_to_sleep(std::size_t n) { asleep_.make_room(n); }     ///< for so many more
+    /// For so many more, of bodies with ids below `ids`.
+    void make_room_to_sleep(std::size_t n, std::size_t ids) { asleep_.make_room(n, ids); }
     void put_to_sleep(const auto& sleeps) { asleep_.take(all, sleeps); } ///< those for which it holds
     /// For all of them.
     void make_room_to_wake() {
         if (all.capacity() < all.size() + asleep_.size()) all.reserve(all.size() + asleep_.size());
+        asleep_.make_room_to_leave();
     }
-    /// All of them act, those that were put to sleep included.
+    /// A body has woken: its contacts will act once `wake_contacts` is called.
+    void leave(std::uint32_t id) {
+        asleep_.leave(id, [](std::uint32_t) {});
+    }
+    /// Those that have left act.
     void wake_contacts() {
-        std::size_t asleep = 0; // before each of those that may bounce
+        const auto& woken = asleep_.left();
+        std::size_t before = 0; // each of those that may bounce
         for (auto& pair : impacts.pairs) {
-            while (asleep < asleep_.size() && detail::ids_of(asleep_.all()[asleep]) < detail::ids_of(all[pair.which]))
-                ++asleep;
-            pair.which += std::uint32_t(asleep);
+            while (before < woken.size() && detail::ids_of(asleep_[woken[before]]) < detail::ids_of(all[pair.which]))
+                ++before;
+            pair.which += std::uint32_t(before);
         }
-        asleep_.wake(all);
+        asleep_.merge(all, std::identity());
     }
     /// @}
 
@@ -229,7 +237,7 @@ public:
     /// Room for so many bodies, of which steps make some.
     void reserve(std::size_t n) { detail::reserve_each(n, bodies, kicks, pushed, impacts, loads_, islands_); }
     /// Room for the contacts of bodies that a step may make by dividing others.
-    void make_room_to_come() { detail::make_room_for_copies(all); }
+    void make_room_to_come() { detail::make_room_for_copies(all, asleep_.size()); }
     /// A body has been divided: the new one takes its share of the impulses, since it has that share of the load.
     void body_divided(std::uint32_t id, std::uint32_t part, const Scalar& share) {
         detail::divide_impulses<Rubs>(all, id, part, share);
@@ -256,7 +264,7 @@ public:
     }
     /// The impulses are state: the next step begins with them.
     void add_to(auto& hash) const {
-        asleep_.each(all, [&](const Constraint& c) {
+        each([&](const Constraint& c) {
             if (c.impulse == Scalar(0)) return;
             hash.add(std::uint64_t(c.a) << 32 | c.b);
             hash.add_number(c.impulse);
@@ -265,7 +273,7 @@ public:
     /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it
     /// would be another by the last bits, and a loaded world would go on beside the saved one.
     template <class F> void saved(F&& f) const {
-        asleep_.each(all, [&](const Constraint& c) {
+        each([&](const Constraint& c) {
             std::vector<Scalar> numbers{c.impulse, c.touching};
             numbers.insert(numbers.end(), c.normal.data(), c.normal.data() + S::dimension);
             if constexpr (Rubs) numbers.insert(numbers.end(), c.rubbing.data(), c.rubbing.data() + S::dimension);
@@ -297,6 +305,8 @@ public:
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
 private:
+    /// Those whose bodies sleep, too.
+    void each(const auto& f) const { asleep_.each(all, f, f); }
     [[gnu::always_inline]] void press(Constraint& c, Scalar bias, Scalar mass_share, Scalar impulse_share) {
         const Scalar j = -c.mass * mass_share * (along(c) + bias) - impulse_share * c.impulse;
         const Scalar now = std::max(c.impulse + j, Scalar(0)); // contacts never pull

@@ -3,6 +3,7 @@
 
 /// \file
 /// What contacts and joints are solved with: `SolverBody`, a body while they are, and `Softness`, how they answer.
+/// Beyond the notes.
 
 #include <ansatz/units.hpp>
 
@@ -10,7 +11,8 @@
 
 namespace ansatz {
 
-/// How a soft contact answers in a substep of length h: \f$ \omega = 2\pi f \f$, \f$ a_1 = 2\zeta + \omega h \f$, \f$ a_2 = \omega h a_1 \f$.
+/// How a soft contact answers in a substep of length h:
+/// \f$ \omega = 2\pi f \f$, \f$ a_1 = 2\zeta + \omega h \f$, \f$ a_2 = \omega h a_1 \f$.
 template <class Scalar> struct Softness {
     Scalar rate = 0;    ///< 1/s: how much of the depth is taken away in a second, omega / a1
     Scalar mass = 1;    ///< the share of the wrong velocity that is taken away, a2 / (1 + a2)
