@@ -43,7 +43,7 @@ template <class S> void hit_in_a_row(int in_row, double gap, double speed, doubl
 }
 } // namespace
 
-TEST_CASE("a sleeper that is struck into another one is not struck against a wall", "[collision][rest][C6]") {
+TEST_CASE("a sleeper that is struck into another one is not struck against a wall", "[collision][rest][R11]") {
     for (const int in_row : {1, 2, 3})
         for (const double gap : {0.0, 1e-4, 1e-3, 2e-3, 1e-2})
             for (double speed = 0.25; speed < 5; speed += 0.25) {

@@ -218,7 +218,7 @@ private:
         }
         ++marks_.count;
         for (const std::size_t side : {0u, 1u}) {
-            const auto edge = std::uint32_t(2 * place + side);
+            const auto edge = std::uint32_t(2 * std::size_t(place) + side);
             auto& first = first_[body_of(place, side)];
             nodes_[place].next[side] = first;
             nodes_[place].previous[side] = none;

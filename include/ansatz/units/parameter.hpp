@@ -26,7 +26,8 @@ template <SymbolText Given, SymbolText Wanted> constexpr void refuse_unit() {
 }
 
 /// A quantity's value in another, wider shape or scalar: float in double, two components in three.
-template <class To, class From> inline constexpr bool widens = std::is_arithmetic_v<To> && std::is_arithmetic_v<From>;
+template <class To, class From>
+inline constexpr bool widens = std::conjunction_v<std::is_arithmetic<To>, std::is_arithmetic<From>>;
 template <class S1, int N1, int O1, class S2, int N2, int O2>
 inline constexpr bool widens<Dense<S1, N1, 1, O1>, Dense<S2, N2, 1, O2>> =
     N2 <= N1 && N2 >= 2 && (std::is_same_v<S1, S2> || widens<S1, S2>);
