@@ -96,7 +96,7 @@ build_progress() {
             : > build/logs/announced
             clear_progress
             echo
-            say "  $DIM$ANNOUNCE$PLAIN"
+            WIDTH=$((WIDTH - 2)) say "$ANNOUNCE" | sed "s/^/  $DIM/; s/\$/$PLAIN/"
             break
         done
     fi
