@@ -52,9 +52,12 @@ public:
                       << std::defaultfloat << '\n';
         }
         if (rows_.size() > 1)
-            std::cout << (rows_[0].numbers == rows_[1].numbers ? "\nYour numbers are the library's, to the last bit.\n"
-                                                               : "\nYour numbers are not the library's to the last "
-                                                                 "bit; the table says by how much they differ.\n");
+            std::cout << (rows_[0].numbers == rows_[1].numbers
+                              ? "\nYour numbers are the library's, to the last bit.\n"
+                              : "\nYour numbers are not the library's to the last bit; the table says by how much they "
+                                "differ.\nThat is no mistake by itself: the same formula in another order rounds "
+                                "otherwise, and where many\nbodies collide a last bit grows. Our own solution may "
+                                "differ likewise.\n");
         std::clog << "the scene is over\n"; // how the workbook knows that nothing has ended the program before
         return 0;
     }
