@@ -30,6 +30,7 @@ while read -r header; do
     needed=
     case $header in
     ansatz/states/scxml*) needed=pugixml.hpp ;;
+    ansatz/execution/on_ranks*) needed=mpi.h ;;
     ansatz/world/*) if grep -qE 'needs nlohmann-json|#include <nlohmann' "$project/include/$header"; then needed=nlohmann/json.hpp; fi ;;
     esac
     if [ -n "$needed" ]; then printf '#if __has_include(<%s>)\n#include <%s>\n#endif\n' "$needed" "$header"

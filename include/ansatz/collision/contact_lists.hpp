@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -85,14 +84,14 @@ public:
         asleep_.leave(id, [&](std::uint32_t place) {
             if (!(detail::ids_of(behind) < detail::ids_of(asleep_[place]))) return;
             ahead_.push_back(place);
-            std::ranges::push_heap(ahead_, std::greater(), ids_at());
+            std::push_heap(ahead_.begin(), ahead_.end(), later());
         });
     }
     /// Calls `f(contact)` for those that act and those that `leave` meanwhile, in the order of their ids.
     void each_acting(auto&& f) {
         for (std::size_t n = 0; n < acting.size() || !ahead_.empty();)
-            if (!ahead_.empty() && (n == acting.size() || ids_at()(ahead_.front()) < detail::ids_of(acting[n]))) {
-                std::ranges::pop_heap(ahead_, std::greater(), ids_at());
+            if (!ahead_.empty() && (n == acting.size() || ids_at(ahead_.front()) < detail::ids_of(acting[n]))) {
+                std::pop_heap(ahead_.begin(), ahead_.end(), later());
                 const auto next = ahead_.back();
                 ahead_.pop_back();
                 f(lasted(asleep_[next]));
@@ -117,8 +116,10 @@ private:
         c.steps += steps_;
         return c;
     }
-    auto ids_at() const {
-        return [this](std::uint32_t place) { return detail::ids_of(asleep_[place]); };
+    auto ids_at(std::uint32_t place) const { return detail::ids_of(asleep_[place]); }
+    /// The order of a heap whose first is the one that comes next.
+    auto later() const {
+        return [this](std::uint32_t a, std::uint32_t b) { return ids_at(b) < ids_at(a); };
     }
 
     SleepingContacts<Contact<S>> asleep_; // how many steps each has lasted is counted without `steps_`

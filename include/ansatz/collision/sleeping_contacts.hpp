@@ -117,7 +117,9 @@ public:
     const std::vector<std::uint32_t>& left() {
         order_.clear();
         for (auto place = marks_.left; place != none; place = nodes_[place].next[0]) order_.push_back(place);
-        std::ranges::sort(order_, {}, [this](std::uint32_t place) { return detail::ids_of(nodes_[place].pair); });
+        std::sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
+            return detail::ids_of(nodes_[a].pair) < detail::ids_of(nodes_[b].pair);
+        });
         return order_;
     }
     /// They take their places among those that act. With room for them, it cannot fail.
@@ -252,7 +254,7 @@ private:
         return in_order_.get([this](std::vector<Place>& order) {
             for (std::uint32_t place = 0; place < nodes_.size(); ++place)
                 if (nodes_[place].next[0] != unused) order.push_back({detail::ids_of(nodes_[place].pair), place});
-            std::ranges::sort(order, {}, &Place::ids);
+            std::sort(order.begin(), order.end(), [](const Place& a, const Place& b) { return a.ids < b.ids; });
         });
     }
 

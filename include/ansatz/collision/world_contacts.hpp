@@ -40,7 +40,7 @@ public:
         contacts.each_of(id, [&](const auto& c) {
             if (lasts(bodies, c)) neighbours.push_back(c.first.id == id ? c.second.id : c.first.id);
         });
-        std::ranges::sort(neighbours);
+        std::sort(neighbours.begin(), neighbours.end());
         for (const auto neighbour : neighbours) f(neighbour);
     }
     /// Where bodies have woken or gone since, their contacts that slept act again. Where it fails, none does.
