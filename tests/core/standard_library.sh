@@ -12,7 +12,8 @@ scratch=${ANSATZ_SCRATCH:-$(mktemp -d)}
 mkdir -p "$scratch"
 cd "$scratch"
 
-echo '#include <vector>' > asks.cpp
+# The algorithms of std::ranges came with 15.
+printf '#include <version>\n#if _LIBCPP_VERSION < 15000\n#error too old\n#endif\n' > asks.cpp
 compiler=
 for one in clang++-2{1,0} clang++-1{9,8,7,6,5,4} clang++; do
     if command -v "$one" > one.path && "$one" -std=c++20 -stdlib=libc++ -fsyntax-only asks.cpp 2> asks.said; then
@@ -21,7 +22,7 @@ for one in clang++-2{1,0} clang++-1{9,8,7,6,5,4} clang++; do
     fi
 done
 if [ -z "$compiler" ]; then
-    echo "skipped: no clang with libc++ (on Debian: apt install clang-19 libc++-19-dev)"
+    echo "skipped: no clang with libc++ 15 or newer (on Debian: apt install clang-19 libc++-19-dev)"
     exit 0
 fi
 
