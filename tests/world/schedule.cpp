@@ -108,7 +108,7 @@ TEST_CASE("The schedule of a world can be read", "[schedule]") {
           "contacts\n"
           "clock\n"
           "breaking\n"
-          "forces between bodies\n");
+          "forces for rest, queries and the next step\n");
 }
 
 TEST_CASE("A world has the members that its policies bring, and no others", "[schedule]") {

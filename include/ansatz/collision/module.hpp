@@ -112,6 +112,9 @@ struct Collision {
         }
     }
     static void on(hook::MakeRoom, auto& data, std::uint32_t id, bool) { data.collisions.make_room(id); }
+    template <class C> static void on(hook::ReserveNotes, WorldData<C>& data, [[maybe_unused]] std::size_t n) {
+        if constexpr (C::rests) data.collisions.reserve_neighbours(n); // who is disturbed wakes
+    }
     static void on(hook::MakeRoomFor, auto& data, const auto& other) {
         data.collisions.make_room_for(other.collisions);
     }

@@ -10,6 +10,7 @@
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/sleep.hpp>
 #include <ansatz/world/bodies.hpp>
+#include <ansatz/world/cache.hpp>
 #include <ansatz/world/data.hpp>
 
 #include <algorithm>
@@ -34,9 +35,12 @@ public:
     bool lasts(const Bodies& bodies, const Contact<S>& c) const {
         return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
     }
-    /// Calls `f(id)` for each body in contact with one, by their ids.
+    /// Room for the neighbours of a body among so many.
+    void reserve_neighbours(std::size_t n) { neighbours_.value.reserve(n); }
+    /// Calls `f(id)` for each body in contact with one, by their ids. With room for them, it cannot fail.
     void each_neighbour(const Bodies& bodies, std::uint32_t id, const auto& f) const {
-        std::vector<std::uint32_t> neighbours;
+        auto& neighbours = neighbours_.value;
+        neighbours.clear();
         contacts.each_of(id, [&](const auto& c) {
             if (lasts(bodies, c)) neighbours.push_back(c.first.id == id ? c.second.id : c.first.id);
         });
@@ -144,8 +148,9 @@ private:
             [&]<class... R>(Types<R...>) { (f(data.template state<R>()), ...); }(NextStep{});
     }
 
-    bool somebody_removed_ = false; // since the last step
-    std::uint64_t woken_ = 0;       // bodies, when their contacts were looked for last
+    mutable detail::Cache<std::vector<std::uint32_t>> neighbours_; // ids
+    bool somebody_removed_ = false;                                // since the last step
+    std::uint64_t woken_ = 0;                                      // bodies, when their contacts were looked for last
 };
 
 } // namespace ansatz
