@@ -14,6 +14,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -355,4 +356,36 @@ TEST_CASE("a plane that moves meets those that stand still", "[collision][rest]"
     }
     CHECK(most == 100);
     CHECK(world.count(Motion::resting) == 0);
+}
+
+namespace {
+/// Lifts the body of id 0 by 3.1 m in each step.
+struct Lift_ {
+    using role = roles::System;
+    static constexpr std::string_view name = "Lift_";
+    template <class S> struct Raise {
+        using writes = Columns<Position>;
+        static constexpr Phase phase = phases::begin;
+        static constexpr std::string_view name = "lift";
+        explicit Raise(const Lift_&) {}
+        void run(auto& view, const auto&) const {
+            const auto slot = view.slot_of_id(0);
+            view.template set<Position>(slot, view.template get<Position>(slot) + metres(0, 3.1, 0));
+        }
+    };
+    template <class S> using systems = Types<Raise<S>>;
+};
+} // namespace
+
+TEST_CASE("a fixed body that a system puts somewhere else is met there", "[collision][rest]") {
+    auto world = world_of(SemiImplicitEuler{}, Rest{}, SoftSubsteps<>{}, Lift_{});
+    using S = Space<>;
+    for (int i = 0; i < 100; ++i) world.add(Box{metres(0.4, 0.4, 0.4)}, at<S>(i, 0), fixed);
+    const auto ball =
+        world.add(Sphere{0.5 * metre}, at<S>(0, 10), velocity(metres_per_second(0.2, 0, 0)), mass(1.0 * kilogram));
+    run(world, 2, 1.0 / 60);
+    CHECK(world.contacts().empty());
+    run(world, 1, 1.0 / 60);
+    REQUIRE(world.contacts().size() == 1);
+    CHECK(world.contacts()[0].second == ball);
 }

@@ -3,6 +3,7 @@
 
 #include "tests/collision/support.hpp"
 
+#include <ansatz/collision/hit_sleepers.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
 #include <ansatz/collision/substep_driver.hpp>
 #include <ansatz/motion/attraction.hpp>
@@ -54,6 +55,63 @@ TEST_CASE("a sleeper that is struck into another one is not struck against a wal
         hit_in_a_row<Space<float, 3>>(2, 1e-4, speed, 1, 1);
         hit_in_a_row<Space<double, 3>>(3, 1e-3, speed, 1, 3);
         hit_in_a_row<Space<double, 3>>(3, 1e-3, speed, 0.5, 0.3);
+    }
+}
+
+namespace {
+/// A ball that sleeps before a wall, or does not, is hit by another one, which may be hit itself.
+/// \return how far it comes, m; the middle of the wall is at 0.11 + gap
+double shot_at_a_wall(double gap, double speed, double e, int in_row, double slow_for, bool parted) {
+    using S = Space<double, 2>;
+    auto world = world_of(S{}, SemiImplicitEuler{}, Gravity{}, Rest{0.05 * metre_per_second, slow_for * second},
+                          SoftSubsteps<>{});
+    world.add(Plane::ground(), fixed);
+    world.add(Box{metres(0.01, 1)}, at<S>(0.11 + gap, 1), fixed);
+    const auto add = [&](double x, double v) {
+        return world.add(Sphere{0.1 * metre}, at<S>(x, 0.1), going<S>(v), mass(1.0 * kilogram), restitution(e));
+    };
+    std::vector<Handle> row;
+    for (int i = 0; i < in_row; ++i) row.push_back(add(-i * (0.2 + (parted ? gap : 0)), 0));
+    run(world, 60, dt);
+    REQUIRE(world.count(Motion::resting) == (slow_for == never ? 0u : std::size_t(in_row)));
+    add(-in_row * 0.21 - 0.1, speed);
+    double farthest = -1e9;
+    for (int i = 0; i < 30; ++i) {
+        run(world, 1, dt);
+        farthest = std::max(farthest, world.position(row[0]).value()[0]);
+    }
+    return farthest;
+}
+} // namespace
+
+TEST_CASE("a sleeper that is shot at a thin wall does not pass it", "[collision][rest][R11][C18]") {
+    for (const double slow_for : {0.5, never})
+        for (const int in_row : {1, 3})
+            for (const double gap : {1e-4, 1e-3, 2e-3})
+                for (const double e : {0.0, 0.5, 1.0})
+                    for (const double speed : {5.0, 22.0, 40.0, 70.0}) {
+                        INFO(in_row << " in a row, " << gap << " m before it, hit at " << speed << " m/s, e = " << e
+                                    << ", slow for " << slow_for << " s");
+                        CHECK(shot_at_a_wall(gap, speed, e, in_row, slow_for, false) <= 0.11 + gap);
+                        if (in_row > 1) CHECK(shot_at_a_wall(gap, speed, e, in_row, slow_for, true) <= 0.11 + gap);
+                    }
+}
+
+TEST_CASE("a body that was added asleep is hit in that step as if it were awake", "[collision][rest][R11]") {
+    using S = Space<>;
+    const auto height = [](double y, bool asleep) {
+        auto world = world_of(SemiImplicitEuler{}, Gravity{}, Rest{}, SoftSubsteps<>{});
+        world.add(Box{metres(2, 0.5, 2)}, at<S>(0, -0.5), fixed);
+        const auto ball = asleep ? world.add(Sphere{0.5 * metre}, at<S>(0, y), mass(1.0 * kilogram), resting)
+                                 : world.add(Sphere{0.5 * metre}, at<S>(0, y), mass(1.0 * kilogram));
+        world.add(Sphere{0.5 * metre}, at<S>(0, 1.02 + y), velocity(metres_per_second(0, -6, 0)), mass(1.0 * kilogram));
+        world.step(dt * second);
+        REQUIRE(world.motion(ball) == Motion::awake);
+        return height_of(world, ball);
+    };
+    for (const double y : {0.5, 0.499, 0.501}) {
+        CHECK(height(y, true) == height(y, false));
+        CHECK(height(y, true) >= 0.49);
     }
 }
 

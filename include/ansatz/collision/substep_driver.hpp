@@ -3,8 +3,9 @@
 
 /// \file
 /// `SubstepDriver`: a step in parts, by a response that owns substeps (`SoftSubsteps`). Before each part contacts and
-/// joints take away what is wrong with the velocities; behind it, what only corrected.
+/// joints take away what is wrong with the velocities; behind it, what only corrected. (Beyond the notes.)
 
+#include <ansatz/collision/hit_sleepers.hpp>
 #include <ansatz/collision/step.hpp>
 #include <ansatz/collision/substeps.hpp>
 #include <ansatz/motion/policy_systems.hpp>
@@ -61,11 +62,11 @@ public:
             if (somebody_woke()) see_who_woke();
             else see_bodies();
             if constexpr (C::rests)
-                if (wake_the_hit()) see_who_woke();
+                while (wake_the_hit()) see_who_woke();
             const bool struck = bounce();
             hold(part);
             move(part, inside);
-            if constexpr (C::rests) // what is being parted is no slower for it that this is taken back
+            if constexpr (C::rests) // here: a body that is being parted is not slow, though `let_go` takes that back
                 if (part + 1 == response_.parts()) RestStep<StepT>(step_).look_at_speed();
             let_go(struck);
         }
@@ -101,8 +102,12 @@ private:
     void look_ahead() {
         data_.collisions.expect(context_.dt());
         this->settle();
+        find_near(context_.dt().previous);
+    }
+    /// \param last the length of the step, or of the part, before
+    void find_near(const typename S::Time& last) {
         data_.collisions.refresh(data_, policies_, [&](Slot slot) {
-            return expected(slot, this->acceleration(slot, data_.load(slot, context_.dt().previous)));
+            return expected(slot, this->acceleration(slot, data_.load(slot, last)));
         });
     }
     /// The contacts and their bodies, for all parts.
@@ -137,17 +142,29 @@ private:
             return true;
         } else return false;
     }
-    /// The same where others stand in other slots now.
+    /// The same where bodies were woken: they stand in other slots now, and what they may come to touch was not looked
+    /// for while they slept.
     void see_who_woke() {
         woken_ = data_.bodies.woken();
-        bodies_.place(contacts_.bodies, contacts_.kicks);
-        contacts_.impacts.find_again([&] { begin_contacts(); });
+        contacts_.impacts.find_again(contacts_, [&] {
+            data_.collisions.make_stale();
+            find_near(last_);
+            bodies_.place(contacts_.bodies, contacts_.kicks);
+            begin_contacts();
+        });
         if constexpr (shares) {
             data_.own.value.known = false;
             this->know_own(context_);
         }
         if constexpr (C::history) this->complete_starts();
         see_bodies();
+    }
+    /// Sleepers that will be hit in this part of the step.
+    /// \return whether any body was woken
+    bool wake_the_hit() {
+        if (!HitSleepers<C, Contacts>(data_, contacts_, dt_).wake()) return false;
+        RestStep<StepT>(step_).wake_neighbours();
+        return true;
     }
     /// \return whether any two met within this part
     bool bounce() {
@@ -222,64 +239,6 @@ private:
     auto softness_of_rows() const {
         if constexpr (requires { response_.softness(h_); }) return response_.softness(h_);
         else return Softness<Scalar>::of(std::min(Scalar(120), Scalar(0.5) / h_), Scalar(5), h_);
-    }
-
-    /// A response that owns substeps stops what comes near before it touches. A sleeper would take that like a wall and
-    /// sleep on: a body that will be hit in this part of the step wakes before it, or behind the part in which another
-    /// was pushed into it.
-    /// \return whether any body was woken
-    bool wake_the_hit() {
-        if (data_.bodies.count(Motion::resting) == 0) return false;
-        auto& hit = data_.sleep.value.sleepers;
-        hit.clear();
-        bool near = false; // whether any sleeper is near to a body that moves
-        contacts_.each_acting([&](const auto& c) {
-            const bool a_rests = rests(Slot(c.slot_a));
-            if (!a_rests && !rests(Slot(c.slot_b))) return;
-            near = true;
-            const Scalar way =
-                Scalar(1.25) * h_ * contacts_.along(c); // a body that is woken in vain falls asleep again
-            if (!(c.impulse > Scalar(0)) && !(contacts_.apart(c) + way < Scalar(0))) return;
-            if (!data_.collisions.has_contact(c.a, c.b)) hit.push_back(a_rests ? c.a : c.b);
-        });
-        if (near) find_struck();
-        for (const auto id : hit)
-            if (const auto slot = data_.bodies.slot_of_id(id); rests(slot)) wake_resting(data_, slot);
-        if (hit.empty()) return false;
-        data_.collisions.wake_contacts(data_);
-        RestStep<StepT>(step_).wake_neighbours();
-        return true;
-    }
-
-    bool rests(Slot slot) const { return data_.bodies.motion(slot) == Motion::resting; }
-    /// And sleepers that somebody is about to be struck into: with what another gives it in this part, it may be as
-    /// fast as twice their approach.
-    void find_struck() {
-        auto& struck = data_.sleep.value.struck;
-        if (struck.size() < data_.bodies.size()) struck.resize(data_.bodies.size());
-        contacts_.each_acting([&](const auto& c) { struck[c.slot_a] = struck[c.slot_b] = Scalar(0); });
-        bool more = false;
-        contacts_.each_acting([&](const auto& c) {
-            const Scalar approach = -contacts_.along(c);
-            if (c.impulse > Scalar(0) || !(contacts_.apart(c) < Scalar(1.25) * h_ * approach)) return;
-            for (const auto& [one, other] : {std::pair(c.slot_a, c.slot_b), std::pair(c.slot_b, c.slot_a)})
-                if (data_.bodies.motion(one) == Motion::awake && disturbs(data_, Slot(other), false, dt_)) {
-                    struck[one] = std::max(struck[one], 2 * approach);
-                    more = true;
-                }
-        });
-        while (std::exchange(more, false))
-            contacts_.each_acting([&](const auto& c) {
-                const auto reached = [&](Slot from, Slot to) {
-                    if (!(struck[from] > struck[to]) || to >= data_.bodies.end(Motion::resting)) return;
-                    if (!(contacts_.apart(c) < Scalar(1.25) * h_ * struck[from])) return;
-                    struck[to] = struck[from];
-                    more = true;
-                    if (rests(to)) data_.sleep.value.sleepers.push_back(data_.bodies.id(to));
-                };
-                reached(Slot(c.slot_a), Slot(c.slot_b));
-                reached(Slot(c.slot_b), Slot(c.slot_a));
-            });
     }
 
     detail::Bound<R, S> response_;

@@ -71,7 +71,7 @@ public:
         } while (detail::wake_through_elements(
             data_, [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); }, wake));
     }
-    /// Whoever moves fast has been slow for no time, even if the step leaves it another velocity.
+    /// Whoever moves fast now begins its time of rest anew, even if the step leaves it another velocity.
     void look_at_speed() {
         const auto now = context_;
         context_ = Context<S>(now.time(), TimeStep<S>(S::Time::from_value(Scalar(0)), now.dt()));

@@ -128,7 +128,7 @@ public:
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
     /// A number that changes where bodies come to other slots, and where one is put somewhere else from outside: a
-    /// cache of bodies that do not move need not look at them while it is the same. Never zero, but without bodies.
+    /// cache of bodies that do not move need not look at them while it is the same. Zero only before the first body.
     std::uint64_t changes() const { return changes_; }
     /// The same for each `block` slots.
     const std::vector<std::uint32_t>& changes_by_block() const { return changes_by_block_; }

@@ -29,6 +29,7 @@
 /// B. Smith et al., Reflections on Simultaneous Impact (2012), for what a good answer keeps.
 
 #include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/sleeping_contacts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -81,16 +83,19 @@ public:
     }
     /// By how much a body has moved less than its last velocity says, m: it was struck at some time within the substep.
     const Raw& late(std::size_t slot) const { return bodies_[slot].late; }
-    /// The pairs are found anew within a step, by `find_them`: those that have met in it still have.
-    template <class Find> void find_again(const Find& find_them) {
-        earlier_.swap(pairs);
+    /// The pairs are found anew within a step, by `find_them`: those that have met in it still have, wherever their
+    /// contacts stand now.
+    template <class Find> void find_again(const auto& contacts, const Find& find_them) {
+        const auto ids = [&](const Pair& pair) { return detail::ids_of(contacts.all[pair.which]); };
+        met_.clear();
+        for (const auto& pair : pairs)
+            if (pair.met) met_.push_back(ids(pair));
         find_them();
         auto pair = pairs.begin();
-        for (const auto& old : earlier_) {
-            while (pair != pairs.end() && pair->which < old.which) ++pair;
-            if (pair != pairs.end() && pair->which == old.which) pair->met = old.met;
+        for (const auto& met : met_) {
+            while (pair != pairs.end() && ids(*pair) < met) ++pair;
+            if (pair != pairs.end() && ids(*pair) == met) pair->met = true;
         }
-        earlier_.clear();
     }
     /// Room for so many bodies.
     void reserve(std::size_t n) { bodies_.reserve(n); }
@@ -253,9 +258,9 @@ private:
         if (wb > Scalar(0)) f(bodies_[c.slot_b], Raw(-wb * impulse));
     }
 
-    std::vector<Struck> bodies_;         // by slot
-    std::vector<std::uint32_t> meeting_; // of `pairs`: those that are answered now
-    std::vector<Pair> earlier_;          // while they are found again: those before
+    std::vector<Struck> bodies_;                               // by slot
+    std::vector<std::uint32_t> meeting_;                       // of `pairs`: those that are answered now
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> met_; // while pairs are found again: whose have met
 };
 
 } // namespace ansatz
