@@ -50,11 +50,11 @@ public:
         look_ahead();
         bool found = false; // not while everybody sleeps: their contacts keep their impulses
         for (int part = 0; part < response_.parts(); ++part) {
+            begin_part(part);
             if (!found && (constrained || data_.bodies.any_goes())) {
                 find_contacts();
                 found = true;
             }
-            begin_part(part);
             if (!found) {
                 move(part, inside);
                 continue;
@@ -103,6 +103,7 @@ private:
         data_.collisions.expect(context_.dt());
         this->settle();
         find_near(context_.dt().previous);
+        woken_ = data_.bodies.woken();
     }
     /// \param last the length of the step, or of the part, before
     void find_near(const typename S::Time& last) {
@@ -116,7 +117,6 @@ private:
         bodies_.place(contacts_.bodies, contacts_.kicks);
         contacts_.expect_platforms(data_.bodies.count(Motion::moving) > 0);
         begin_contacts();
-        woken_ = data_.bodies.woken();
     }
     void begin_contacts() {
         contacts_.begin(data_, [&](std::size_t a, std::size_t b) { return response_.friction(data_, a, b); });
@@ -129,10 +129,12 @@ private:
         if constexpr (shares) this->know_own(context_);
         if constexpr (C::history) this->complete_starts();
         if constexpr (C::coupled) refresh_coupled(data_, policies_, context_);
+        if constexpr (C::rests && C::coupled) // before contacts are solved, which then hold them, too
+            RestStep<StepT>(step_).wake_pulled();
     }
     /// Positions, and the mean velocities over this part, were there no contacts.
     void see_bodies() { bodies_.gather(contacts_.bodies, before_, 0.5 + leads, dt_, last_, &contacts_.kicks); }
-    /// Something has pulled at a sleeper in the part before: it goes on from here with its contacts and neighbours.
+    /// Something pulls at a sleeper: it goes on from here with its contacts and neighbours.
     /// \return whether any body was woken
     bool somebody_woke() {
         if constexpr (C::rests && C::coupled) {

@@ -19,8 +19,8 @@ namespace ansatz {
 
 namespace detail {
 
-/// Resting bodies wake at which something pulls that changes with time. Where bodies act on each other, the first stage
-/// asks instead, because it knows what they do.
+/// Resting bodies wake at which something pulls that changes with time. Where bodies act on each other, who sums their
+/// forces asks instead: the first stage, or a driver of substeps in each part.
 struct WakePulled {
     static constexpr Phase phase = phases::wake;
     static constexpr std::string_view name = "wake: who is pulled at";

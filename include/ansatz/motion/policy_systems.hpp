@@ -129,8 +129,7 @@ public:
         else if constexpr (std::same_as<Column, Position>) {
             step_.data.displace(Slot(slot), value - step_.data.lanes.template get<Position>(slot));
             step_.data.bodies.note_change(slot); // it may be a fixed one
-        }
-        else step_.data.lanes.template set<Column>(slot, value);
+        } else step_.data.lanes.template set<Column>(slot, value);
         if constexpr (C::template couplings_read<Column>) step_.data.coupled.current = false;
         if constexpr (C::asked == LawsAsked::beforehand && detail::contains<Column, typename C::Laws::needs>)
             step_.data.own.value.known = false;

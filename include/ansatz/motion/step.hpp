@@ -263,7 +263,7 @@ private:
     /// All bodies as one system of equations.
     void all_together() {
         effects_before();
-        if constexpr (C::rests) {
+        if constexpr (C::stages_wake) {
             refresh_coupled(data_, policies_, context_);
             wake_the_pulled(*this);
         }
@@ -327,7 +327,7 @@ private:
             place_platforms(data_, detail::node<I>(K), context_.dt());
             sum_coupled(data_, policies_, context_.later(detail::node<I>(K)));
         }
-        if constexpr (K == first_stage && C::rests) {
+        if constexpr (K == first_stage && C::stages_wake) {
             [[maybe_unused]] const std::size_t awake = data_.bodies.end(Motion::awake);
             wake_the_pulled(*this);
             if constexpr (C::asked == LawsAsked::beforehand)
