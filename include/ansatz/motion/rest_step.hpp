@@ -8,6 +8,7 @@
 /// A body rests when it has been slow for long enough and would stay: at velocity zero next to nothing pulls at it.
 /// Where bodies touch or hang together, they do so together (sleep.hpp).
 
+#include <ansatz/motion/forces_at_rest.hpp>
 #include <ansatz/motion/sleep.hpp>
 #include <ansatz/motion/step.hpp>
 
@@ -81,11 +82,16 @@ public:
     /// Bodies fall asleep one by one.
     void put_to_rest() {
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
-        auto* time = data_.lanes.template lane<RestTime>();
         if constexpr (pull_varies) begin_anew(rest, [](std::size_t) { return false; });
+        bool others = false; // whether forces are other ones than they were
+        {
+            const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
+            others = forces.any();
+            if (others) begin_anew(rest, [&](std::size_t slot) { return !slow_long(rest)(slot); });
+        }
+        if (others) refresh_forces();
         for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);)
-            if (rest.long_enough(S::Time::from_value(time[slot])) &&
-                (pull_varies || detail::balanced<S>(rest, pull_at_rest(slot, step_.after()))))
+            if (slow_long(rest)(slot) && (pull_varies || detail::balanced<S>(rest, pull_at_rest(slot, step_.after()))))
                 put_to_rest(slot);
     }
     /// Islands fall asleep: those that touch each other, or hang together, do so together.
@@ -95,23 +101,24 @@ public:
         auto& scratch = data_.sleep.value;
         scratch.sleepers.clear();
         if (data_.bodies.count(Motion::awake) == 0) return;
+        const auto touched = [&](std::size_t slot) { return scratch.held[slot] != 0; };
         if constexpr (pull_varies) {
             scratch.held.assign(data_.bodies.size(), 0);
             data_.template tell<hook::MarkHeld>(scratch);
-            begin_anew(rest, [&](std::size_t slot) { return scratch.held[slot] != 0; });
+            begin_anew(rest, touched);
         }
-        const auto* time = data_.lanes.template lane<RestTime>();
-        find_sleepers(
-            data_, scratch, [&](std::size_t slot) { return rest.long_enough(S::Time::from_value(time[slot])); },
-            [&](Slot slot) { return pull_at_rest(slot, step_.after()); },
-            [&](const auto& add) { step_.template tell<hook::EachPush>(add); },
-            [&](const auto& remains) { return detail::balanced<S>(rest, remains); });
+        bool others = false; // whether forces are other ones than they were
+        {
+            const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
+            others = forces.any();
+            if (others) begin_anew(rest, [&](std::size_t slot) { return touched(slot) || !slow_long(rest)(slot); });
+            find_sleepers(
+                data_, scratch, slow_long(rest), [&](Slot slot) { return pull_at_rest(slot, step_.after()); },
+                [&](const auto& add) { step_.template tell<hook::EachPush>(add); },
+                [&](const auto& remains) { return detail::balanced<S>(rest, remains); });
+        }
         for (const auto id : scratch.sleepers) put_to_rest(data_.bodies.slot_of_id(id));
-        if constexpr (C::coupled)
-            if (!scratch.sleepers.empty()) {
-                data_.coupled.current = false;
-                refresh_coupled(data_, policies_, step_.after());
-            }
+        if (others || !scratch.sleepers.empty()) refresh_forces();
         for (const auto id : scratch.sleepers) {
             const auto pull = [&] { return pull_at_rest(data_.bodies.slot_of_id(id), step_.after()); };
             data_.template tell<hook::Slept>(id, pull);
@@ -128,6 +135,17 @@ private:
         data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
         data_.move(slot, Motion::resting);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+    }
+    void refresh_forces() {
+        if constexpr (C::coupled) {
+            data_.coupled.current = false;
+            refresh_coupled(data_, policies_, step_.after());
+        }
+    }
+    /// Whether the body of a slot has been slow for long enough.
+    auto slow_long(const auto& rest) const {
+        const auto* time = data_.lanes.template lane<RestTime>();
+        return [&rest, time](std::size_t slot) { return rest.long_enough(S::Time::from_value(time[slot])); };
     }
     /// What swings is slow, and at its lowest point nothing pulls it: there its time must be balanced, too, not a
     /// moment of it.

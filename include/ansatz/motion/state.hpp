@@ -59,6 +59,8 @@ template <class S> struct CoupledSums {
     bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
     std::vector<typename S::Scalar> before{};
     std::vector<typename S::Scalar> platforms{}; ///< where they were when the step began
+    std::vector<typename S::Scalar>
+        velocities{}; ///< of awake bodies that are thought to stand still (forces_at_rest.hpp)
     typename S::Time dt{}, previous{};
 
     bool known_for(const TimeStep<S>& step) const {
@@ -67,6 +69,7 @@ template <class S> struct CoupledSums {
     void make_room_for(const CoupledSums& other) {
         before.reserve(other.before.size());
         platforms.reserve(other.platforms.size());
+        velocities.reserve(other.velocities.size());
     }
     void know(const TimeStep<S>& step) {
         current = true;
