@@ -8,6 +8,9 @@
 #include <ansatz/collision/response/soft_substeps.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
 
 using namespace spring_tests;
 
@@ -128,4 +131,71 @@ TEST_CASE("R13 what hangs on a hook that creeps goes with it, and never stops on
     }
     CHECK_FALSE(slept);
     CHECK(std::abs(double(w.position(chain.links[1]).value()[1]) - before - 2.7) <= 0.027);
+}
+
+namespace {
+/// A damped force towards the origin that names no element: bodies it couples are of no island.
+struct Honey {
+    using role = roles::Force;
+    using reads = Columns<Position, Velocity>;
+    static constexpr bool couples_bodies = true;
+    template <class S> struct In {
+        explicit In(const Honey&) {}
+        void couple(auto& view, const auto&) const {
+            view.for_each([&](std::size_t slot) {
+                const auto x = view.template get<Position>(slot).value();
+                const auto v = view.template get<Velocity>(slot).value();
+                view.add_force(slot, S::Force::from_value(typename S::Scalar(-4) * x - typename S::Scalar(100) * v));
+            });
+        }
+    };
+};
+
+/// A body that creeps on a damper, 0.04 1/s of its way each second, goes as far beside Rest as without, and falls
+/// asleep where next to nothing pulls at it.
+template <class... P> void creeps(double hz, P... policies) {
+    const auto start = [](auto world) {
+        using S = typename decltype(world)::S;
+        Handle body;
+        if constexpr (decltype(world)::composition::collides) {
+            world.add(Plane::ground(), fixed);
+            body = world.add(Sphere{0.5 * metre}, at<S>(1, 0.5), mass(1.0 * kilogram));
+        } else body = world.add(at<S>(1), mass(1.0 * kilogram));
+        const double y = decltype(world)::composition::collides ? 0.5 : 0;
+        if constexpr ((std::is_same_v<P, Springs<>> || ...))
+            world.add(Spring{.first = body,
+                             .second = point(world, 0, y),
+                             .stiffness = 4.0 * N_per_m,
+                             .damping = 100.0 * N_s_per_m,
+                             .rest_length = 0.0 * metre});
+        return std::pair(world, body);
+    };
+    auto [world, body] = start(World{policies..., Rest{}});
+    auto [awake, same] = start(World{policies...});
+    run(world, int(60 * hz), 1 / hz);
+    run(awake, int(60 * hz), 1 / hz);
+    CHECK(world.motion(body) == Motion::awake);
+    CHECK(world.position(body) == awake.position(same));
+    while (world.motion(body) == Motion::awake && world.tick() < std::uint64_t(400 * hz)) world.step(1 / hz * second);
+    REQUIRE(world.motion(body) == Motion::resting);
+    const double left = std::abs(double(world.position(body).value()[0]));
+    // Where contacts carry it, a hundredth of its weight may remain.
+    CHECK(4 * left <= (decltype(world)::composition::collides ? 0.0981 : 1e-3) * (1 + 1e-6));
+    CHECK(world.velocity(body).value().norm() == 0);
+    run(world, 600, 1 / hz);
+    CHECK(world.motion(body) == Motion::resting);
+}
+} // namespace
+
+TEST_CASE("R13 what creeps on a damper does not fall asleep before it is there", "[springs][rest][R13]") {
+    creeps(60, SemiImplicitEuler{}, Springs{});
+    creeps(240, VelocityVerlet{}, Springs{});
+    creeps(240, Verlet{}, Springs{});
+    creeps(240, RungeKutta4{}, Springs{});
+    creeps(60, ImplicitEuler{}, Springs{});
+    creeps(240, Space<float, 2>{}, SemiImplicitEuler{}, Springs{});
+    creeps(240, SemiImplicitEuler{}, Honey{});
+    creeps(240, VelocityVerlet{}, Honey{});
+    creeps(60, SemiImplicitEuler{}, Gravity{}, Springs{}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{},
+           SoftSubsteps<>{});
 }

@@ -154,6 +154,7 @@ template <class S, class Modules> struct ActsAsForce {
         return false;
     }
     template <class P> struct Is : std::bool_constant<acts<P>()> {};
+    template <class P> struct IsNot : std::bool_constant<IsCoupling<P>::value && !acts<P>()> {};
 };
 /// An integrator that solves asks at states of its own; and what an effect before the forces changes, they must see.
 template <class I, class LawsT, class Before, class... P> constexpr LawsAsked how_asked() {
@@ -180,6 +181,8 @@ public:
     using all_couplings = detail::filter<detail::IsCoupling, P...>; ///< the forces between bodies
     /// Of those, the ones that act as forces: a solver of positions holds the others.
     using couplings = detail::filter<detail::ActsAsForce<S_, detail::modules_of<P...>>::template Is, P...>;
+    /// And those that it holds.
+    using held_couplings = detail::filter<detail::ActsAsForce<S_, detail::modules_of<P...>>::template IsNot, P...>;
     using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     /// The effects of a place, by their turns, so that the order of the list means nothing.
     /// Where contacts change velocities, Rest looks at the velocities behind them.

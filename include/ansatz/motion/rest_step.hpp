@@ -12,6 +12,10 @@
 #include <ansatz/motion/sleep.hpp>
 #include <ansatz/motion/step.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
 namespace ansatz {
 
 namespace detail {
@@ -102,11 +106,12 @@ public:
         scratch.sleepers.clear();
         if (data_.bodies.count(Motion::awake) == 0) return;
         const auto touched = [&](std::size_t slot) { return scratch.held[slot] != 0; };
-        if constexpr (pull_varies) {
+        if constexpr (pull_varies || C::held_couplings::size > 0) {
             scratch.held.assign(data_.bodies.size(), 0);
             data_.template tell<hook::MarkHeld>(scratch);
-            begin_anew(rest, touched);
         }
+        if constexpr (pull_varies) begin_anew(rest, touched);
+        keep_awake(slow_long(rest), touched, typename C::held_couplings{});
         bool others = false; // whether forces are other ones than they were
         {
             const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
@@ -158,6 +163,26 @@ private:
                     !detail::balanced<S>(rest, pull_at_rest(Slot(slot), step_.after())))
                     time[slot] = Scalar(0);
         });
+    }
+    /// What a solver of positions holds, it holds without a force: how strongly it pulls at a body that is slow, nobody
+    /// knows, so that the body stays awake.
+    template <class... Q>
+    void keep_awake([[maybe_unused]] const auto& slow, [[maybe_unused]] const auto& touched, Types<Q...>) {
+        if constexpr (sizeof...(Q) > 0) {
+            bool any = false;
+            for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake) && !any; ++slot) any = slow(slot);
+            if (!any) return;
+            auto* time = data_.lanes.template lane<RestTime>();
+            const auto keep = [&](std::uint32_t body) {
+                const auto slot = data_.bodies.slot_of_id(body);
+                if (slot < data_.bodies.end(Motion::awake) && !touched(slot)) time[slot] = Scalar(0);
+            };
+            detail::for_each_element(data_, [&](const auto& state, std::uint32_t id) {
+                constexpr bool is_held =
+                    (std::is_same_v<std::remove_cvref_t<decltype(state)>, detail::state_of<Q, S>> || ...);
+                if constexpr (is_held) state.for_each_body(id, keep);
+            });
+        }
     }
     typename S::Acceleration pull_at_rest(Slot slot, const Context<S>& context) const {
         auto row = data_.load(slot);
