@@ -9,6 +9,7 @@
 /// see makes them stale (`CoupledSums`). Only worlds in which something couples bodies have any of this.
 
 #include <ansatz/motion/state.hpp>
+#include <ansatz/motion/still_forces.hpp>
 #include <ansatz/world/execution.hpp>
 #include <ansatz/world/view.hpp>
 
@@ -33,10 +34,18 @@ template <class C>
 template <class C, class Policies>
 void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
                        [[maybe_unused]] const typename C::S::Time& last) {
-    if constexpr (C::history && C::template stores<Velocity>)
-        in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
+    if constexpr (C::history && C::template stores<Velocity>) {
+        std::size_t size = data.bodies.size();
+        if constexpr (detail::keeps_still_forces<C>())
+            if (data.still_forces.value.hold(data)) { // all others stand still, and their lanes say so
+                detail::derive_velocities_of<C>(data, last, data.bodies.begin(Motion::moving),
+                                                data.bodies.end(Motion::moving));
+                size = data.bodies.end(Motion::awake);
+            }
+        in_parts<C>(policies, 0, size, [&](std::size_t begin, std::size_t end) {
             detail::derive_velocities_of<C>(data, last, begin, end);
         });
+    }
 }
 
 /// \name Platforms within a step
@@ -101,6 +110,9 @@ template <class C, class Policies>
 void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Policies& policies,
                  [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
+        if constexpr (detail::keeps_still_forces<C>())
+            if (!data.coupled.changed && data.still_forces.value.hold(data))
+                return data.still_forces.value.sum(data, policies, context);
         in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
             for (int k = 0; k < C::S::dimension; ++k) {
                 auto* lane = data.lanes.template lane<CoupledForce>(k);
@@ -110,6 +122,7 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
         [&]<class... Q>(Types<Q...>) {
             (detail::couple_one<Q>(data, policies, context), ...);
         }(typename C::couplings{});
+        if constexpr (detail::keeps_still_forces<C>()) data.still_forces.value.summed(data, policies, context);
     }
 }
 

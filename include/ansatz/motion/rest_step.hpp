@@ -12,6 +12,7 @@
 #include <ansatz/motion/sleep.hpp>
 #include <ansatz/motion/step.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -59,22 +60,37 @@ public:
 
     /// Resting bodies at which something pulls that did not when they fell asleep.
     void wake_pulled() {
-        for (auto slot = Slot(data_.bodies.end(Motion::resting)); slot-- > data_.bodies.begin(Motion::resting);) {
+        auto first = Slot(data_.bodies.end(Motion::resting)); // the last slot comes first: of those that are asked
+        if constexpr (keeps_still) {
+            auto& still = data_.still_forces.value;
+            if (still.hold(data_) && still.asked()) {
+                const auto& border = still.border();
+                const auto wakes = std::find_if(border.begin(), border.end(), [&](Slot slot) { return !stays(slot); });
+                if (wakes == border.end()) return;
+                first = *wakes + 1;
+            }
+        }
+        const auto woken = data_.bodies.woken();
+        for (auto slot = first; slot-- > data_.bodies.begin(Motion::resting);) {
             if (stays(slot)) continue;
             wake_resting(data_, slot);
             // The body that took this slot was at the beginning of the range: look at it too, unless it is the one
             // woken.
             if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
         }
+        if constexpr (keeps_still)
+            if (woken == data_.bodies.woken()) data_.still_forces.value.note_asked();
     }
     /// Wakes the neighbours of bodies that were woken between two steps, before anything moves.
     void wake_neighbours() {
         const auto wake = [&](Slot slot) { wake_resting(data_, slot); };
+        const auto wakes_others = [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); };
         do {
             if (data_.bodies.count(Motion::resting) == 0 || !data_.bodies.any_goes()) return;
             step_.template tell<hook::WakeTouching>();
-        } while (detail::wake_through_elements(
-            data_, [&](Slot slot) { return disturbs(data_, slot, false, context_.dt()); }, wake));
+            if constexpr (keeps_still)
+                if (data_.still_forces.value.hold(data_) && !data_.still_forces.value.any_beside(wakes_others)) return;
+        } while (detail::wake_through_elements(data_, wakes_others, wake));
     }
     /// Whoever moves fast now begins its time of rest anew, even if the step leaves it another velocity.
     void look_at_speed() {
@@ -131,6 +147,9 @@ public:
     }
 
 private:
+    /// Whether what forces between bodies do to most sleepers is known to be what it was.
+    static constexpr bool keeps_still = detail::keeps_still_forces<C>() && !C::Laws::time_dependent;
+
     /// For how long each has been slow; a step longer, or not at all.
     void count_slow() {
         this->effects_between(typename detail::EffectsFrom<S, typename C::resters>::type(std::get<Rester>(policies_)));

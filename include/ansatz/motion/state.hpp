@@ -22,6 +22,11 @@
 
 namespace ansatz {
 
+template <class C> class StillForces; // still_forces.hpp
+namespace detail {
+template <class C> constexpr bool keeps_still_forces();
+}
+
 namespace detail {
 /// Bodies that wait for the start of their history. Verlet's first step needs dt and the acceleration, which are only
 /// known when the step is taken (notes 1.6.4). Until then the body's history lane holds its *velocity*.
@@ -162,6 +167,11 @@ template <class C, class Data> struct MotionState {
     [[no_unique_address]] std::conditional_t<C::asked != LawsAsked::here,
                                              detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>
         own;
+
+    /// The forces between bodies that rest, kept from step to step (still_forces.hpp).
+    [[no_unique_address]] std::conditional_t<detail::keeps_still_forces<C>(), detail::Cache<StillForces<C>>,
+                                             detail::NotKept<8>>
+        still_forces;
 
     /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
     /// positions. Kept where velocities are derived from them.
