@@ -6,6 +6,7 @@
 // of the two executes, callees included; what goes before the steps is outside of both and not counted.
 
 #include <ansatz/collision.hpp>
+#include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
 
 #include <array>
@@ -231,6 +232,63 @@ template <class... Response> void collide_all(const Response&... response) {
     sleep_both(colliding);
 }
 
+// ---------------------------------------------------------------- bodies that swing, beside others that hang asleep
+// 200 pendulums that swing on springs, alone (`swinging_alone`) and beside 10,000 that hang asleep
+// (`swinging_beside_sleepers`); and pendulums that all sleep, 1,000 (`hanging_few`) and 5,000 (`hanging_many`).
+
+template <class World> [[gnu::noinline]] void swinging_alone(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void swinging_beside_sleepers(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void hanging_few(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+template <class World> [[gnu::noinline]] void hanging_many(World& world, Quantity<unit::Time> dt) {
+    for (int s = 0; s < steps; ++s) world.step(dt);
+}
+
+/// Bodies on springs of their own, which hang still where nothing stretches them further.
+template <class World>
+void add_pendulums(World& world, const auto& shape, std::size_t count, double x, double stretched) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double at = x + 1.5 * double(i);
+        const auto ball = world.add(shape, position(metres(at, -1 - 9.81 / 1000 - stretched, 0)), mass(1.0 * kilogram));
+        world.add(Spring{.first = ball,
+                         .second = metres(at, 0, 0),
+                         .stiffness = 1000.0 * newton_per_metre,
+                         .rest_length = 1.0 * metre});
+    }
+}
+template <class World> void swing_and_hang(const World& empty, const auto& shape) {
+    const auto h = 0.01 * unknown_to_the_compiler * second;
+    const auto hang = [&](std::size_t count) {
+        World world = empty;
+        add_pendulums(world, shape, count, 0, 0);
+        for (int s = 0; s < 200 && world.count(Motion::awake) > 0; ++s) world.step(h);
+        for (int s = 0; s < 2; ++s) world.step(h);
+        return world;
+    };
+    World alone = empty, few = hang(1'000), many = hang(5'000), beside = hang(10'000);
+    for (World* world : {&alone, &beside}) {
+        add_pendulums(*world, shape, 200, -400, 0.05);
+        for (int s = 0; s < 3; ++s) world->step(h);
+    }
+    for (World* world : {&few, &many})
+        for (int s = 0; s < 3; ++s) world->step(h);
+    swinging_alone(alone, h);
+    swinging_beside_sleepers(beside, h);
+    hanging_few(few, h);
+    hanging_many(many, h);
+    if (alone.count(Motion::awake) != 200 || beside.count(Motion::awake) != 200 ||
+        beside.count(Motion::resting) != 10'000 || few.count(Motion::resting) != 1'000 ||
+        many.count(Motion::resting) != 5'000) {
+        std::puts("somebody does not hang asleep, or not swing, so that there is nothing to compare");
+        std::exit(1);
+    }
+}
+
 inline void count_all() {
     fly_both<float, 2, false>();
     fly_both<float, 2, true>();
@@ -243,6 +301,10 @@ inline void count_all() {
     rest_both(World{SemiImplicitEuler{}, Rest{}, AppliedForces{}});
     collide_all(Impulse{}, Projection{});
     collide_all(SoftSubsteps{});
+    swing_and_hang(World{SemiImplicitEuler{}, Gravity{}, Springs{}, Rest{}}, shapeless);
+    swing_and_hang(
+        World{VelocityVerlet{}, Gravity{}, Springs{}, Rest{}, Narrowphase<Sphere>{}, UniformGrid{}, SoftSubsteps{}},
+        Sphere{0.5 * metre});
 }
 
 } // namespace ansatz::counted

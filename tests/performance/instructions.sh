@@ -11,8 +11,11 @@
 #     ground, against the 200 alone: at most 1.3 times
 #   - balls that all sleep on the ground, 5,000 against 1,000: as many instructions a step
 #   - one of them wakes, hops and falls asleep again: at most 1.05 times
+#   - 200 that swing on springs beside 10,000 that hang on springs asleep, against the 200 alone: at most 1.3 times;
+#     and 5,000 that all hang asleep against 1,000: as many instructions a step
 #
-# The last three with two responses: Impulse with Projection, and SoftSubsteps, which owns substeps.
+# Those of collisions with two responses: Impulse with Projection, and SoftSubsteps, which owns substeps; those of springs
+# without collisions, and with SoftSubsteps.
 #
 # With every compiler found, for x86-64-v3 (AVX2), since valgrind does not know AVX-512. The bodies and the two ways to
 # step them are in instructions.hpp.
@@ -84,6 +87,8 @@ done
 # shellcheck disable=SC2059
 printf "\n$head" compiler "" "without" "with" ratio limit
 for compiler in "${compilers[@]}"; do
+    row "$compiler" "10,000 hang" "swinging_alone<.*Rest>" "swinging_beside_sleepers<.*Rest>" "$level_limit"
+    row "$compiler" "10,000 hang, SoftSubsteps" "swinging_alone<.*SoftSubsteps" "swinging_beside_sleepers<.*SoftSubsteps" "$level_limit"
     row "$compiler" "20,000 resting bodies" "awake_alone<" "awake_beside_resting<" "$rest_limit"
     for response in Impulse SoftSubsteps; do
         row "$compiler" "10,000 fixed, $response" "rolling_alone<.*$response" "rolling_in_a_level<.*$response" "$level_limit"
@@ -92,17 +97,20 @@ for compiler in "${compilers[@]}"; do
     done
 done
 printf '\n%-12s %-24s %9s %9s\n' compiler "a step, all asleep" 1,000 5,000
+same() {    # compiler, what, the functions of 1,000 and of 5,000 without their prefix
+    local few many verdict=same
+    few=$(counted "$1" "$3_few<.*$4") many=$(counted "$1" "$3_many<.*$4")
+    if [ "$few" != "$many" ]; then
+        verdict=DIFFER
+        faults=$((faults + 1))
+    fi
+    awk -v c="$1" -v r="$2" -v f="$few" -v m="$many" -v v="$verdict" \
+        'BEGIN { printf "%-12s %-24s %9.0f %9.0f  %s\n", c, r, f / 100, m / 100, v }'
+}
 for compiler in "${compilers[@]}"; do
-    for response in Impulse SoftSubsteps; do
-        few=$(counted "$compiler" "asleep_few<.*$response") many=$(counted "$compiler" "asleep_many<.*$response")
-        verdict=same
-        if [ "$few" != "$many" ]; then
-            verdict=DIFFER
-            faults=$((faults + 1))
-        fi
-        awk -v c="$compiler" -v r="$response" -v f="$few" -v m="$many" -v v="$verdict" \
-            'BEGIN { printf "%-12s %-24s %9.0f %9.0f  %s\n", c, r, f / 100, m / 100, v }'
-    done
+    for response in Impulse SoftSubsteps; do same "$compiler" "$response" asleep "$response"; done
+    same "$compiler" "on springs" hanging "Rest>"
+    same "$compiler" "on springs, SoftSubsteps" hanging SoftSubsteps
 done
 
 if [ $faults -gt 0 ]; then

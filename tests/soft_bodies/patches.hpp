@@ -17,6 +17,7 @@ template <class S> struct AreaConstraint { // C = |(b - a) x (c - a)| / 2 - area
     using Vec = Vector<Scalar, S::dimension>;
     static constexpr std::size_t bodies = 3;
     static constexpr bool one_sided = false;
+    static constexpr bool moves_along = true; // it does not matter where the three are together
     std::array<std::size_t, 3> slots;
     Scalar area, stiffness, damping = 0;
 

@@ -14,6 +14,8 @@
 
 #include <ansatz/core/compiler_flags.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -59,6 +61,11 @@ template <class S> struct SleepScratch {
     std::vector<std::uint32_t> sleepers;    ///< by id
     std::vector<typename S::Scalar> struck; ///< by slot: how fast a body may be that is struck in this substep, m/s
 
+    /// Nothing holds the awake ones; of others nobody asks.
+    void forget_held(std::size_t bodies, std::size_t awake) {
+        if (held.size() < bodies) held.resize(bodies);
+        std::fill_n(held.begin(), awake, std::uint8_t(0));
+    }
     /// Room for so many bodies.
     void reserve(std::size_t n) {
         islands.reserve(n);

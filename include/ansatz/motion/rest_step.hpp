@@ -123,7 +123,7 @@ public:
         if (data_.bodies.count(Motion::awake) == 0) return;
         const auto touched = [&](std::size_t slot) { return scratch.held[slot] != 0; };
         if constexpr (pull_varies || C::held_couplings::size > 0) {
-            scratch.held.assign(data_.bodies.size(), 0);
+            scratch.forget_held(data_.bodies.size(), data_.bodies.end(Motion::awake));
             data_.template tell<hook::MarkHeld>(scratch);
         }
         if constexpr (pull_varies) begin_anew(rest, touched);

@@ -135,7 +135,7 @@ void find_sleepers(const WorldData<C>& data, SleepScratch<typename C::S>& scratc
 
     scratch.islands.reset(awake);
     scratch.pulls.resize(awake);
-    scratch.held.assign(awake, 0);
+    scratch.forget_held(awake, awake);
     scratch.goes_along.assign(awake, 0);
     scratch.restless.assign(awake, 0);
     scratch.trembles.resize(awake);

@@ -91,15 +91,7 @@ public:
                 std::fill(lane + data.bodies.begin(motion), lane + data.bodies.end(motion), typename S::Scalar(0));
             for (const auto slot : border_) lane[slot] = typename S::Scalar(0);
         }
-        each([&]<class Q>(const auto& acting) {
-            detail::AskedForce<Q, C> in(data, policies, context);
-            for (const auto k : acting) {
-                const auto ends = in.force.ends(std::as_const(in.view), k);
-                const auto forces = in.force.forces(std::as_const(in.view), k, in.context);
-                for (std::size_t end = 0; end < ends.size(); ++end)
-                    if (ends[end] < in.view.size() && summed_[ends[end]]) in.view.add_force(ends[end], forces[end]);
-            }
-        });
+        each([&]<class Q>(const auto& acting) { sum_one<Q>(data, policies, context, acting); });
     }
     /// Sleepers that hang on a body which moves, the last slot first. Who else sleeps has been asked whether it does.
     const std::vector<Bodies::Slot>& border() const { return border_; }
@@ -123,7 +115,25 @@ private:
         }(data, typename C::couplings{});
     }
     bool same(WorldData<C>& data) const {
-        return changes_ == data.bodies.changes() && layout_ == data.states.layout && elements_ == elements_of(data);
+        if (changes_ != data.bodies.changes() || layout_ != data.states.layout) return false;
+        const Elements now = elements_of(data);
+        bool all = true; // not ==, which calls a function for eight bytes
+        for (std::size_t n = 0; n < couplings; ++n) all = all && elements_[n] == now[n];
+        return all;
+    }
+    /// With everything inlined, as in `couple` of a force.
+    template <class Q, class Policies>
+    [[gnu::flatten]] void sum_one(WorldData<C>& data, const Policies& policies, const Context<S>& context,
+                                  const std::vector<std::uint32_t>& acting) const {
+        detail::AskedForce<Q, C> in(data, policies, context);
+        const std::uint8_t* summed = summed_.data();
+        const std::size_t size = in.view.size();
+        for (const auto k : acting) {
+            const auto ends = in.force.ends(std::as_const(in.view), k);
+            const auto forces = in.force.forces(std::as_const(in.view), k, in.context);
+            for (std::size_t end = 0; end < ends.size(); ++end)
+                if (ends[end] < size && summed[ends[end]]) in.view.add_force(ends[end], forces[end]);
+        }
     }
     /// Calls `f.operator()<Q>(elements)` for each force, with those that act.
     void each(auto&& f) const {

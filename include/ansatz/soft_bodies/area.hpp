@@ -49,6 +49,7 @@ template <class S> struct AreaConstraint {
     using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< of one body
     static constexpr std::size_t bodies = 3;                          ///< its corners
     static constexpr bool one_sided = false;                          ///< it holds both ways
+    static constexpr bool moves_along = true; ///< unchanged where all its bodies are moved by the same way
 
     std::array<std::size_t, 3> slots; ///< of its corners
     Scalar area;                      ///< A_0, m^2

@@ -57,6 +57,7 @@ template <class S> struct HingeConstraint {
     using Matrix = Eigen::Matrix<Scalar, S::dimension, S::dimension>; ///< of one body
     static constexpr std::size_t bodies = 4;                          ///< the edge's ends, then the wings
     static constexpr bool one_sided = false;                          ///< it holds both ways
+    static constexpr bool moves_along = true; ///< unchanged where all its bodies are moved by the same way
 
     std::array<std::size_t, 4> slots; ///< of its bodies
     Scalar rest;                      ///< rad

@@ -29,7 +29,9 @@ namespace ansatz {
 /// What a solver needs: which bodies, by their slots; the energy's stiffness, finite and not negative; the damping; and
 /// C with its gradient by each body's position.
 ///
-/// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be.
+/// `one_sided` says whether only C > 0 is held, as a rope is only when it is longer than it should be. One that also
+/// says `static constexpr bool moves_along = true` is unchanged where all its bodies are moved by the same way, so that
+/// it gives them no momentum; `VertexBlockDescent` asks for that.
 ///
 /// `SpringConstraint` and `AnchoredSpringConstraint` are what `Springs` and `Ropes` give (notes 4).
 template <class K, class S>

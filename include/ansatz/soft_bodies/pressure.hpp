@@ -62,11 +62,12 @@ private:
 /// tangent of the filling's law presses no more. Lives as long as a substep.
 template <class S> struct PressureConstraint {
     using Scalar = typename S::Scalar;
-    const EnclosureRow<S>* row;         ///< the surface
-    std::span<const std::size_t> slots; ///< of its vertices
-    Scalar wanted;                      ///< V_p, m^3
-    Scalar stiffness;                   ///< -dp/dV, Pa/m^3
-    Scalar damping;                     ///< eta / V_0, Pa s/m^3
+    const EnclosureRow<S>* row;               ///< the surface
+    std::span<const std::size_t> slots;       ///< of its vertices
+    Scalar wanted;                            ///< V_p, m^3
+    Scalar stiffness;                         ///< -dp/dV, Pa/m^3
+    Scalar damping;                           ///< eta / V_0, Pa s/m^3
+    static constexpr bool moves_along = true; ///< unchanged where all its bodies are moved by the same way
 
     /// How many bodies it holds.
     std::size_t count() const { return slots.size(); }

@@ -18,9 +18,16 @@
 /// matrices, so that each of them can be solved and each step goes down. A wide constraint, such as the volume of a
 /// ball, is linearised once an iteration. Bodies are taken by their slots.
 ///
+/// **Momentum.** Bodies that are moved one by one do not push each other equally hard before all is done: a stiff sheet
+/// alone in space would drive itself along. So what hangs together, and on nothing else, is moved as one behind the
+/// iterations, to where its energy is least: there its momentum is what forces and velocities make it, to rounding. For
+/// constraints that say `static constexpr bool moves_along = true`, being unchanged where all their bodies are moved by
+/// the same way; one that does not say so counts as holding its bodies in place. The turning is not kept.
+///
 /// A. H. Chen, Z. Liu, Y. Yang, C. Yuksel, Vertex Block Descent, SIGGRAPH 2024.
 
 #include <ansatz/core/error.hpp>
+#include <ansatz/motion/islands.hpp>
 #include <ansatz/soft_bodies/constraint_system.hpp>
 #include <ansatz/soft_bodies/module.hpp>
 
@@ -69,6 +76,12 @@ struct VertexBlockDescent {
             std::size_t first; // of its gradients
             Scalar value, way; // C, and h times its rate
         };
+        /// An island as one body.
+        struct Drift {
+            Vec moment = Vec::Zero(); // kg m: mass times way, of all its bodies
+            Scalar mass{0};           // kg
+            bool held = false;        // by something that is not of it
+        };
         /// All constraints of a type, and which of them hold the body of a slot: those that `numbers` has from
         /// `first[slot]` up to `first[slot + 1]`, with the place that the body has in each.
         template <class K> struct Of {
@@ -90,6 +103,8 @@ struct VertexBlockDescent {
             std::tuple<Of<K>...> of;
             std::vector<Vec> moved;           // m, by slot: what this substep's iterations have done
             std::vector<std::uint32_t> order; // slots of the bodies that are moved, by their ids
+            Islands islands;                  // of slots: what hangs together
+            std::vector<Drift> drifts;        // by the slot that stands for an island
         };
 
     public:
@@ -108,6 +123,7 @@ struct VertexBlockDescent {
                 each_type(kept, [&](auto& of) { linearise_wide(system, of); });
                 for (const auto slot : kept.order) descend(system, kept, slot);
             }
+            move_as_one(system, kept);
         }
 
     private:
@@ -160,6 +176,39 @@ struct VertexBlockDescent {
                 }
             }
         }
+        /// Islands that hang on nothing are where their energy is least when no mass has moved on the whole.
+        static void move_as_one(auto& system, auto& kept) {
+            kept.islands.reserve(system.room());
+            kept.drifts.reserve(system.room());
+            kept.islands.reset(system.awake());
+            kept.drifts.assign(system.awake(), Drift());
+            each_type(kept, [&](const auto& of) { join(system, of, kept); });
+            for (const auto slot : kept.order) {
+                auto& drift = kept.drifts[kept.islands.of(slot)];
+                const Scalar mass = 1 / system.weight(slot);
+                drift.held = drift.held || kept.drifts[slot].held;
+                drift.moment += mass * kept.moved[slot];
+                drift.mass += mass;
+            }
+            for (const auto slot : kept.order)
+                if (const auto& drift = kept.drifts[kept.islands.of(slot)]; !drift.held)
+                    system.move(slot, Vec(-drift.moment / drift.mass));
+        }
+        template <class K> static void join(const auto& system, const Of<K>& of, auto& kept) {
+            for (const K& k : of.all) {
+                const std::size_t none = system.awake();
+                std::size_t first = none;
+                bool held = !moves_along<K>;
+                for (std::size_t i = 0; i < detail::bodies_of(k); ++i) {
+                    const auto slot = detail::slot_of(k, i);
+                    if (slot >= none || !(system.weight(slot) > Scalar(0))) held = true;
+                    else if (first == none) first = slot;
+                    else kept.islands.unite(std::uint32_t(first), std::uint32_t(slot));
+                }
+                if (held && first != none) kept.drifts[first].held = true;
+            }
+        }
+        template <class K> static constexpr bool moves_along = requires { requires K::moves_along; };
         /// A step of Newton's method for one body, the energy taken times h^2.
         static void descend(auto& system, auto& kept, std::size_t slot) {
             const Scalar mass = 1 / system.weight(slot), h = system.h();

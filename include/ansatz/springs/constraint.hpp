@@ -55,6 +55,7 @@ template <class S, springs::Acts How> struct SpringConstraint {
     static constexpr std::size_t bodies = 2;                          ///< that it holds
     static constexpr bool unit_gradients = true;                      ///< by each body, or zero without an axis
     static constexpr bool one_sided = How == springs::Acts::pulling;  ///< whether it may be shorter than it should be
+    static constexpr bool moves_along = true; ///< unchanged where all its bodies are moved by the same way
 
     std::array<std::size_t, 2> slots; ///< of its ends
     Scalar rest_length;               ///< l, m
