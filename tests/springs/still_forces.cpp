@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -138,4 +139,44 @@ TEST_CASE("forces that are kept between sleepers are those that a copy sums anew
                                            SoftSubsteps<>{}, BoundingBoxes{}, Narrowphase<Sphere, Plane>{});
         }
     }
+}
+
+namespace {
+/// Lifts the body of id 0 by a centimetre in the hundredth step.
+struct Lift {
+    using role = roles::System;
+    static constexpr std::string_view name = "Lift";
+    template <class S> struct State {
+        int steps = 0;
+        static void fields(auto& self, auto&& field) { field("steps", self.steps); }
+    };
+    template <class S> struct Raise {
+        using writes = Columns<Position>;
+        static constexpr Phase phase = phases::begin;
+        static constexpr std::string_view name = "lift";
+        explicit Raise(const Lift&) {}
+        void run(auto& view, const auto&) const {
+            if (++view.state().steps != 100) return;
+            const auto slot = view.slot_of_id(0);
+            view.template set<Position>(slot, view.template get<Position>(slot) + metres(0, 0.01, 0));
+        }
+    };
+    template <class S> using systems = Types<Raise<S>>;
+};
+} // namespace
+
+TEST_CASE("who hangs on a hook that a system lifts wakes", "[springs][rest][R11]") {
+    World world{SemiImplicitEuler{}, Gravity{}, Springs{}, Rest{}, Lift{}};
+    std::vector<Handle> hang;
+    for (int i = 0; i < 40; ++i) {
+        const auto hook = world.add(position(metres(i, 0, 0)), fixed);
+        hang.push_back(world.add(position(metres(i, -1 - 9.81e-3, 0)), mass(1.0 * kilogram)));
+        world.add(Spring{
+            .first = hook, .second = hang[std::size_t(i)], .stiffness = 1000.0 * N_per_m, .rest_length = 1.0 * metre});
+    }
+    run(world, 99, dt);
+    REQUIRE(world.count(Motion::resting) == 40);
+    run(world, 1, dt);
+    CHECK(world.motion(hang[0]) == Motion::awake);
+    CHECK(world.count(Motion::resting) == 39);
 }
