@@ -72,7 +72,6 @@ public:
         if (!same(data)) {
             known_ = looked_ = asked_ = false;
             changes_ = data.bodies.changes();
-            layout_ = data.states.layout;
             elements_ = elements_of(data);
         } else if (!looked_) {
             looked_ = true;
@@ -115,7 +114,7 @@ private:
         }(data, typename C::couplings{});
     }
     bool same(WorldData<C>& data) const {
-        if (changes_ != data.bodies.changes() || layout_ != data.states.layout) return false;
+        if (changes_ != data.bodies.changes()) return false;
         const Elements now = elements_of(data);
         bool all = true; // not ==, which calls a function for eight bytes
         for (std::size_t n = 0; n < couplings; ++n) all = all && elements_[n] == now[n];
@@ -198,7 +197,7 @@ private:
     std::vector<std::uint8_t> summed_;                         // by slot: whether it is one of those below
     std::vector<Bodies::Slot> border_;                         // sleepers that hang on who moves
     std::vector<Bodies::Slot> beside_;                         // on whom
-    std::uint64_t changes_ = 0, layout_ = 0;                   // what those of the bodies were
+    std::uint64_t changes_ = 0;                                // what those of the bodies were
     Elements elements_{};                                      // and of the elements
     bool looked_ = false, known_ = false, asked_ = false;
 };
