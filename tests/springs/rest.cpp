@@ -6,6 +6,7 @@
 
 #include <ansatz/collision.hpp>
 #include <ansatz/collision/response/soft_substeps.hpp>
+#include <ansatz/motion/forces_at_rest.hpp>
 
 #include <cmath>
 #include <cstdint>
