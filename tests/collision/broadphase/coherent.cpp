@@ -83,9 +83,10 @@ public:
 /// A broadphase that makes use of what it may do where a box is not finite: it finds nothing.
 struct Particular {
     using role = roles::Broadphase;
+    int number = 0; ///< a parameter
     template <class S> class In {
     public:
-        explicit In(const Particular&) {}
+        explicit In(const Particular& policy) { last_bound = policy.number; }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
             for (std::size_t i = 0; i < boxes.size(); ++i)
                 for (int k = 0; k < S::dimension; ++k)
@@ -93,6 +94,7 @@ struct Particular {
             for (const auto& [i, j] : broadphase_tests::oracle(boxes)) found(i, j);
         }
     };
+    static inline int last_bound = 0; ///< the parameter of the one that was bound last
 };
 
 /// How often each way of Coherent was gone.
@@ -213,6 +215,16 @@ TEST_CASE("Coherent keeps what moves slowly, and makes fat boxes that last", "[b
     CHECK(rebuilds[2 + 36] == 2);
     CHECK(bound.rebuilds() == 3);
     CHECK(bound.given_up() == 0);
+}
+
+TEST_CASE("G3: Coherent keeps boxes that share a face, an edge or a corner", "[broadphase][coherent][hard]") {
+    Drift<Space<>> scene(3, 125, 0);
+    for (std::size_t i = 0; i < 125; ++i)
+        scene.balls[i].at = {double(i % 5), double(i / 5 % 5), double(i / 25)}, scene.balls[i].step = {0.0625, 0, 0};
+    scene.side = 1e9;
+    Coherent<>::In<Space<>> bound(Coherent<>{});
+    for (int call = 0; call < 6; ++call, scene.step()) CHECK(told_by(bound, scene.boxes()).size() == (2197 - 125) / 2);
+    CHECK(bound.keeps());
 }
 
 TEST_CASE("Coherent: one that turns, and one that jumps, costs no rebuild", "[broadphase][coherent]") {
@@ -347,6 +359,8 @@ TEST_CASE("Coherent passes on what its broadphase says of itself", "[broadphase]
         cell = value.value();
     });
     CHECK(cell == 2);
+    const Coherent<Particular>::In<Space<>> bound(Coherent{Particular{7}});
+    CHECK(Particular::last_bound == 7);
     STATIC_REQUIRE(BroadphaseIn<Coherent<>, Space<>>);
     STATIC_REQUIRE(!InsideIn<Coherent<>, Space<>>);
 }
