@@ -333,7 +333,9 @@ TEST_CASE("G9: Coherent keeps no pairs of a call that had a box which is none", 
         auto next = scene;
         next.step();
         auto spoilt = next.boxes();
-        spoilt.set(5, metres(0, std::numeric_limits<double>::quiet_NaN(), 0), metres(1, 1, 1));
+        auto low = spoilt.lower_corner(5); // all else is as it would be
+        low[1] = std::numeric_limits<double>::quiet_NaN();
+        spoilt.set(5, Space<>::Position::from_value(low), Space<>::Position::from_value(spoilt.upper_corner(5)));
         (void)told_by(copy, spoilt);
         for (int later = 0; later < 3; ++later) {
             next.step();
