@@ -42,6 +42,7 @@ static_assert(BroadphaseIn<AllPairs, Space<>> && BroadphaseIn<AllPairs, Space<fl
 static_assert(BroadphaseIn<BinarySplit<>, Space<>> && BroadphaseIn<BinarySplit<SortAndSweep>, Space<float, 2>>);
 static_assert(BroadphaseIn<BoundingBoxes, Space<>> && InsideIn<BoundingBoxes, Space<>> &&
               InsideIn<BoundingBoxes, Space<float, 2>>);
+static_assert(BroadphaseIn<Coherent<>, Space<>> && BroadphaseIn<Coherent<SortAndSweep>, Space<float, 2>>);
 static_assert(BroadphaseIn<Octree<>, Space<>> && BroadphaseIn<Octree<SortAndSweep>, Space<float, 2>>);
 static_assert(BroadphaseIn<SortAndSweep, Space<>> && InsideIn<SortAndSweep, Space<>> &&
               InsideIn<SortAndSweep, Space<float, 2>>);

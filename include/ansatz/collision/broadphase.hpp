@@ -8,8 +8,11 @@
 #include <ansatz/collision/broadphase/all_pairs.hpp>
 #include <ansatz/collision/broadphase/binary_split.hpp>
 #include <ansatz/collision/broadphase/bounding_boxes.hpp>
+#include <ansatz/collision/broadphase/box_table.hpp>
 #include <ansatz/collision/broadphase/broadphase.hpp>
+#include <ansatz/collision/broadphase/coherent.hpp>
 #include <ansatz/collision/broadphase/inside.hpp>
+#include <ansatz/collision/broadphase/kept_pairs.hpp>
 #include <ansatz/collision/broadphase/lot.hpp>
 #include <ansatz/collision/broadphase/octree.hpp>
 #include <ansatz/collision/broadphase/recursion.hpp>

@@ -154,6 +154,8 @@ template <class F> void each_policy(F&& f) {
     f("BinarySplit of 1 a cell", BinarySplit<>{1, 40, {}});
     f("BinarySplit<SortAndSweep>", BinarySplit<SortAndSweep>{});
     f("BinarySplit<SortAndSweep>, in cells", BinarySplit<SortAndSweep>{4, 40, in_cells});
+    f("Coherent", Coherent{});
+    f("Coherent<Octree<SortAndSweep>>", Coherent<Octree<SortAndSweep>>{});
 }
 
 /// Every broadphase anew: "<who>: <what is wrong>", or nothing.

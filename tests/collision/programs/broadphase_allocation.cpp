@@ -15,7 +15,8 @@ static bool allowed(std::size_t) noexcept {
 
 using namespace broadphase_tests;
 
-template <class S> void steps_of_all(const char* space) {
+/// \param swing m, how far they go to each side
+template <class S> void steps_of_all(const char* space, double swing) {
     each_policy([&](const char* name, const auto& policy) {
         typename std::remove_cvref_t<decltype(policy)>::template In<S> bound(policy);
         for (const std::uint64_t seed :
@@ -27,7 +28,7 @@ template <class S> void steps_of_all(const char* space) {
                 for (std::size_t i = 0; i < scene.boxes.size(); ++i) { // each swings about its place
                     auto moved = scene.boxes[i];
                     for (std::size_t k = 0; k < 3; ++k) {
-                        const double by = 0.2 * std::sin(0.7 * step + double(i + k));
+                        const double by = swing * std::sin(0.7 * step + double(i + k));
                         moved.lower[k] += by, moved.upper[k] += by;
                     }
                     Vector<typename S::Scalar, S::dimension> low, high;
@@ -71,6 +72,8 @@ template <class S> void more_and_more() {
 int main() {
     ansatz::test::before_allocation = allowed;
     more_and_more<Space<>>();
-    steps_of_all<Space<>>("space");
-    steps_of_all<Space<float, 2>>("plane");
+    steps_of_all<Space<>>("space", 0.2);
+    steps_of_all<Space<>>("space, slowly", 0.01); // Coherent keeps its pairs
+    steps_of_all<Space<float, 2>>("plane", 0.2);
+    steps_of_all<Space<float, 2>>("plane, slowly", 0.01);
 }

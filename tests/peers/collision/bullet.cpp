@@ -13,7 +13,7 @@ peers::Broadphase peers::bullet_dbvt(const Spheres& spheres) {
     auto kept = std::make_shared<Kept>();
     auto corners = [](const Spheres& of, std::size_t i, int frame) {
         const auto x = of.at(i, frame);
-        const btScalar r{Spheres::radius};
+        const btScalar r{of.radius[i]};
         const btVector3 centre{btScalar(x[0]), btScalar(x[1]), btScalar(x[2])}, half{r, r, r};
         return std::pair(centre - half, centre + half);
     };

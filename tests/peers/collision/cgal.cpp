@@ -13,7 +13,7 @@ peers::Broadphase peers::cgal_box_intersection(const Spheres&) {
         boxes->clear();
         for (std::size_t i = 0; i < spheres.start.size(); ++i) {
             auto low = spheres.at(i, frame), high = low;
-            for (std::size_t k = 0; k < 3; ++k) low[k] -= Spheres::radius, high[k] += Spheres::radius;
+            for (std::size_t k = 0; k < 3; ++k) low[k] -= spheres.radius[i], high[k] += spheres.radius[i];
             boxes->emplace_back(low.data(), high.data());
         }
         std::size_t pairs = 0;

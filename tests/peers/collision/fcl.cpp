@@ -12,10 +12,10 @@ peers::Broadphase peers::fcl_tree_array(const Spheres& spheres) {
         fcl::DynamicAABBTreeCollisionManager_Array<double> tree;
     };
     auto kept = std::make_shared<Kept>();
-    const auto ball = std::make_shared<fcl::Sphered>(Spheres::radius);
     std::vector<fcl::CollisionObjectd*> all;
     for (std::size_t i = 0; i < spheres.start.size(); ++i) {
         const auto x = spheres.at(i, 0);
+        const auto ball = std::make_shared<fcl::Sphered>(spheres.radius[i]);
         kept->objects.push_back(
             std::make_unique<fcl::CollisionObjectd>(ball, fcl::Matrix3d::Identity(), fcl::Vector3d(x[0], x[1], x[2])));
         all.push_back(kept->objects.back().get());

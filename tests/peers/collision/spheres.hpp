@@ -15,11 +15,12 @@
 
 namespace peers {
 
-/// Spheres of one radius on straight ways, by frames.
+/// Spheres on straight ways, by frames.
 struct Spheres {
-    static constexpr double radius = 0.5, fastest = 0.05; // m, and m a frame
-    static constexpr int frames = 8;                      // there, and back again in the next repeat
-    std::vector<std::array<double, 3>> start, step;
+    double fastest = 0.05;                          // m a frame, on an axis
+    int frames = 8;                                 // there, and back again in the next repeat
+    std::vector<double> radius;                     // m
+    std::vector<std::array<double, 3>> start, step; // m, and m a frame
 
     int size() const { return int(start.size()); }
     std::array<double, 3> at(std::size_t i, int frame) const {
@@ -28,8 +29,8 @@ struct Spheres {
         return x;
     }
     /// A quarter of a body in each cube as wide as a body: about one touching pair for each.
-    static Spheres uniform(int n) {
-        Spheres s;
+    static Spheres uniform(int n, double fastest = 0.05, int frames = 8) {
+        Spheres s{fastest, frames, {}, {}, {}};
         std::mt19937_64 random(1);
         std::uniform_real_distribution<double> place(0, std::cbrt(n / 0.25)), drift(-fastest, fastest);
         for (int i = 0; i < n; ++i)
@@ -38,8 +39,8 @@ struct Spheres {
     }
     /// Clusters of a hundred, normal with 1.5 m, in a world eight times as large: about two and a half pairs for each
     /// body.
-    static Spheres clustered(int n) {
-        Spheres s;
+    static Spheres clustered(int n, double fastest = 0.05, int frames = 8) {
+        Spheres s{fastest, frames, {}, {}, {}};
         std::mt19937_64 random(2);
         std::uniform_real_distribution<double> place(0, 2 * std::cbrt(n / 0.25)), drift(-fastest, fastest);
         std::normal_distribution<double> beside(0, 1.5);
@@ -51,9 +52,21 @@ struct Spheres {
         }
         return s;
     }
+    /// Radii from 0.05 to 5 m, as many of each magnitude, in a cube with edges of 2.5 m times the cube root of n.
+    static Spheres mixed(int n, double fastest, int frames) {
+        Spheres s{fastest, frames, {}, {}, {}};
+        std::mt19937_64 random(4);
+        std::uniform_real_distribution<double> place(0, 2.5 * std::cbrt(n)), drift(-fastest, fastest), power(0, 1);
+        for (int i = 0; i < n; ++i) {
+            s.add({place(random), place(random), place(random)}, {drift(random), drift(random), drift(random)});
+            s.radius.back() = 0.05 * std::pow(100.0, power(random));
+        }
+        return s;
+    }
 
 private:
     void add(const std::array<double, 3>& x, const std::array<double, 3>& v) {
+        radius.push_back(0.5);
         start.push_back(x);
         step.push_back(v);
     }
