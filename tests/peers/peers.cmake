@@ -17,8 +17,11 @@ find_library(ANSATZ_BULLET_DYNAMICS BulletDynamics)
 find_library(ANSATZ_BULLET_SOFT_BODY BulletSoftBody)
 find_path(ANSATZ_ODE_INCLUDE ode/ode.h)
 find_library(ANSATZ_ODE_LIBRARY ode)
+find_path(ANSATZ_BOX2D_INCLUDE box2d/box2d.h)
+find_library(ANSATZ_BOX2D_LIBRARY box2d)
 mark_as_advanced(ANSATZ_ODE_INCLUDE ANSATZ_ODE_LIBRARY ANSATZ_BULLET_DYNAMICS ANSATZ_BULLET_SOFT_BODY ANSATZ_CGAL_INCLUDE ANSATZ_FCL_INCLUDE ANSATZ_FCL_LIBRARY ANSATZ_CCD_LIBRARY ANSATZ_BULLET_INCLUDE
     ANSATZ_BULLET_COLLISION ANSATZ_BULLET_MATH)
+mark_as_advanced(ANSATZ_BOX2D_INCLUDE ANSATZ_BOX2D_LIBRARY)
 
 # Every peer is a library of its own, so that its headers and flags are seen by nobody else. Its folder names the area,
 # whose program it is a part of.
@@ -79,3 +82,17 @@ target_include_directories(peers_soft_bodies PRIVATE ${PROJECT_SOURCE_DIR}/tools
 set_target_properties(peers_soft_bodies PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 ansatz_peer(peer_bullet_sheet peers/soft_bodies/bullet.cpp ANSATZ_PEER_BULLET_SOFT "${ANSATZ_BULLET_INCLUDE}"
     "${ANSATZ_BULLET_SOFT_BODY}" "${ANSATZ_BULLET_DYNAMICS}" "${ANSATZ_BULLET_COLLISION}" "${ANSATZ_BULLET_MATH}")
+
+# The hard cases, played by other engines as well: what is measured is errors and not time.
+add_executable(peers_cases EXCLUDE_FROM_ALL peers/cases/main.cpp peers/cases/table.cpp peers/cases/bounces.cpp
+    peers/cases/heaps.cpp peers/cases/sleep.cpp peers/cases/springs.cpp peers/cases/broadphases.cpp
+    peers/cases/ansatz_double.cpp peers/cases/ansatz_float.cpp)
+target_link_libraries(peers_cases PRIVATE ansatz_compared nlohmann_json::nlohmann_json)
+target_include_directories(peers_cases PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+target_compile_definitions(peers_cases PRIVATE "ANSATZ_PEERS_VERSION=\"${PROJECT_VERSION}\"")
+set_target_properties(peers_cases PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+ansatz_peer(peer_bullet_cases peers/cases/bullet.cpp ANSATZ_PEER_BULLET_CASES "${ANSATZ_BULLET_INCLUDE}"
+    "${ANSATZ_BULLET_DYNAMICS}" "${ANSATZ_BULLET_COLLISION}" "${ANSATZ_BULLET_MATH}")
+ansatz_peer(peer_ode_cases peers/cases/ode.cpp ANSATZ_PEER_ODE_CASES "${ANSATZ_ODE_INCLUDE}" "${ANSATZ_ODE_LIBRARY}")
+ansatz_peer(peer_box2d_cases peers/cases/box2d.cpp ANSATZ_PEER_BOX2D_CASES "${ANSATZ_BOX2D_INCLUDE}"
+    "${ANSATZ_BOX2D_LIBRARY}")

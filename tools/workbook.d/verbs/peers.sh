@@ -6,6 +6,7 @@
 #   ./workbook peers              every area
 #   ./workbook peers collision    one area
 #   ./workbook peers collision 30 with so many repeats
+#   ./workbook peers cases        the hard cases in other engines: errors and not times, so that repeats mean nothing
 #
 # The table goes to build/peers/<area>.json. A library that is not installed is named and left out. Compare the ratios of
 # one run, and close other programs first.
