@@ -60,12 +60,12 @@ private:
                 if (saved) each([](auto& lane, auto& kept) { lane = kept; });
         }
         void save() {
-            data.coupled.velocities.resize(data.bodies.end(Motion::awake) * std::size_t(C::S::dimension));
+            data.velocities.value.resize(data.bodies.end(Motion::awake) * std::size_t(C::S::dimension));
             each([](auto& lane, auto& kept) { kept = lane; });
             saved = true;
         }
         void each(const auto& f) {
-            auto kept = data.coupled.velocities.begin();
+            auto kept = data.velocities.value.begin();
             for (int k = 0; k < C::S::dimension; ++k) {
                 auto* lane = data.lanes.template lane<Velocity>(k);
                 for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake); ++slot) f(lane[slot], *kept++);

@@ -64,8 +64,6 @@ template <class S> struct CoupledSums {
     bool changed = false; ///< a change through the door waits to be made good; the column holds what was before it
     std::vector<typename S::Scalar> before{};
     std::vector<typename S::Scalar> platforms{}; ///< where they were when the step began
-    std::vector<typename S::Scalar>
-        velocities{}; ///< of awake bodies that are thought to stand still (forces_at_rest.hpp)
     typename S::Time dt{}, previous{};
 
     bool known_for(const TimeStep<S>& step) const {
@@ -74,7 +72,6 @@ template <class S> struct CoupledSums {
     void make_room_for(const CoupledSums& other) {
         before.reserve(other.before.size());
         platforms.reserve(other.platforms.size());
-        velocities.reserve(other.velocities.size());
     }
     void know(const TimeStep<S>& step) {
         current = true;
@@ -168,6 +165,10 @@ template <class C, class Data> struct MotionState {
                                              detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>
         own;
 
+    /// The velocities of awake bodies, axis by axis, while they are thought to stand still (forces_at_rest.hpp).
+    [[no_unique_address]] std::conditional_t<C::coupled && C::rests, detail::Cache<std::vector<typename C::S::Scalar>>,
+                                             detail::NotKept<9>>
+        velocities;
     /// The forces between bodies that rest, kept from step to step (still_forces.hpp).
     [[no_unique_address]] std::conditional_t<detail::keeps_still_forces<C>(), detail::Cache<StillForces<C>>,
                                              detail::NotKept<8>>
