@@ -16,7 +16,8 @@ static bool allowed(std::size_t) noexcept {
 using namespace broadphase_tests;
 
 /// \param swing m, how far they go to each side
-template <class S> void steps_of_all(const char* space, double swing) {
+/// \param later m, the same after some steps
+template <class S> void steps_of_all(const char* space, double swing, double later) {
     each_policy([&](const char* name, const auto& policy) {
         typename std::remove_cvref_t<decltype(policy)>::template In<S> bound(policy);
         for (const std::uint64_t seed :
@@ -28,7 +29,7 @@ template <class S> void steps_of_all(const char* space, double swing) {
                 for (std::size_t i = 0; i < scene.boxes.size(); ++i) { // each swings about its place
                     auto moved = scene.boxes[i];
                     for (std::size_t k = 0; k < 3; ++k) {
-                        const double by = swing * std::sin(0.7 * step + double(i + k));
+                        const double by = (step < 25 ? swing : later) * std::sin(0.7 * step + double(i + k));
                         moved.lower[k] += by, moved.upper[k] += by;
                     }
                     Vector<typename S::Scalar, S::dimension> low, high;
@@ -72,8 +73,9 @@ template <class S> void more_and_more() {
 int main() {
     ansatz::test::before_allocation = allowed;
     more_and_more<Space<>>();
-    steps_of_all<Space<>>("space", 0.2);
-    steps_of_all<Space<>>("space, slowly", 0.01); // Coherent keeps its pairs
-    steps_of_all<Space<float, 2>>("plane", 0.2);
-    steps_of_all<Space<float, 2>>("plane, slowly", 0.01);
+    steps_of_all<Space<>>("space", 0.2, 0.2);
+    steps_of_all<Space<>>("space, slowly", 0.01, 0.01);     // Coherent keeps its pairs,
+    steps_of_all<Space<>>("space, then slowly", 0.3, 0.01); // or does so when nothing may be allocated any more
+    steps_of_all<Space<float, 2>>("plane", 0.2, 0.2);
+    steps_of_all<Space<float, 2>>("plane, then slowly", 0.3, 0.01);
 }

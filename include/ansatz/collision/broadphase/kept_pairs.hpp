@@ -151,12 +151,8 @@ public:
 
     /// The pairs of these boxes as a broadphase finds them, in order. What was kept is lost.
     template <class Finder> const std::vector<BoxPair>& find(Finder& inner, const Boxes<S>& boxes) {
-        fresh_.clear();
-        inner.find(boxes, [this](std::size_t i, std::size_t j) {
-            fresh_.push_back({std::uint32_t(i), std::uint32_t(j)});
-        });
-        sorter_.sort(fresh_, boxes.size(), pairs_);
-        make_room(boxes.size(), 4); // of fat boxes there will be more
+        search(inner, boxes);
+        make_room(boxes.size());
         return pairs_;
     }
     /// Makes all fat boxes from the last two calls, and finds their pairs.
@@ -170,7 +166,7 @@ public:
         has_left_.assign(boxes.size(), 0);
         for (std::size_t i = 0; i < boxes.size(); ++i)
             if (!fatten(i, calls)) return false;
-        find(inner, fat_);
+        search(inner, fat_);
         return true;
     }
     /// Gives those that have left other fat boxes, and finds the pairs of these.
@@ -279,10 +275,17 @@ private:
         spare_.resize(std::size_t(to - spare_.data()));
         pairs_.swap(spare_);
     }
-    /// Room for more pairs than there are: they come and go, and a warm call shall not allocate.
-    void make_room(std::size_t boxes, double times) {
+    template <class Finder> void search(Finder& inner, const Boxes<S>& boxes) {
+        fresh_.clear();
+        inner.find(boxes, [this](std::size_t i, std::size_t j) {
+            fresh_.push_back({std::uint32_t(i), std::uint32_t(j)});
+        });
+        sorter_.sort(fresh_, boxes.size(), pairs_);
+    }
+    /// Room for more pairs than touch: fat boxes have more, they come and go, and a warm call shall not allocate.
+    void make_room(std::size_t boxes) {
         const double more = std::max(1.0, double(room_) / double(boxes));
-        const auto least = std::size_t(times * more * more * double(pairs_.size()));
+        const auto least = std::max(room_, boxes) + std::size_t(4 * more * more * double(pairs_.size()));
         for (auto* all : {&pairs_, &fresh_, &spare_})
             if (all->capacity() < least) all->reserve(least + least / 2);
     }
