@@ -180,3 +180,35 @@ TEST_CASE("who hangs on a hook that a system lifts wakes", "[springs][rest][R11]
     CHECK(world.motion(hang[0]) == Motion::awake);
     CHECK(world.count(Motion::resting) == 39);
 }
+
+TEST_CASE("a rope that comes taut wakes who hangs asleep on it, as in a copy", "[springs][rest][R11]") {
+    // Slow enough to be on its way to sleep itself, or so fast that it wakes whom it is tied to.
+    for (const double speed : {0.04, 0.045, 0.5, 2.0}) {
+        World world{SemiImplicitEuler{}, Ropes{}, Rest{}};
+        std::vector<Handle> still;
+        for (int i = 0; i < 40; ++i) {
+            still.push_back(world.add(position(metres(i, 0, 0)), mass(1.0 * kilogram)));
+            world.add(Rope{.first = still.back(),
+                           .second = metres(i, 1, 0),
+                           .stiffness = 100.0 * N_per_m,
+                           .rest_length = 2.0 * metre});
+        }
+        const auto leaves = world.add(position(metres(20, 0, 1)), mass(1.0 * kilogram));
+        world.add(
+            Rope{.first = leaves, .second = still[20], .stiffness = 100.0 * N_per_m, .rest_length = 1.01 * metre});
+        run(world, 60, dt);
+        REQUIRE(world.count(Motion::resting) == 41);
+        world.set_velocity(leaves, metres_per_second(0, 0, speed));
+        int step = 0;
+        for (; step < 60 && world.motion(still[20]) == Motion::resting; ++step) {
+            auto copy = world;
+            world.step(dt * second);
+            copy.step(dt * second);
+            INFO(speed << " m/s, step " << step);
+            REQUIRE(world.hash() == copy.hash());
+        }
+        CHECK(world.motion(still[20]) == Motion::awake);
+        CHECK(step >= int(0.01 / speed / dt)); // not before it is taut
+        CHECK(world.count(Motion::resting) == 39);
+    }
+}

@@ -45,7 +45,8 @@ inline constexpr bool needs_boxes<P> = P::needs_boxes;
 
 /// A broadphase in space `S`: plays the role, `In<S>` is made from it, and that has `find(boxes, found)`.
 ///
-/// `AllPairs`, `BoundingBoxes`, `UniformGrid`, `Octree`, `BinarySplit` and `SortAndSweep` are such (notes 2.1.1).
+/// `AllPairs`, `BoundingBoxes`, `UniformGrid`, `Octree`, `BinarySplit`, `SortAndSweep` and `Coherent` are such (notes
+/// 2.1.1).
 template <class P, class S>
 concept BroadphaseIn = PlaysRole<P, roles::Broadphase> && detail::FindsPairs<P, S>;
 
