@@ -171,7 +171,7 @@ template <class C, class Data> struct MotionState {
         velocities;
     /// The forces between bodies that rest, kept from step to step (still_forces.hpp).
     [[no_unique_address]] std::conditional_t<detail::keeps_still_forces<C>(), detail::Cache<StillForces<C>>,
-                                             detail::NotKept<8>>
+                                             detail::NotKept<10>>
         still_forces;
 
     /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
