@@ -5,6 +5,7 @@
 #include <ansatz/collision/broadphase/all_pairs.hpp>
 #include <ansatz/collision/broadphase/binary_split.hpp>
 #include <ansatz/collision/broadphase/bounding_boxes.hpp>
+#include <ansatz/collision/broadphase/coherent.hpp>
 #include <ansatz/collision/broadphase/octree.hpp>
 #include <ansatz/collision/broadphase/sort_and_sweep.hpp>
 #include <ansatz/collision/broadphase/uniform_grid.hpp>
