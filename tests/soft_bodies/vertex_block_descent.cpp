@@ -142,6 +142,37 @@ TEST_CASE("A sheet alone in space does not drive itself along, however few the i
         }
 }
 
+TEST_CASE("A rope that hangs slack ties nobody to anybody", "[soft_bodies]") {
+    // A stiff row of bodies of which one is pushed, a lone body, and a rope between them, or to a point, that is slack.
+    for (const int tied : {0, 1, 2}) {
+        World world{SemiImplicitEuler{}, Springs<>{}, Ropes<>{}, VertexBlockDescent{1, 2}};
+        std::vector<Handle> row;
+        for (int i = 0; i < 12; ++i) {
+            row.push_back(world.add(position(metres(0.1 * i, 0, 0)), mass(1.0 * kilogram)));
+            if (i > 0)
+                world.add(Spring{.first = row[std::size_t(i) - 1],
+                                 .second = row[std::size_t(i)],
+                                 .stiffness = 5000.0 * newton_per_metre});
+        }
+        const auto alone = world.add(position(metres(50, 0, 0)), mass(1.0 * kilogram));
+        Rope rope{.first = row[0], .stiffness = 1000.0 * newton_per_metre, .rest_length = 500.0 * metre};
+        if (tied == 1) rope.second = alone;
+        else rope.second = metres(0, 1, 0);
+        if (tied > 0) world.add(rope);
+        world.set_velocity(row[3], metres_per_second(5, 0, 0));
+        double most = 0;
+        for (int i = 0; i < 120; ++i) {
+            world.step(frame);
+            Vector<double, 3> sum(-5, 0, 0);
+            for (const auto body : row) sum += world.velocity(body).value();
+            most = std::max(most, sum.norm());
+        }
+        CAPTURE(tied);
+        CHECK(most < 1e-13);
+        CHECK(world.velocity(alone).value().norm() == 0);
+    }
+}
+
 TEST_CASE("What it keeps is no state: copied, saved and loaded worlds go on alike", "[soft_bodies]") {
     auto world = world_of<double>(VertexBlockDescent{2, 5});
     const auto sheet = hang_sheet(world, 200, 0.1);

@@ -107,6 +107,10 @@ template <class E, class... P> void goes_on_as_a_copy_does(std::uint64_t seed, P
         INFO("step " << step);
         REQUIRE(world.hash() == copy.hash());
         REQUIRE(std::equal(world.events().begin(), world.events().end(), copy.events().begin(), copy.events().end()));
+        for (int k = 0; k < Chains<World<P...>, E>::S::dimension; ++k) { // of fixed ends, too
+            const auto forces = world.template lane<CoupledForce>(k), fresh = copy.template lane<CoupledForce>(k);
+            REQUIRE(std::equal(forces.begin(), forces.end(), fresh.begin(), fresh.end()));
+        }
         most_sleep += world.count(Motion::resting) > 2 * world.count(Motion::awake);
         nobody_moves += world.count(Motion::awake) == 0;
     }

@@ -44,8 +44,9 @@ public:
     }
 
 private:
-    static constexpr Scalar ahead = Scalar(1.25); // parts of a step: who is woken in vain falls asleep again
-    static constexpr Scalar noted = Scalar(-1);   // instead of a speed: a sleeper that has been found
+    static constexpr Scalar ahead =
+        Scalar(1.25); // parts of a step, for what others add to a speed: who is woken in vain falls asleep again
+    static constexpr Scalar noted = Scalar(-1); // instead of a speed: a sleeper that has been found
 
     bool rests(Slot slot) const { return data_.bodies.motion(slot) == Motion::resting; }
     /// Into `hit`, each once.

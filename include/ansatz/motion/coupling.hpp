@@ -37,7 +37,7 @@ void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] con
     if constexpr (C::history && C::template stores<Velocity>) {
         std::size_t size = data.bodies.size();
         if constexpr (detail::keeps_still_forces<C>())
-            if (data.still_forces.value.hold(data)) { // all others stand still, and their lanes say so
+            if (data.still_forces.value.holds(data)) { // all others stand still, and have said so since
                 detail::derive_velocities_of<C>(data, last, data.bodies.begin(Motion::moving),
                                                 data.bodies.end(Motion::moving));
                 size = data.bodies.end(Motion::awake);
@@ -111,7 +111,7 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
                  [[maybe_unused]] const Context<typename C::S>& context) {
     if constexpr (C::coupled) {
         if constexpr (detail::keeps_still_forces<C>())
-            if (!data.coupled.changed && data.still_forces.value.hold(data))
+            if (!data.coupled.changed && data.still_forces.value.holds(data))
                 return data.still_forces.value.sum(data, policies, context);
         in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
             for (int k = 0; k < C::S::dimension; ++k) {
@@ -122,7 +122,7 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
         [&]<class... Q>(Types<Q...>) {
             (detail::couple_one<Q>(data, policies, context), ...);
         }(typename C::couplings{});
-        if constexpr (detail::keeps_still_forces<C>()) data.still_forces.value.summed(data, policies, context);
+        if constexpr (detail::keeps_still_forces<C>()) data.still_forces.value.note_sum(data, policies, context);
     }
 }
 

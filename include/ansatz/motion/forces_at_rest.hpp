@@ -26,6 +26,7 @@ public:
     ForcesAtRest(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context, const Slow& slow)
         : velocities_(data) {
         if constexpr (reads_velocity) {
+            velocities_.make_room();
             bool any = false;
             for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake) && !any; ++slot) any = slow(slot);
             if (!any) return;
@@ -58,6 +59,10 @@ private:
         ~Velocities() {
             if constexpr (reads_velocity)
                 if (saved) each([](auto& lane, auto& kept) { lane = kept; });
+        }
+        void make_room() {
+            const std::size_t n = data.bodies.size() * std::size_t(C::S::dimension);
+            if (data.velocities.value.capacity() < n) data.velocities.value.reserve(2 * n);
         }
         void save() {
             data.velocities.value.resize(data.bodies.end(Motion::awake) * std::size_t(C::S::dimension));

@@ -122,14 +122,15 @@ public:
             return step_.data.load(Slot(slot), step_.context.dt().previous).template get<Velocity>();
         else return step_.data.lanes.template get<Column>(slot);
     }
-    /// Gives a column that it `writes` a value; a body that is awake.
+    /// Gives a column that it `writes` a value. A body that sleeps is not woken by it.
     template <class Column> void set(std::size_t slot, const value_of<Column, S>& value) {
         declared<Column, writes_of<Y>>();
         if constexpr (std::same_as<Column, Velocity>) step_.data.set_velocity(Slot(slot), value);
-        else if constexpr (std::same_as<Column, Position>) {
+        else if constexpr (std::same_as<Column, Position>)
             step_.data.displace(Slot(slot), value - step_.data.lanes.template get<Position>(slot));
-            step_.data.bodies.note_change(slot); // it may be a fixed one
-        } else step_.data.lanes.template set<Column>(slot, value);
+        else step_.data.lanes.template set<Column>(slot, value);
+        if constexpr (!std::same_as<Column, Velocity>)
+            if (slot >= step_.data.bodies.end(Motion::awake)) step_.data.bodies.note_change(slot);
         if constexpr (C::template couplings_read<Column>) step_.data.coupled.current = false;
         if constexpr (C::asked == LawsAsked::beforehand && detail::contains<Column, typename C::Laws::needs>)
             step_.data.own.value.known = false;

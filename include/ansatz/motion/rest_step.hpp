@@ -60,18 +60,18 @@ public:
 
     /// Resting bodies at which something pulls that did not when they fell asleep.
     void wake_pulled() {
-        auto first = Slot(data_.bodies.end(Motion::resting)); // the last slot comes first: of those that are asked
+        auto behind = Slot(data_.bodies.end(Motion::resting)); // the first that is asked, from the last slot on
         if constexpr (keeps_still) {
             auto& still = data_.still_forces.value;
-            if (still.hold(data_) && still.asked()) {
+            if (still.holds(data_) && still.asked()) {
                 const auto& border = still.border();
                 const auto wakes = std::find_if(border.begin(), border.end(), [&](Slot slot) { return !stays(slot); });
                 if (wakes == border.end()) return;
-                first = *wakes + 1;
+                behind = *wakes + 1;
             }
         }
         const auto woken = data_.bodies.woken();
-        for (auto slot = first; slot-- > data_.bodies.begin(Motion::resting);) {
+        for (auto slot = behind; slot-- > data_.bodies.begin(Motion::resting);) {
             if (stays(slot)) continue;
             wake_resting(data_, slot);
             // The body that took this slot was at the beginning of the range: look at it too, unless it is the one
@@ -89,7 +89,7 @@ public:
             if (data_.bodies.count(Motion::resting) == 0 || !data_.bodies.any_goes()) return;
             step_.template tell<hook::WakeTouching>();
             if constexpr (keeps_still)
-                if (data_.still_forces.value.hold(data_) && !data_.still_forces.value.any_beside(wakes_others)) return;
+                if (data_.still_forces.value.holds(data_) && !data_.still_forces.value.any_mover(wakes_others)) return;
         } while (detail::wake_through_elements(data_, wakes_others, wake));
     }
     /// Whoever moves fast now begins its time of rest anew, even if the step leaves it another velocity.
@@ -103,13 +103,8 @@ public:
     void put_to_rest() {
         const detail::Bound<Rester, S> rest(std::get<Rester>(policies_));
         if constexpr (pull_varies) begin_anew(rest, [](std::size_t) { return false; });
-        bool others = false; // whether forces are other ones than they were
-        {
-            const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
-            others = forces.any();
-            if (others) begin_anew(rest, [&](std::size_t slot) { return !slow_long(rest)(slot); });
-        }
-        if (others) refresh_forces();
+        ask_again(
+            rest, [] {}, [](std::size_t) { return false; }, [] {});
         for (auto slot = Slot(data_.bodies.end(Motion::awake)); slot-- > data_.bodies.begin(Motion::awake);)
             if (slow_long(rest)(slot) && (pull_varies || detail::balanced<S>(rest, pull_at_rest(slot, step_.after()))))
                 put_to_rest(slot);
@@ -122,24 +117,24 @@ public:
         scratch.sleepers.clear();
         if (data_.bodies.count(Motion::awake) == 0) return;
         const auto touched = [&](std::size_t slot) { return scratch.held[slot] != 0; };
-        if constexpr (pull_varies || C::held_couplings::size > 0) {
+        const auto mark = [&] {
             scratch.forget_held(data_.bodies.size(), data_.bodies.end(Motion::awake));
             data_.template tell<hook::MarkHeld>(scratch);
-        }
+        };
+        if constexpr (pull_varies || C::held_couplings::size > 0) mark();
         if constexpr (pull_varies) begin_anew(rest, touched);
         keep_awake(slow_long(rest), touched, typename C::held_couplings{});
-        bool others = false; // whether forces are other ones than they were
-        {
-            const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
-            others = forces.any();
-            if (others) begin_anew(rest, [&](std::size_t slot) { return touched(slot) || !slow_long(rest)(slot); });
+        const auto find = [&] {
             find_sleepers(
                 data_, scratch, slow_long(rest), [&](Slot slot) { return pull_at_rest(slot, step_.after()); },
                 [&](const auto& add) { step_.template tell<hook::EachPush>(add); },
                 [&](const auto& remains) { return detail::balanced<S>(rest, remains); });
-        }
+        };
+        find();
+        if (scratch.sleepers.empty()) return;
+        ask_again(rest, mark, touched, find);
         for (const auto id : scratch.sleepers) put_to_rest(data_.bodies.slot_of_id(id));
-        if (others || !scratch.sleepers.empty()) refresh_forces();
+        refresh_forces();
         for (const auto id : scratch.sleepers) {
             const auto pull = [&] { return pull_at_rest(data_.bodies.slot_of_id(id), step_.after()); };
             data_.template tell<hook::Slept>(id, pull);
@@ -159,6 +154,22 @@ private:
         data_.events.in_step({Event::Kind::slept, data_.bodies.handle(slot)});
         data_.move(slot, Motion::resting);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
+    }
+    /// Who would fall asleep is asked once more, by what forces between bodies would do if they stood: `find` finds
+    /// those anew.
+    /// \param mark marks those whom a contact may hold, and `touched` says whether one is marked
+    void ask_again([[maybe_unused]] const auto& rest, [[maybe_unused]] const auto& mark,
+                   [[maybe_unused]] const auto& touched, [[maybe_unused]] const auto& find) {
+        if constexpr (C::template couplings_read<Velocity>) {
+            {
+                const ForcesAtRest<C> forces(data_, policies_, step_.after(), slow_long(rest));
+                if (!forces.any()) return;
+                mark();
+                begin_anew(rest, [&](std::size_t slot) { return touched(slot) || !slow_long(rest)(slot); });
+                find();
+            }
+            refresh_forces();
+        }
     }
     void refresh_forces() {
         if constexpr (C::coupled) {

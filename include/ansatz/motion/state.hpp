@@ -166,8 +166,8 @@ template <class C, class Data> struct MotionState {
         own;
 
     /// The velocities of awake bodies, axis by axis, while they are thought to stand still (forces_at_rest.hpp).
-    [[no_unique_address]] std::conditional_t<C::coupled && C::rests, detail::Cache<std::vector<typename C::S::Scalar>>,
-                                             detail::NotKept<9>>
+    [[no_unique_address]] std::conditional_t<C::rests && C::template couplings_read<Velocity>,
+                                             detail::Cache<std::vector<typename C::S::Scalar>>, detail::NotKept<9>>
         velocities;
     /// The forces between bodies that rest, kept from step to step (still_forces.hpp).
     [[no_unique_address]] std::conditional_t<detail::keeps_still_forces<C>(), detail::Cache<StillForces<C>>,

@@ -65,21 +65,22 @@ public:
     using S = typename C::S; ///< the space
 
     /// Whether all that is kept is of the world as it stands.
-    bool hold(WorldData<C>& data) { return known_ && same(data); }
-    /// All forces have been summed: when they are summed again, and nothing has changed since, they are kept.
-    template <class Policies> void summed(WorldData<C>& data, const Policies& policies, const Context<S>& context) {
-        if (data.bodies.count(Motion::resting) < fewest) return;
-        if (!same(data)) {
-            known_ = looked_ = asked_ = false;
-            changes_ = data.bodies.changes();
-            elements_ = elements_of(data);
-        } else if (!looked_) {
-            looked_ = true;
-            try {
+    bool holds(WorldData<C>& data) { return known_ && same(data); }
+    /// All forces have been summed. When they are summed again, and nothing has changed since, they are kept.
+    template <class Policies> void note_sum(WorldData<C>& data, const Policies& policies, const Context<S>& context) {
+        try {
+            make_room(data);
+            if (data.bodies.count(Motion::resting) < fewest) return;
+            if (!same(data)) {
+                known_ = tried_ = asked_ = false;
+                changes_ = data.bodies.changes();
+                elements_ = elements_of(data);
+            } else if (!tried_) {
+                tried_ = true;
                 known_ = find(data, policies, context);
-            } catch (const std::bad_alloc&) { // without room for them all forces are summed
-                known_ = false;
             }
+        } catch (const std::bad_alloc&) { // without room for them all forces are summed
+            known_ = false;
         }
     }
     /// Sums the forces on those for which they are not kept.
@@ -89,18 +90,19 @@ public:
             for (const auto motion : {Motion::awake, Motion::moving})
                 std::fill(lane + data.bodies.begin(motion), lane + data.bodies.end(motion), typename S::Scalar(0));
             for (const auto slot : border_) lane[slot] = typename S::Scalar(0);
+            for (const auto slot : hooks_) lane[slot] = typename S::Scalar(0);
         }
         each([&]<class Q>(const auto& acting) { sum_one<Q>(data, policies, context, acting); });
     }
-    /// Sleepers that hang on a body which moves, the last slot first. Who else sleeps has been asked whether it does.
+    /// Sleepers that hang on a body which moves, from the last slot to the first.
     const std::vector<Bodies::Slot>& border() const { return border_; }
-    /// Whether all sleepers were asked, and sleep on.
+    /// Whether all sleepers were asked since anything has changed, and sleep on: then only `border` need be asked.
     bool asked() const { return asked_; }
     /// They have been.
     void note_asked() { asked_ = true; }
-    /// Whether a body on which a sleeper hangs has a property.
+    /// Whether a body that moves, and on which a sleeper hangs, has a property.
     /// \param has a function of its slot
-    bool any_beside(const auto& has) const { return std::any_of(beside_.begin(), beside_.end(), has); }
+    bool any_mover(const auto& has) const { return std::any_of(movers_.begin(), movers_.end(), has); }
 
 private:
     static constexpr std::size_t fewest = 16; // with fewer sleepers it is as quick to go through all
@@ -153,7 +155,6 @@ private:
             acting.clear();
             detail::AskedForce<Q, C> in(data, policies, context);
             const std::size_t count = in.force.element_count(std::as_const(in.view));
-            acting.reserve(count);
             for (std::size_t k = 0; k < count; ++k) {
                 const auto ends = in.force.ends(std::as_const(in.view), k);
                 if (std::any_of(ends.begin(), ends.end(), [&](auto e) { return e < bodies.size() && summed_[e]; }))
@@ -162,44 +163,66 @@ private:
             all += count;
             act += acting.size();
         });
-        return 2 * act <= all;
+        return (C::executed ? 8 : 2) * act <= all; // what is kept is summed by one thread
     }
+    /// The sleepers and the fixed bodies that share an element with one that moves: all that acts on them is summed.
     template <class Policies>
     void find_border(WorldData<C>& data, const Policies& policies, const Context<S>& context) {
         const auto& bodies = data.bodies;
         border_.clear();
-        beside_.clear();
-        border_.reserve(bodies.count(Motion::resting));
+        hooks_.clear();
+        movers_.clear();
         each([&]<class Q>(const auto&) {
             detail::AskedForce<Q, C> in(data, policies, context);
-            for (std::size_t k = 0; k < in.force.element_count(std::as_const(in.view)); ++k) {
+            const std::size_t count = in.force.element_count(std::as_const(in.view));
+            for (std::size_t k = 0; k < count; ++k) {
                 const auto ends = in.force.ends(std::as_const(in.view), k);
-                bool rests = false;
-                std::size_t moves = bodies.size();
+                const auto is = [&](auto&& what) {
+                    return std::any_of(ends.begin(), ends.end(), [&](auto e) { return e < bodies.size() && what(e); });
+                };
+                if (!is([&](auto e) { return bodies.goes(e); })) continue;
+                const bool rests = is([&](auto e) { return bodies.motion(Bodies::Slot(e)) == Motion::resting; });
                 for (const auto end : ends) {
                     if (end >= bodies.size()) continue;
-                    if (bodies.goes(end)) moves = end;
-                    else rests = rests || bodies.motion(Bodies::Slot(end)) == Motion::resting;
+                    if (bodies.goes(end)) {
+                        if (rests) movers_.push_back(Bodies::Slot(end));
+                    } else if (!summed_[end]) {
+                        summed_[end] = 1;
+                        (bodies.motion(Bodies::Slot(end)) == Motion::resting ? border_ : hooks_)
+                            .push_back(Bodies::Slot(end));
+                    }
                 }
-                if (!rests || moves == bodies.size()) continue;
-                beside_.push_back(Bodies::Slot(moves));
-                for (const auto end : ends)
-                    if (end < bodies.size() && !summed_[end] && bodies.motion(Bodies::Slot(end)) == Motion::resting)
-                        border_.push_back(Bodies::Slot(end));
             }
         });
         std::sort(border_.begin(), border_.end(), std::greater<>());
-        border_.erase(std::unique(border_.begin(), border_.end()), border_.end());
-        for (const auto slot : border_) summed_[slot] = 1;
+    }
+    /// For all that may be looked for, so that a step in which bodies fall asleep needs none.
+    void make_room(WorldData<C>& data) {
+        const std::size_t n = data.bodies.size();
+        if (summed_.capacity() < n) {
+            summed_.reserve(2 * n);
+            border_.reserve(2 * n);
+            hooks_.reserve(2 * n);
+        }
+        std::size_t all = 0, place = 0;
+        [&]<class... Q>(Types<Q...>) {
+            ((acting_[place].capacity() < data.template state<Q>().ids()
+                  ? acting_[place].reserve(2 * data.template state<Q>().ids())
+                  : void(),
+              all += data.template state<Q>().ids(), ++place),
+             ...);
+        }(typename C::couplings{});
+        if (movers_.capacity() < 2 * all) movers_.reserve(4 * all);
     }
 
     std::array<std::vector<std::uint32_t>, couplings> acting_; // of each force, in their order
     std::vector<std::uint8_t> summed_;                         // by slot: whether it is one of those below
     std::vector<Bodies::Slot> border_;                         // sleepers that hang on who moves
-    std::vector<Bodies::Slot> beside_;                         // on whom
+    std::vector<Bodies::Slot> hooks_;                          // fixed bodies on which somebody hangs who moves
+    std::vector<Bodies::Slot> movers_;                         // on whom sleepers hang
     std::uint64_t changes_ = 0;                                // what those of the bodies were
     Elements elements_{};                                      // and of the elements
-    bool looked_ = false, known_ = false, asked_ = false;
+    bool tried_ = false, known_ = false, asked_ = false;
 };
 
 } // namespace ansatz

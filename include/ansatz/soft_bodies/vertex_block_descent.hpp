@@ -78,9 +78,9 @@ struct VertexBlockDescent {
         };
         /// An island as one body.
         struct Drift {
-            Vec moment = Vec::Zero(); // kg m: mass times way, of all its bodies
-            Scalar mass{0};           // kg
-            bool held = false;        // by something that is not of it
+            Vec moved = Vec::Zero(); // kg m: mass times way, of all its bodies
+            Scalar mass{0};          // kg
+            bool held = false;       // by something that is not of it
         };
         /// All constraints of a type, and which of them hold the body of a slot: those that `numbers` has from
         /// `first[slot]` up to `first[slot + 1]`, with the place that the body has in each.
@@ -176,7 +176,8 @@ struct VertexBlockDescent {
                 }
             }
         }
-        /// Islands that hang on nothing are where their energy is least when no mass has moved on the whole.
+        /// Moves each island that hangs on nothing back by how far its centre of mass has come: a push between its own
+        /// bodies moves that nowhere.
         static void move_as_one(auto& system, auto& kept) {
             kept.islands.reserve(system.room());
             kept.drifts.reserve(system.room());
@@ -187,15 +188,16 @@ struct VertexBlockDescent {
                 auto& drift = kept.drifts[kept.islands.of(slot)];
                 const Scalar mass = 1 / system.weight(slot);
                 drift.held = drift.held || kept.drifts[slot].held;
-                drift.moment += mass * kept.moved[slot];
+                drift.moved += mass * kept.moved[slot];
                 drift.mass += mass;
             }
             for (const auto slot : kept.order)
                 if (const auto& drift = kept.drifts[kept.islands.of(slot)]; !drift.held)
-                    system.move(slot, Vec(-drift.moment / drift.mass));
+                    system.move(slot, Vec(-drift.moved / drift.mass));
         }
         template <class K> static void join(const auto& system, const Of<K>& of, auto& kept) {
             for (const K& k : of.all) {
+                if (!acts(system, k)) continue;
                 const std::size_t none = system.awake();
                 std::size_t first = none;
                 bool held = !moves_along<K>;
@@ -207,6 +209,15 @@ struct VertexBlockDescent {
                 }
                 if (held && first != none) kept.drifts[first].held = true;
             }
+        }
+        /// Whether a constraint does anything at all: not a rope that hangs slack.
+        template <class K> static bool acts(const auto& system, const K& k) {
+            if (!(k.stiffness > Scalar(0)) && !(k.damping > Scalar(0))) return false;
+            if constexpr (requires { requires K::one_sided; }) {
+                std::array<Vec, K::bodies> x, gradient;
+                for (std::size_t i = 0; i < K::bodies; ++i) x[i] = system.position(k.slots[i]);
+                return k.linearise(x, gradient) > Scalar(0);
+            } else return true;
         }
         template <class K> static constexpr bool moves_along = requires { requires K::moves_along; };
         /// A step of Newton's method for one body, the energy taken times h^2.

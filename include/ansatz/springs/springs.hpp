@@ -52,6 +52,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
 
     using role = roles::Force;
     using reads = std::conditional_t<damped, Columns<Position, Velocity>, Columns<Position>>;
+    static constexpr bool follows_from_ends = true; // motion/still_forces.hpp
     static constexpr bool couples_bodies = true;
     using Element = E;                                                    ///< what World::add takes for it
     template <class S> using State = SpringNetwork<S, E, damped, breaks>; ///< where they are kept

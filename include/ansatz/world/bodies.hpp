@@ -127,7 +127,7 @@ public:
     /// The generation that its handle must have.
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
-    /// A number that changes where bodies come to other slots, and where one is put somewhere else from outside: a
+    /// A number that changes where bodies come to other slots, and where a verb or a system changes one that stands: a
     /// cache of bodies that do not move need not look at them while it is the same. Zero only before the first body.
     std::uint64_t changes() const { return changes_; }
     /// The same for each `block` slots.

@@ -83,6 +83,7 @@ template <class... P> template <class C, class Q> void World<P...>::write(Handle
     if constexpr (detail::matters_to_neighbours<C, composition>) tell<hook::Disturbed>(body.id);
     slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
     data_.lanes.template set<C>(slot, checked_value);
+    data_.bodies.note_change(slot); // a force may see it, of a fixed body, too
     tell<hook::Wake>(slot);
     if constexpr (detail::matters_to_neighbours<C, composition>) tell<hook::Placed>(body.id);
 }

@@ -138,8 +138,7 @@ public:
         if constexpr (Rubs)
             each_acting([&](Constraint& c) {
                 c.friction = friction(c.slot_a, c.slot_b);
-                c.rubbing -= dot(c.rubbing, c.normal) *
-                             c.normal; // the normal has turned since; here, where it is done once a step
+                c.rubbing -= dot(c.rubbing, c.normal) * c.normal; // the normal has turned since
             });
     }
     /// The same where the slots are known: which contacts act, and against what mass.

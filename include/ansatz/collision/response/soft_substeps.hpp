@@ -7,11 +7,11 @@
 ///
 /// Use it for piles, stacks and crowds: it remembers what presses from step to step, which a few iterations of
 /// `Impulse` and `Projection` do not make up for in a high column. Heavy bodies on light ones want more parts and a
-/// higher frequency. Pairs are found once a step, with those that may come to touch in it; then the forces and the
-/// integrator run `parts` times over a part of the step, and the contacts are solved between them (soft_contacts.hpp).
-/// It needs no other response. What it costs is about `parts` integrations and twice as many passes over the contacts.
-/// A law of one body is asked once in each part, for the contacts and the integrator's first stage, and once more in
-/// the step.
+/// higher frequency. Pairs are found once a step, with those that may come to touch in it, and again where a sleeper
+/// wakes in it; then the forces and the integrator run `parts` times over a part of the step, and the contacts are
+/// solved between them (soft_contacts.hpp). It needs no other response. What it costs is about `parts` integrations and
+/// twice as many passes over the contacts. Where nobody wakes, a law of one body is asked once in each part, for the
+/// contacts and the integrator's first stage, and once more in the step.
 ///
 /// **Impacts at one moment** (soft_impacts.hpp). Pairs that meet faster than `threshold` bounce when they meet, one
 /// after another in time, and together where they share a body and a moment; the order in which bodies were added makes
