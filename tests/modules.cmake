@@ -238,6 +238,12 @@ foreach(module IN LISTS folders)
     if(ANSATZ_BASH)
         foreach(script IN LISTS scripts)
             cmake_path(GET script STEM name)
+            # A script may say so in a line of its own: then one build on a machine is enough, or it measures time, which is
+            # for an idle machine, like the races.
+            file(STRINGS ${script} said REGEX "^# (Looks at every compiler|Measures time)")
+            if(said MATCHES "Measures time" AND NOT ANSATZ_TIMED_TESTS)
+                continue()
+            endif()
             add_test(NAME "${module}.${name}" COMMAND ${ANSATZ_BASH} ${script} ${PROJECT_SOURCE_DIR})
             # What hangs is ended, not what a busy machine makes slow: the longest takes ten minutes on one.
             set_tests_properties("${module}.${name}" PROPERTIES LABELS ${module} TIMEOUT 1500
@@ -246,8 +252,6 @@ foreach(module IN LISTS folders)
             set_property(TEST "${module}.${name}" APPEND PROPERTY ENVIRONMENT "ANSATZ_LAUNCHER=${launcher}")
             # They are the longest of the tests: begun last, one of them would run while the other cores have nothing to do.
             set_property(TEST "${module}.${name}" PROPERTY COST 1000)
-            # A script may say so in a line of its own: then one build on a machine is enough, or it measures time.
-            file(STRINGS ${script} said REGEX "^# (Looks at every compiler|Measures time)")
             if(said MATCHES "Looks at every compiler")
                 set_tests_properties("${module}.${name}" PROPERTIES LABELS "${module};every_compiler")
             elseif(said MATCHES "Measures time")

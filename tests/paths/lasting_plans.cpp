@@ -4,6 +4,7 @@
 #include "tests/paths/lasting_plans.hpp"
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
+#include "tests/rounds.hpp"
 
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/goap/memory.hpp>
@@ -90,7 +91,7 @@ double cost_of(const Domain& domain, std::span<const goap::Action> actions) {
 TEST_CASE("what failed is left out of plans for as long as the rule says", "[goap]") {
     std::mt19937 random(41);
     int tries = 0, none = 0, detours = 0, returns = 0, loads = 0, reached = 0;
-    for (int world = 0; world < 300; ++world) {
+    for (int world = 0; world < test::rounds(300); ++world) {
         const Domain domain = random_domain(random);
         const int attempts = 1 + int(random() % 3);
         Model model{attempts, 2, world % 5 == 0 ? 2.0 : 16.0};
@@ -176,12 +177,12 @@ TEST_CASE("what failed is left out of plans for as long as the rule says", "[goa
             }
         }
     }
-    CHECK(tries > 2000);
-    CHECK(none > 1000);
-    CHECK(detours > 100);
-    CHECK(returns > 300);
-    CHECK(loads > 1000);
-    CHECK(reached > 300);
+    CHECK(tries > 2000 / test::one_in);
+    CHECK(none > 1000 / test::one_in);
+    CHECK(detours > 100 / test::one_in);
+    CHECK(returns > 300 / test::one_in);
+    CHECK(loads > 1000 / test::one_in);
+    CHECK(reached > 300 / test::one_in);
 }
 
 TEST_CASE("what always fails is tried by the clock, at every rate, and what else there is is done", "[goap]") {

@@ -3,6 +3,7 @@
 // Runs long with the sanitizers.
 
 #include "tests/paths/support.hpp"
+#include "tests/rounds.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/buckets.hpp>
@@ -29,7 +30,7 @@ void check_scenarios(const std::string& name, std::size_t part = 0, std::size_t 
     AStar jumping{grid, JumpPoints{}};
     const auto scenarios = read_moving_ai_scenarios(file + ".scen");
     REQUIRE(scenarios.size() > 100);
-    for (std::size_t k = part; k < scenarios.size(); k += parts) {
+    for (std::size_t k = part; k < scenarios.size(); k += parts * test::one_in) {
         const auto& s = scenarios[k];
         require_map(s, map);
         buckets.find(s.start, s.goal);

@@ -5,6 +5,7 @@
 #include <ansatz/states/interpreted.hpp>
 #include <ansatz/states/save.hpp>
 
+#include "tests/rounds.hpp"
 #include "tests/states/oracle.hpp"
 
 #include <random>
@@ -78,7 +79,7 @@ TEST_CASE("a machine that is added to is the one whose file has it all", "[state
     std::mt19937 random(19);
     const auto names = six();
     int added = 0, refused = 0, removed = 0, loaded = 0, taken = 0;
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < test::rounds(300); ++round) {
         Outline all = little(round % 2 == 0);
         for (int k = 0; k < 3; ++k) {
             std::size_t at = 0;
@@ -144,11 +145,11 @@ TEST_CASE("a machine that is added to is the one whose file has it all", "[state
         REQUIRE(beside.chart().outline().transitions.size() == chart->outline().transitions.size());
         REQUIRE(beside.added().empty());
     }
-    CHECK(added > 2000);
-    CHECK(refused > 200);
-    CHECK(removed > 300);
-    CHECK(loaded > 300);
-    CHECK(taken > 5000);
+    CHECK(added > 2000 / test::one_in);
+    CHECK(refused > 200 / test::one_in);
+    CHECK(removed > 300 / test::one_in);
+    CHECK(loaded > 300 / test::one_in);
+    CHECK(taken > 5000 / test::one_in);
 }
 
 namespace {
