@@ -19,6 +19,7 @@
 #include <ansatz/world/elements.hpp>
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -50,6 +51,14 @@ struct ContactEnd {
     Handle second;                                                          ///< the other; either may have been removed
     friend bool operator==(const ContactEnd&, const ContactEnd&) = default; ///< the same bodies
 };
+
+namespace detail {
+/// The ids of the two bodies of a pair, by which pairs are in order.
+template <class T> [[gnu::always_inline]] inline std::pair<std::uint32_t, std::uint32_t> ids_of(const T& pair) {
+    if constexpr (requires { pair.first.id; }) return {pair.first.id, pair.second.id};
+    else return {pair.a, pair.b};
+}
+} // namespace detail
 
 /// The contacts of a world, as observers and systems see them: `using sees = Types<Contacts>;`. As `world.contacts()`,
 /// they may be of bodies that were removed since: `view.contains(contact.first)` tells.

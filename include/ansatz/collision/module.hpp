@@ -75,7 +75,7 @@ struct Collision {
     /// Whether the laws are asked before the integrator asks, or what they said to it is looked at behind it.
     template <class... P> static constexpr bool asks_first = CollisionFacts<P...>::substeps;
     /// And sleepers that a force pulls at are looked for in each part of a step, before its contacts are solved.
-    template <class... P> static constexpr bool wakes_the_pulled = CollisionFacts<P...>::substeps;
+    template <class... P> static constexpr bool wakes_pulled = CollisionFacts<P...>::substeps;
     template <class... P> static constexpr bool solves_rows = CollisionFacts<P...>::substeps;
     template <class... P> static constexpr bool looks_at_own = CollisionFacts<P...>::holds_near;
 

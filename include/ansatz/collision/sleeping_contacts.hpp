@@ -19,12 +19,6 @@
 namespace ansatz {
 
 namespace detail {
-/// The ids of the two bodies of a pair, by which pairs are in order.
-template <class T> [[gnu::always_inline]] inline std::pair<std::uint32_t, std::uint32_t> ids_of(const T& pair) {
-    if constexpr (requires { pair.first.id; }) return {pair.first.id, pair.second.id};
-    else return {pair.a, pair.b};
-}
-
 /// A list that is made for the first that asks; several threads may ask at once. Its room is kept.
 template <class T> class MadeWhenAsked {
 public:

@@ -85,10 +85,7 @@ void couple_one(WorldData<C>& data, const Policies& policies, const Context<type
     if constexpr (keeps_state<Q, typename C::S>)
         if constexpr (requires { data.template state<Q>().arrange(data.bodies, data.states.layout); })
             data.template state<Q>().arrange(data.bodies, data.states.layout);
-    CouplingView<typename C::S, Q> view(data.lanes, data.bodies, std::as_const(data).template state<Q>());
-    Bound<Q, typename C::S> force(std::get<Q>(policies));
-    const auto limited = context.template restricted<reads_clock<Q>>();
-    if constexpr (requires { force.prepare(limited); }) force.prepare(limited);
+    AskedForce<Q, C> in(data, policies, context);
     if constexpr (C::executed) {
         static_assert(GatheredCouplingIn<Q, typename C::S> || !names_elements<Bound<Q, typename C::S>>,
                       "Ansatz: a force between bodies that has element_count, and whose elements the world cannot ask; "
@@ -99,9 +96,9 @@ void couple_one(WorldData<C>& data, const Policies& policies, const Context<type
             std::array<typename C::S::Scalar*, std::size_t(C::S::dimension)> sums{};
             for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = data.lanes.template lane<CoupledForce>(int(k));
             auto& gathered = data.gathered.value[place_of<Q, typename C::couplings>];
-            gathered.template add<C>(policies, force, std::as_const(view), limited, sums);
-        } else force.couple(view, limited);
-    } else force.couple(view, limited);
+            gathered.template add<C>(policies, in.force, std::as_const(in.view), in.context, sums);
+        } else in.force.couple(in.view, in.context);
+    } else in.force.couple(in.view, in.context);
 }
 } // namespace detail
 

@@ -134,9 +134,8 @@ template <class M, class... P> inline constexpr bool asks_first = requires { req
 template <class M, class... P>
 inline constexpr bool looks_at_own = requires { requires M::template looks_at_own<P...>; };
 /// Whether a module wakes the sleepers that a force between bodies pulls at, before the integrator does.
-template <class M, class... P>
-inline constexpr bool says_wakes = requires { requires M::template wakes_the_pulled<P...>; };
-template <class... P, class... M> constexpr bool wakes_the_pulled(Types<M...>) { return (says_wakes<M, P...> || ...); }
+template <class M, class... P> inline constexpr bool says_wakes = requires { requires M::template wakes_pulled<P...>; };
+template <class... P, class... M> constexpr bool wakes_pulled(Types<M...>) { return (says_wakes<M, P...> || ...); }
 /// Whether a policy gives rows of joints, and whether a module solves them.
 template <class P, class S> inline constexpr bool gives_rows = requires { typename P::template Rows<S>; };
 template <class M, class... P> inline constexpr bool says_solves = requires { requires M::template solves_rows<P...>; };
@@ -222,7 +221,7 @@ public:
     /// Whether bodies are put to sleep behind what a module does to velocities after the integration.
     static constexpr bool rests_late = rests && late;
     /// Whether the first stage of the integrator wakes those that a force between bodies pulls at.
-    static constexpr bool stages_wake = rests && !detail::wakes_the_pulled<P...>(detail::modules_of<P...>{});
+    static constexpr bool stages_wake = rests && !detail::wakes_pulled<P...>(detail::modules_of<P...>{});
     /// The history of positions instead of a velocity: reading and changing the velocity goes through the integrator.
     static constexpr bool history = detail::derives_velocity<Integrator>;
 

@@ -195,7 +195,8 @@ private:
         });
     }
     /// What a solver of positions holds, it holds without a force: how strongly it pulls at a body that is slow, nobody
-    /// knows, so that the body stays awake.
+    /// knows, so that the body stays awake. Not one that contacts hold: they take that pull up, and what they push with
+    /// says how strong it is.
     template <class... Q>
     void keep_awake([[maybe_unused]] const auto& slow, [[maybe_unused]] const auto& touched, Types<Q...>) {
         if constexpr (sizeof...(Q) > 0) {
@@ -232,6 +233,6 @@ private:
 template <class StepT> RestStep(StepT&) -> RestStep<StepT>; ///< of a step
 
 /// Wakes the resting bodies that a force pulls at; asked for by the first stage of a world whose bodies are coupled.
-template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion) { RestStep<StepT>(motion.step()).wake_pulled(); }
+template <class StepT> void wake_pulled(MotionStep<StepT>& motion) { RestStep<StepT>(motion.step()).wake_pulled(); }
 
 } // namespace ansatz

@@ -32,7 +32,7 @@ constexpr std::array<T, M + N> joined(const std::array<T, M>& a, const std::arra
 } // namespace detail
 
 template <class StepT> class MotionStep;
-template <class StepT> void wake_the_pulled(MotionStep<StepT>& motion); // rest_step.hpp
+template <class StepT> void wake_pulled(MotionStep<StepT>& motion); // rest_step.hpp
 
 /// Motion in a step, or in a part of one.
 template <class StepT> class MotionStep {
@@ -265,7 +265,7 @@ private:
         effects_before();
         if constexpr (C::stages_wake) {
             refresh_coupled(data_, policies_, context_);
-            wake_the_pulled(*this);
+            wake_pulled(*this);
         }
         remember_platforms(data_);
         CoupledSystem<C, Policies> system(data_, policies_, bound_.laws, context_);
@@ -329,7 +329,7 @@ private:
         }
         if constexpr (K == first_stage && C::stages_wake) {
             [[maybe_unused]] const std::size_t awake = data_.bodies.end(Motion::awake);
-            wake_the_pulled(*this);
+            wake_pulled(*this);
             if constexpr (C::asked == LawsAsked::beforehand)
                 if (data_.bodies.end(Motion::awake) != awake) {
                     data_.own.value.known = false;

@@ -29,7 +29,6 @@
 /// B. Smith et al., Reflections on Simultaneous Impact (2012), for what a good answer keeps.
 
 #include <ansatz/collision/contact.hpp>
-#include <ansatz/collision/sleeping_contacts.hpp>
 
 #include <algorithm>
 #include <cmath>
