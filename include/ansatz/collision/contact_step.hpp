@@ -165,16 +165,15 @@ private:
             if constexpr (moves) return typename Pushes::Raw(Pushes::Raw::Zero());
             else return typename Pushes::Raw(body.template get<Velocity>().value());
         };
-        typename Pushes::Push push{};
+        auto& push = pushes.pushes.emplace_back();
         push.a = pushes.body(slot_a, weight(a), [&] { return u(a); });
         push.b = pushes.body(slot_b, weight(b), [&] { return u(b); });
-        push.which = std::uint32_t(pushes.pushes.size());
+        push.which = std::uint32_t(pushes.pushes.size() - 1);
         push.normal = now.normal;
         push.point = now.point.value();
         push.depth = now.depth.value();
         push.touches = Touches || !(push.depth < Scalar(0));
         response.note(push, a, b);
-        pushes.pushes.push_back(push);
     }
 
     template <class R> void answer(const detail::Bound<R, S>& response, const auto& contact) {
@@ -203,15 +202,15 @@ private:
         return acceleration_(slot, data_.load(slot, dt_));
     }
 
-    template <class R> Body<R> load(Slot slot, bool is_free) const {
+    template <class R> [[gnu::always_inline]] Body<R> load(Slot slot, bool is_free) const {
         Body<R> row;
-        [&]<class... Column>(Columns<Column...>) {
+        [&]<class... Column>(Columns<Column...>) [[gnu::always_inline]] {
             ((row.template get<Column>() = value<Column>(slot)), ...);
         }(typename Body<R>::columns{});
         if (!is_free) row.template get<InverseMass>() = typename S::InverseMass();
         return row;
     }
-    template <class Column> value_of<Column, S> value(Slot slot) const {
+    template <class Column> [[gnu::always_inline]] value_of<Column, S> value(Slot slot) const {
         if constexpr (C::history && std::same_as<Column, Velocity>) {
             auto row = data_.load(slot, dt_);
             if (!data_.waiting(slot) && data_.bodies.motion(slot) == Motion::awake)

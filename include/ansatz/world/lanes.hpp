@@ -179,7 +179,7 @@ public:
     void clear() { size_ = 0; }
 
     /// A body's value in a column.
-    template <class Which> value_of<Which, S> get(std::size_t i) const {
+    template <class Which> [[gnu::always_inline]] value_of<Which, S> get(std::size_t i) const {
         Scalar raw[detail::room_for<Which, S>] = {};
         const auto first = offset<Which>();
         for (std::size_t k = 0; k < lanes_of<Which>(S::dimension); ++k) raw[k] = lane_at(first + k)[i];
@@ -192,7 +192,7 @@ public:
         return row;
     }
     /// Sets a body's value in a column.
-    template <class Which> void set(std::size_t i, const value_of<Which, S>& q) {
+    template <class Which> [[gnu::always_inline]] void set(std::size_t i, const value_of<Which, S>& q) {
         Scalar raw[detail::room_for<Which, S>] = {};
         detail::store<Which, S>(q, raw);
         const auto first = offset<Which>();
