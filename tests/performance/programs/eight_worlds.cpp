@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// A pile that falls and comes to lie. With ANSATZ_EIGHT seven further worlds stand in the same file and are not run:
-// g++ inlines less in a file that grows (tests/performance/eight_worlds.sh).
+// Two piles that fall and come to lie, or one of them (ANSATZ_ONLY_IMPULSE, ANSATZ_ONLY_SUBSTEPS). With ANSATZ_EIGHT
+// seven further worlds stand in the same file and are not run: g++ inlines less in a file that grows
+// (tests/performance/eight_worlds.sh).
 
 #include <ansatz/collision.hpp>
 #include <ansatz/springs.hpp>
@@ -20,8 +21,13 @@ template <class... P> [[gnu::noinline]] double pile(int steps, P... policies) {
 
 int main([[maybe_unused]] int count, char**) {
     using Spheres = Narrowphase<Sphere, Plane>;
-    double sum = pile(60, SemiImplicitEuler{}, Gravity{}, UniformGrid<>{}, Spheres{}, SoftSubsteps<>{});
+    double sum = 0;
+#ifndef ANSATZ_ONLY_IMPULSE
+    sum += pile(60, SemiImplicitEuler{}, Gravity{}, UniformGrid<>{}, Spheres{}, SoftSubsteps<>{});
+#endif
+#ifndef ANSATZ_ONLY_SUBSTEPS
     sum += pile(60, SemiImplicitEuler{}, Gravity{}, UniformGrid<>{}, Spheres{}, Impulse{}, Projection{});
+#endif
 #ifdef ANSATZ_EIGHT
     if (count > 5) {
         sum += pile(count, VelocityVerlet{}, Gravity{}, UniformGrid<>{}, Spheres{}, SoftSubsteps<>{});
