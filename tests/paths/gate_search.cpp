@@ -143,3 +143,31 @@ TEST_CASE("a search after a change is that of a hierarchy that is built anew", "
                ContainsSubstring("GateSearch::find: goal is (90, 3); the map has 90 x 70 tiles"));
     CHECK_THAT(refusal([&] { search.find({90, 0}, {0, 3}); }), ContainsSubstring("GateSearch::find: start is (90, 0)"));
 }
+
+TEST_CASE("where gates lie on ground of 60000 tiles' weight, there is a path by way of them where A* has one",
+          "[hierarchy]") {
+    std::mt19937 random(31);
+    int found = 0, heavy = 0;
+    for (int i = 0; i < 6000; ++i) {
+        Grid<Eight<>, Terrain> map(12, std::size_t(1 + random() % 6));
+        for (std::uint16_t x = 0; x < map.width(); ++x)
+            for (std::uint16_t y = 0; y < map.height(); ++y) {
+                if (random() % 3 == 0) map.set_weight(Cell{x, y}, 60000);
+                if (random() % 4 == 0) map.set_passable(Cell{x, y}, false);
+            }
+        const auto row = [&] { return std::uint16_t(random() % map.height()); };
+        const Cell start{0, row()}, goal{11, row()};
+        AStar best{map};
+        GateSearch gates{map, 4};
+        const auto outcome = best.find(start, goal);
+        if (outcome == Outcome::too_far) continue; // 71,000 tiles and more: no number of a grid holds it
+        INFO("map " << i);
+        REQUIRE(gates.find(start, goal) == outcome);
+        if (outcome != Outcome::found) continue;
+        REQUIRE(gates.cost() >= map.cost(best.path()) * (1 - 1e-12));
+        ++found;
+        heavy += map.cost(best.path()) > 20000;
+    }
+    CHECK(found > 500);
+    CHECK(heavy > 200);
+}

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Columns between two limits: never beyond, volume kept or counted, and no drift afterwards.
 
+#include <ansatz/collision.hpp>
+#include <ansatz/water.hpp>
 #include <ansatz/water/clamped_columns.hpp>
+#include <ansatz/world.hpp>
 
 #include "tests/water/support.hpp"
 
@@ -102,4 +105,30 @@ TEST_CASE("water that is to be spread begins within its range; what is counted m
     auto water = begin(2, Excess::counted);
     water.step(0.01 * second);
     CHECK(water.state().cut_off == Approx(9));
+}
+
+TEST_CASE("a body that is dipped into a full pool and taken out leaves the pool as full as it was", "[water]") {
+    // Full to the brim, nearly so, and far from the floor but near to a low ceiling.
+    for (const auto& [level, high] : {std::pair(0.95, 1.0), std::pair(1.0, 1.0), std::pair(0.5, 0.55)}) {
+        World world{SemiImplicitEuler{}, Gravity{}, Pools<ClampedColumns>{}, Buoyancy{}};
+        const ClampedColumns policy{{0.5 * metre_per_second}, {0.0 * metre, high * metre}};
+        const auto pool = world.add(Pool{Surface{policy, ColumnGrid(5, 5, 1.0 * metre), level * metre}});
+        const auto ball = world.add(position(metres(2.5, level, 2.5)), fixed);
+        const double full = 25 * level, close = 1e-12;
+        const auto water = [&] { return world.get(pool).surface.volume().value(); };
+        const auto owed = [&] { return double(world.get(pool).surface.state().cut_off); };
+        INFO("level " << level << " m, up to " << high << " m");
+        for (int time = 0; time < 3; ++time) {
+            const auto floats = world.add(Floating{ball, Sphere{1.0 * metre}});
+            for (int i = 0; i < 50; ++i) {
+                world.step(0.02 * second);
+                REQUIRE(std::abs(water() + owed() - full) <= close * full);
+            }
+            CHECK(owed() > 0.5); // the ball holds 2.1 m^3 below the level, and there is no room for them
+            world.remove(floats);
+            for (int i = 0; i < 50; ++i) world.step(0.02 * second);
+            CHECK(std::abs(owed()) <= close);
+            CHECK(std::abs(water() - full) <= close * full);
+        }
+    }
 }

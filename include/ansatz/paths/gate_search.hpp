@@ -44,7 +44,10 @@ public:
     /// \param side of a square, in tiles
     /// \throws std::invalid_argument for a side that is not from 4 to 64
     explicit GateSearch(const Map& map, std::size_t side = 32)
-        : clusters_(map, side), graph_(clusters_), gates_(graph_, Buckets{}), tiles_(map, Buckets{}) {}
+        : clusters_(map, side),
+          graph_(clusters_),
+          gates_(graph_, Buckets{}, CostIn<std::uint64_t>{}),
+          tiles_(map, Buckets{}) {}
     explicit GateSearch(const Map&&, std::size_t = 32) = delete; // a map that is gone after this line
     GateSearch(const GateSearch&) = delete;                      ///< its searches look at its own gates
     GateSearch& operator=(const GateSearch&) = delete;           ///< the same
@@ -144,7 +147,8 @@ private:
 
     Clusters<Map> clusters_;
     ClusterGraph<Map> graph_;
-    AStar<ClusterGraph<Map>, Buckets> gates_;
+    // In 64 bits: a gate may lie on a heavy tile that the path in the end goes round.
+    AStar<ClusterGraph<Map>, Buckets, CostIn<std::uint64_t>> gates_;
     AStar<Map, Buckets> tiles_;
     std::vector<Cell> path_, tail_;
     std::size_t looked_at_ = 0, remade_ = 0;

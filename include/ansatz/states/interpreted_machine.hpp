@@ -68,7 +68,7 @@ public:
     InterpretedMachine& operator=(const InterpretedMachine& other) {
         if (this == &other) return *this;
         chart_ = other.chart_, leaf_ = other.leaf_, regions_ = other.regions_, busy_ = false, stopped_ = other.stopped_,
-        history_ = other.history_;
+        quick_ = other.quick_, history_ = other.history_;
         entered_ = other.entered_, memory_ = other.memory_, queue_ = other.queue_, now_ = other.now_, dt_ = other.dt_,
         options_ = other.options_;
         owns_.clear();
@@ -377,6 +377,7 @@ private:
         if constexpr (Opts::watched) options_.tell({what, StateId(state), TransitionId(transition), event, now_});
     }
     Reloaded take_over(const InterpretedMachine& before, Context& context);
+    void keep_history(const InterpretedMachine& before, std::size_t was, std::size_t now);
 
     SharedChart<Context> chart_;
     std::uint16_t leaf_ = 0;

@@ -17,7 +17,7 @@ public:
     /// Room for a chart, in no state.
     void fit(const Chart<Context>& c) {
         const std::size_t n = c.parallel_ ? c.state_count() : 0;
-        active_.assign(n, 0), enters_.assign(n, 0), begins_.assign(n, 0), exits_.assign(n, 0);
+        active_.assign(n, 0), were_.assign(n, 0), enters_.assign(n, 0), begins_.assign(n, 0), exits_.assign(n, 0);
         restored_.assign(n, nowhere);
         leaves_.clear(), chosen_.clear(), kept_.clear();
         leaves_.reserve(n), chosen_.reserve(n), kept_.reserve(n);
@@ -40,6 +40,19 @@ public:
     bool started() const { return !leaves_.empty(); }
     bool has(std::size_t s) const { return s == 0 ? started() : active_[s] != 0; }
     std::size_t first_leaf(const Chart<Context>&) const { return leaves_.empty() ? 0 : leaves_.front(); }
+
+    /// Calls `f(state)` for each that a history remembers.
+    void each_remembered(const Chart<Context>& c, std::size_t h, auto&& f) const {
+        const char* flags = recorded_.data() + recorded_at_[h];
+        const std::size_t parent = c.states_[h].parent;
+        for (std::size_t d = parent + 1; flags[0] && d < c.states_[parent].end; ++d)
+            if (flags[d - parent]) f(d);
+    }
+    /// A history remembers a state in its parent, too.
+    void remember(const Chart<Context>& c, std::size_t h, std::size_t s) {
+        char* flags = recorded_.data() + recorded_at_[h];
+        flags[0] = flags[s - c.states_[h].parent] = 1;
+    }
 
     /// Enters the initial states.
     void start(auto& machine, Context& context) {
@@ -125,16 +138,22 @@ private:
         }
         for (std::size_t s = 1; s < c.state_count(); ++s)
             if (exits_[s]) record(c, s);
-        for (std::size_t s = c.state_count(); s-- > 1;)
-            if (exits_[s]) {
-                machine.exit(context, s);
-                active_[s] = 0;
-            }
-        for (const auto t : kept_) machine.took(context, t);
-        begin_entry();
-        for (const auto t : kept_)
-            if (!c.transitions_[t].stays) aim(c, c.transitions_[t].targets, c.transitions_[t].domain);
-        enter_all(machine, context);
+        were_ = active_;
+        try {
+            for (std::size_t s = c.state_count(); s-- > 1;)
+                if (exits_[s]) {
+                    machine.exit(context, s);
+                    active_[s] = 0;
+                }
+            for (const auto t : kept_) machine.took(context, t);
+            begin_entry();
+            for (const auto t : kept_)
+                if (!c.transitions_[t].stays) aim(c, c.transitions_[t].targets, c.transitions_[t].domain);
+            enter_all(machine, context);
+        } catch (...) { // an action of the user's: the machine is where it was, as one without parallel states is
+            active_ = were_;
+            throw;
+        }
     }
     void record(const Chart<Context>& c, std::size_t s) {
         const auto histories = c.states_[s].histories;
@@ -242,7 +261,7 @@ private:
         return all;
     }
 
-    std::vector<char> active_, enters_, begins_, exits_, recorded_;
+    std::vector<char> active_, were_, enters_, begins_, exits_, recorded_;
     std::vector<std::uint16_t> restored_, leaves_, chosen_, kept_;
     std::vector<std::size_t> recorded_at_;
 };

@@ -30,13 +30,9 @@ Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachi
         if (kept.behaviour != states::nowhere && mine.behaviour != states::nowhere &&
             before.owns_[kept.behaviour]->tag() == owns_[mine.behaviour]->tag())
             owns_[mine.behaviour] = before.owns_[kept.behaviour]->copy();
-        if (!old.parallel_ && !c.parallel_ && kept.kind == mine.kind && states::is_history(kept.kind) &&
-            before.history_[s] != states::nowhere) {
-            const StateId there = c.find(old.name(StateId(before.history_[s])));
-            if (there != StateId::none && index(there) > mine.parent && index(there) < c.states_[mine.parent].end &&
-                !states::is_history(c.states_[index(there)].kind))
-                history_[index(now)] = std::uint16_t(there);
-        }
+        if (kept.kind == mine.kind && states::is_history(kept.kind) &&
+            old.states_[kept.parent].kind == c.states_[mine.parent].kind)
+            keep_history(before, s, index(now));
     }
     // Each innermost active state, or the innermost around it that is still there.
     for (const StateId leaf : before.leaves()) {
@@ -69,6 +65,28 @@ Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachi
     }
     settle(context);
     return all && entered == 0 ? Reloaded::same_states : Reloaded::other_states;
+}
+
+/// What a history remembers, by names, where it is in its parent still. Charts with parallel states remember several
+/// for each history, all others one.
+template <class D, class Context_, class... O>
+void InterpretedMachine<D, Context_, O...>::keep_history(const InterpretedMachine& before, std::size_t was,
+                                                         std::size_t now) {
+    const auto& c = *chart_;
+    const auto& old = *before.chart_;
+    const auto& history = c.states_[now];
+    const auto keep = [&](std::size_t remembered) {
+        const std::size_t s = index(c.find(old.name(StateId(remembered))));
+        if (s >= c.state_count() || states::is_history(c.states_[s].kind)) return;
+        const bool inside = history.kind == states::Kind::shallow_history
+                                ? c.states_[s].parent == history.parent
+                                : s > history.parent && s < c.states_[history.parent].end;
+        if (!inside) return;
+        if (c.parallel_) regions_.remember(c, now, s);
+        else history_[now] = std::uint16_t(s);
+    };
+    if (old.parallel_) before.regions_.each_remembered(old, was, keep);
+    else if (before.history_[was] != states::nowhere) keep(before.history_[was]);
 }
 
 template <class D, class Context_, class... O>

@@ -10,7 +10,8 @@
 /// rate that drove the column there goes on pushing, so that it stays at the limit and a plateau grows around it.
 ///
 /// Here the column that reaches a limit stops (its rate is given to the others, or the volume would go on to change),
-/// and what was cut off is spread evenly over all columns that have room, or counted, as you choose. Energy is lost in
+/// and what was cut off is spread evenly over all columns that have room, or counted, as you choose. Where none has
+/// room (a body is dipped into a full pool) it is owed to the pool, and spread when one has again. Energy is lost in
 /// any case: a clamp hits the water as a lid does. What is set or poured between two steps, or pressed up by a body,
 /// may lie beyond the limits until the next step. Pipes need no lower limit, because a flow ends where there is no
 /// water.
@@ -21,7 +22,7 @@ namespace ansatz {
 
 /// What becomes of the water that a clamp cuts off.
 enum class Excess {
-    spread,  ///< it is given to the columns that have room; volume is kept as long as one has
+    spread,  ///< it is given to the columns that have room; what none has room for waits until one has
     counted, ///< it is gone, and `state().cut_off` says how much
 };
 /// The range of heights.
@@ -32,11 +33,13 @@ struct Clamp {
 };
 
 /// One clamping of columns: heights in m, rates in m/s, one for each column, x fastest.
-/// \return the volume that was cut off above less that which was filled in below, and given to nobody: m^3. With
-///         Excess::spread it is zero unless no column had room.
+/// \param owed what earlier calls returned, m^3: with Excess::spread it is given back as soon as there is room
+/// \return the volume that was cut off above less that which was filled in below, and given to nobody, with what is
+///         owed: m^3. With Excess::spread it is zero unless no column had room.
 template <class Scalar>
 Quantity<unit::Volume, detail::SumOf<Scalar>> clamp_columns(const Clamp& clamp, const ColumnGrid& grid,
-                                                            std::span<Scalar> height, std::span<Scalar> rate) {
+                                                            std::span<Scalar> height, std::span<Scalar> rate,
+                                                            detail::SumOf<Scalar> owed = {}) {
     using Sum = detail::SumOf<Scalar>;
     const Scalar low(clamp.low.value()), high(clamp.high.value());
     const auto &along_x = grid.x(), &along_z = grid.z();
@@ -44,7 +47,7 @@ Quantity<unit::Volume, detail::SumOf<Scalar>> clamp_columns(const Clamp& clamp, 
         for (std::size_t j = 0, n = 0; j < along_z.count(); ++j)
             for (std::size_t i = 0; i < along_x.count(); ++i, ++n) f(n, Sum(along_x.width(i) * along_z.width(j)));
     };
-    Sum cut(0), push(0), open(0); // m^3, m^3/s, m^2
+    Sum cut(owed), push(0), open(0); // m^3, m^3/s, m^2
     each([&](std::size_t n, const Sum& footprint) {
         const bool above = height[n] > high, below = height[n] < low;
         if (height[n] > low && height[n] < high) open += footprint;
@@ -106,10 +109,11 @@ struct ClampedColumns {
     }
     /// What is kept for each column, and how much was cut off.
     template <class Scalar> struct State {
-        std::vector<Scalar> height;      ///< m
-        std::vector<Scalar> rate;        ///< m/s
-        std::uint64_t steps = 0;         ///< how many were made
-        detail::SumOf<Scalar> cut_off{}; ///< m^3: above less below, and given to nobody
+        std::vector<Scalar> height; ///< m
+        std::vector<Scalar> rate;   ///< m/s
+        std::uint64_t steps = 0;    ///< how many were made
+        /// m^3: above less below, and given to nobody: gone with Excess::counted, else owed until a column has room
+        detail::SumOf<Scalar> cut_off{};
         /// Its fields, by name.
         static void fields(auto& self, auto&& field) {
             field("height", self.height);
@@ -143,7 +147,7 @@ struct ClampedColumns {
             const std::span height(state.height), rate(state.rate);
             columns_.advance(height, rate, dt);
             if (++state.steps % 32 == 0) columns_.take_out_rise(rate);
-            state.cut_off += clamp_columns(clamp_, grid_, height, rate).value();
+            state.cut_off = clamp_columns(clamp_, grid_, height, rate, state.cut_off).value();
         }
 
     private:
