@@ -30,8 +30,8 @@ namespace ansatz {
 ///     R = 2^p\, 2^{\lfloor \log_2 (2 \varepsilon s / \sqrt n) \rfloor} \f]
 ///
 /// A velocity that stays the same is rounded the same way in each step, so that of the whole way, too, up to that share
-/// is lost or won. It is a bound that is met: at 2 R some direction and speed is off by more. A single speed may fare
-/// better further out, by chance: where s is a multiple of u.
+/// is lost or won. A search over directions and speeds finds this R for 1 %; for shares so large that a way is a few
+/// places, R or 2 R. A single speed may fare better further out, by chance: where s is a multiple of u.
 ///
 /// `Compensated` rounds \f$ r + s \f$ instead, with a remainder r that is at most \f$ u/2 \f$: the places there are
 /// \f$ 2^p \f$ times as close, and R is \f$ 2^p \f$ times as large.
