@@ -48,7 +48,7 @@ template <class S, class I = SemiImplicitEuler>
 Quantity<unit::Length> resolved_radius(const Quantity<unit::Velocity>& speed, const Quantity<unit::Time>& dt,
                                        double share = 0.01) {
     static_assert(!detail::derives_velocity<I>,
-                  "Ansatz: an integrator that derives velocities from positions loses digits of them at any distance, "
+                  "Ansatz: an integrator that derives velocity from positions loses digits of them at any distance, "
                   "so that there is no radius within which it does not; take one that keeps them, e.g. VelocityVerlet");
     using Limits = std::numeric_limits<typename S::Scalar>;
     static_assert(Limits::radix == 2, "Ansatz: resolved_radius counts binary digits; take a scalar that has them");
