@@ -88,7 +88,7 @@ TEST_CASE("V7: where a response divides the step, the radius is that of a part",
                 WorldRadius{.speed = 0.05 * metre_per_second},
                 SortAndSweep{},
                 Narrowphase<Sphere, Plane>{},
-                SoftSubsteps{.parts = 4}};
+                SoftSubsteps<>{.parts = 4}};
     const auto ball = world.add(Sphere{0.1 * metre}, at<S>(8), going<S>(0.05), mass(1.0 * kilogram));
     world.step(dt * second);
     CHECK_THAT(world.status().said, Catch::Contains("in steps of 0.0009765625 s") && Catch::Contains("up to 8 m"));

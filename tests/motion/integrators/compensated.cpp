@@ -63,7 +63,6 @@ struct Blend {
     using writes = Columns<Position, Velocity>;
     static constexpr int stages = 1;
     double share = 1;
-    static constexpr std::string_view name = "Blend";
     static void parameters(auto& self, auto&& visit) { visit("share", self.share); }
     void check() const {
         if (!(share >= 0 && share <= 1)) refuse_value("Blend", "share", share, "it is 0 to 1");
@@ -75,6 +74,18 @@ struct Blend {
             const auto old = v;
             v += a * dt;
             x += (share * v + (typename S::Scalar(1) - share) * old) * dt;
+        }
+    };
+};
+
+/// Pushed by the time: the stages ask at theirs.
+struct Later {
+    using role = roles::Force;
+    using reads = Columns<Clock>;
+    template <class S> struct In {
+        explicit In(const Later&) {}
+        typename S::Acceleration acceleration(const auto& context) const {
+            return vector_in<S, unit::Acceleration>(context.time().value());
         }
     };
 };
@@ -279,4 +290,16 @@ TEST_CASE("V7: it costs one vector of a body, and nothing of a world without it"
     STATIC_REQUIRE(Compensated<SemiImplicitEuler>::velocity_leads == 0.5);
     STATIC_REQUIRE(Compensated<VelocityVerlet>::reversible);
     STATIC_REQUIRE(!Compensated<RungeKutta4>::reversible);
+}
+TEST_CASE("V7: forces are asked at the times of the inner integrator's stages", "[motion][far]") {
+    using S = Space<double, 2>;
+    for_each_type(Inner{}, []<class I> {
+        const auto end = []<class J>() {
+            World world{S{}, J{}, Later{}};
+            const auto body = world.add(at<S>(4096), going<S>(0.05));
+            run(world, 10, 0.1);
+            return world.velocity(body);
+        };
+        CHECK(end.template operator()<Compensated<I>>() == end.template operator()<I>());
+    });
 }
