@@ -19,6 +19,7 @@
 #include <ansatz/motion/frame_drag.hpp>
 #include <ansatz/motion/gravity.hpp>
 #include <ansatz/motion/integration.hpp>
+#include <ansatz/motion/integrators/compensated.hpp>
 #include <ansatz/motion/integrators/explicit_euler.hpp>
 #include <ansatz/motion/integrators/implicit_euler.hpp>
 #include <ansatz/motion/integrators/runge_kutta4.hpp>
@@ -34,6 +35,7 @@
 #include <ansatz/motion/policy_systems.hpp>
 #include <ansatz/motion/present.hpp>
 #include <ansatz/motion/quadratic_drag.hpp>
+#include <ansatz/motion/resolved_radius.hpp>
 #include <ansatz/motion/rest.hpp>
 #include <ansatz/motion/rest_step.hpp>
 #include <ansatz/motion/roles.hpp>
@@ -43,3 +45,4 @@
 #include <ansatz/motion/step.hpp>
 #include <ansatz/motion/stop_below.hpp>
 #include <ansatz/motion/suvat.hpp>
+#include <ansatz/motion/world_radius.hpp>

@@ -3,6 +3,7 @@
 // stage; on platforms and on bodies that nothing moves; laws that read columns and the time.
 
 #include <ansatz/motion/degrees_of_freedom.hpp>
+#include <ansatz/motion/integrators/compensated.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
 
@@ -143,4 +144,21 @@ TEST_CASE("A law is asked at the time of its stage", "[degrees]") {
     auto [world, free, platform, ground] = turning<RungeKutta4>();
     for (int i = 0; i < 10; ++i) world.step(0.1 * second);
     CHECK(world.read<Charge>(free).value() == Approx(1.0 / 6).epsilon(1e-14)); // exact for what grows as t^3
+}
+TEST_CASE("Compensated leaves what is not a position to the lines of the inner integrator, to the bit", "[degrees]") {
+    const auto compare = []<class I>(const auto&... more) {
+        auto [with, body, platform, ground] = turning<Compensated<I>>(more...);
+        auto without = std::get<0>(turning<I>(more...));
+        for (int i = 0; i < 50; ++i) {
+            with.step(0.02 * second);
+            without.step(0.02 * second);
+        }
+        for (const auto one : {body, platform, ground}) {
+            CHECK(with.template read<Attitude>(one).q.coeffs() == without.template read<Attitude>(one).q.coeffs());
+            CHECK(with.template read<Charge>(one) == without.template read<Charge>(one));
+        }
+    };
+    compare.operator()<SemiImplicitEuler>();
+    compare.operator()<RungeKutta4>();
+    compare.operator()<RungeKutta4>(Springs{});
 }

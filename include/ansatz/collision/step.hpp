@@ -147,7 +147,7 @@ private:
                     if (expected.value() < Scalar(0)) then = -then;
                     v += (then - now) * along;
                 }
-                data_.lanes.template set<Position>(slot, to);
+                data_.put(slot, to);
                 if (C::history || size.value() > Scalar(0)) data_.set_velocity(slot, v);
             });
     }

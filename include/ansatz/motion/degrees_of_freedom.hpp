@@ -92,7 +92,8 @@ public:
     static constexpr bool empty = sizeof...(D) == 0;             ///< whether there are none
     using coasting = DegreesOfFreedom<S, true, D...>;            ///< the same without acceleration
     /// What integrator `I` leaves for a later stage.
-    template <class I> using scratch = union_of<detail::counterparts_of<D, detail::scratch_of<I>>...>;
+    template <class I>
+    using scratch = union_of<detail::counterparts_of<D, detail::scratch_of<detail::plain_integrator_of<I>>>...>;
 
     /// Binds them to the space.
     explicit DegreesOfFreedom(const D&... policies) : degrees_(detail::Bound<D, S>(policies)...) {}
@@ -118,9 +119,10 @@ public:
     template <class I, int K, class R, class All>
     [[gnu::always_inline]] void advance(const detail::BoundIntegrator<I, S>& integrator, R& row, const All& all,
                                         const TimeStep<S>& dt) const {
-        (detail::advance<I, K>(integrator, row, detail::counterparts_of<D, writes_of<I>>{},
-                               detail::counterparts_of<D, detail::scratch_of<I>>{},
-                               std::get<detail::place_of<D, List>>(all), dt),
+        using Plain = detail::plain_integrator_of<I>;
+        (detail::advance<Plain, K>(
+             detail::plain_integrator(integrator), row, detail::counterparts_of<D, writes_of<Plain>>{},
+             detail::counterparts_of<D, detail::scratch_of<Plain>>{}, std::get<detail::place_of<D, List>>(all), dt),
          ...);
     }
 

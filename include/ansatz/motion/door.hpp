@@ -77,7 +77,8 @@ public:
     /// that is not finite; the world is then as it was.
     /// @{
 
-    /// Puts the body somewhere else. It keeps its velocity, whatever the integrator, and is not drawn in between.
+    /// Puts the body somewhere else, exactly there: nothing is left of a PositionRemainder. It keeps its velocity,
+    /// whatever the integrator, and is not drawn in between.
     template <class Q> void set_position(Handle body, const Q& x) {
         const auto in = ready(body, "World::set_position");
         auto slot = in.data.bodies.slot_of_id(body.id);
@@ -88,7 +89,7 @@ public:
         in.template tell<hook::BeforeChange<ansatz::Position>>();
         in.template tell<hook::Disturbed>(body.id);
         slot = in.data.bodies.slot_of_id(body.id); // bodies that this woke changed places with others
-        in.data.lanes.template set<ansatz::Position>(slot, where);
+        in.data.put(slot, where);
         in.data.bodies.note_change(slot);
         if constexpr (C::history) {
             if (kind == Motion::fixed || kind == Motion::resting) in.data.stop(slot);

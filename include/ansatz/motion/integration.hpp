@@ -117,6 +117,29 @@ template <class I, int K, class S, class R, class... W, class... X, class A, cla
     else I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
 }
 
+/// The integrator whose lines advance a body: a wrapper (Compensated) says around which it is.
+template <class I> [[gnu::always_inline]] constexpr const auto& plain_integrator(const I& integrator) {
+    if constexpr (requires {
+                      typename I::Inner;
+                      integrator.integrator;
+                  })
+        return plain_integrator(integrator.integrator);
+    else return integrator;
+}
+template <class I> using plain_integrator_of = std::remove_cvref_t<decltype(plain_integrator(std::declval<I>()))>;
+template <class I, class S> // the same, bound
+[[gnu::always_inline]] inline const auto& plain_integrator(const BoundIntegrator<I, S>& bound) {
+    if constexpr (requires { bound.verbs.integrator; }) return plain_integrator(bound.verbs.integrator);
+    else return bound;
+}
+
+/// What rounding dropped from the sum `a + b`, exactly (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
+template <class V> [[gnu::always_inline]] inline V dropped_from_sum(const V& a, const V& b, const V& sum) {
+    const V of_b = sum - a;
+    const V of_a = sum - of_b;
+    return V(a - of_a) + V(b - of_b);
+}
+
 /// Stage `K` of all degrees of freedom: what accelerates them is asked before any of them moves.
 template <class I, int K, class S, class Degrees, class R, class A>
 [[gnu::always_inline]] inline void advance_all(const BoundIntegrator<I, S>& integrator,

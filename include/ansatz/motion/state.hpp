@@ -244,10 +244,22 @@ template <class C, class Data> struct MotionState {
         if constexpr (C::history) set_velocity(slot, C::S::template zero_vector<unit::Velocity>());
     }
 
-    /// Moves a body with the history that says how fast it moves: the push is no velocity.
+    /// Puts a body exactly there. Its history, where the integrator keeps one, is the caller's.
+    void put(std::uint32_t slot, const typename C::S::Position& where) {
+        self().lanes.template set<Position>(slot, where);
+        if constexpr (C::template stores<PositionRemainder>)
+            self().lanes.template set<PositionRemainder>(slot, C::S::template zero_vector<unit::Length>());
+    }
+
+    /// Moves a body with the history that says how fast it moves: the push is no velocity. Where a remainder is kept,
+    /// pushes that are too small for the position add up in it, and the next step moves the body by them.
     void displace(std::uint32_t slot, const typename C::S::Position& by) {
         auto& lanes = self().lanes;
-        lanes.template set<Position>(slot, lanes.template get<Position>(slot) + by);
+        const typename C::S::Position x = lanes.template get<Position>(slot), there = x + by;
+        lanes.template set<Position>(slot, there);
+        if constexpr (C::template stores<PositionRemainder>)
+            lanes.template set<PositionRemainder>(slot, lanes.template get<PositionRemainder>(slot) +
+                                                            detail::dropped_from_sum(x, by, there));
         if constexpr (C::history)
             if (!waiting(slot))
                 lanes.template set<PreviousPosition>(slot, lanes.template get<PreviousPosition>(slot) + by);

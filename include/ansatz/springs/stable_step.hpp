@@ -90,7 +90,7 @@ std::array<double, 4> one_step(const I& integrator, double stiffness, double dam
 /// Jury's conditions for a matrix of two rows: both eigenvalues at most 1. Those of a symplectic method are 1 exactly,
 /// so that rounding must not decide.
 template <class I> bool is_stable(const I& integrator, double stiffness, double damping) {
-    const auto m = one_step(integrator, stiffness, damping, writes_of<I>{});
+    const auto m = one_step(plain_integrator(integrator), stiffness, damping, writes_of<plain_integrator_of<I>>{});
     const double trace = m[0] + m[3], determinant = m[0] * m[3] - m[1] * m[2];
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     return determinant <= 1 + rounding && std::abs(trace) <= 1 + determinant + rounding * (1 + std::abs(trace));

@@ -67,6 +67,13 @@ struct PreviousPosition {
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "previous position";
 };
+/// What rounding has dropped from Position: the two together are where a body is. Exists only with the integrator
+/// Compensated. It may be given where a body is added, `with<PositionRemainder>(...)`.
+struct PositionRemainder {
+    using Unit = unit::Length;
+    static constexpr Shape shape = Shape::vector;
+    static constexpr std::string_view name = "position remainder";
+};
 /// The sum of the forces that couple bodies; exists only where some policy couples.
 struct CoupledForce {
     using Unit = unit::Force;

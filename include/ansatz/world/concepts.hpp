@@ -32,7 +32,7 @@ concept HasCheck = requires(const P& p) { p.check(); };
 /// The verbs that a policy may have or not. One that is there and cannot be called would be passed over in silence, so
 /// it is found by its name alone: beside this struct the name is ambiguous. (Nothing can be beside a final class.)
 struct OptionalVerbs {
-    int check, prepare, observe;
+    int check, prepare, observe, report;
 };
 template <class P>
 struct Beside
@@ -51,6 +51,10 @@ template <class P> inline constexpr bool names_observe = false;
 template <class P>
     requires can_stand_beside<P>
 inline constexpr bool names_observe<P> = !requires { &Beside<P>::observe; };
+template <class P> inline constexpr bool names_report = false;
+template <class P>
+    requires can_stand_beside<P>
+inline constexpr bool names_report<P> = !requires { &Beside<P>::report; };
 
 /// What a bound policy prepares once a step, it prepares from the context; it need not prepare anything.
 template <class P, class S>
@@ -89,12 +93,15 @@ concept ExecutionPolicy =
     PlaysRole<E, roles::Execution> &&
     requires(const E& execution, std::size_t n, const detail::AnyLoop& loop) { execution.execute(n, n, loop); };
 
-/// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only.
+/// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only. A policy of any role may have
+/// `std::string report(const auto& world, const Quantity<unit::Time>& dt) const`, which `World::status` asks: a
+/// sentence about the world as it is now, or nothing. `dt` is the length of the last step, or of its parts where a
+/// response divides it; nobody is asked before the first step.
 ///
 /// \snippet tests/world/page.cpp recorder
 ///
-/// The library has no observer of its own: what a game or a test wants to see, it says itself. A \ref ansatz::World
-/// asks it after each step.
+/// The library has one of its own, `WorldRadius`: what else a game or a test wants to see, it says itself. A
+/// \ref ansatz::World asks it after each step.
 template <class O, class S>
 concept ObserverIn =
     PlaysRole<O, roles::Observer> && (writes_of<O>::size == 0) &&

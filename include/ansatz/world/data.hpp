@@ -28,8 +28,9 @@ struct Status {
     std::uint64_t unsolved = 0;   ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
+    std::string said{};           ///< what policies of the world have to say, now: WorldRadius, or one of your own
     /// Nothing went wrong.
-    bool ok() const { return !lost && unsolved == 0 && not_finite == 0; }
+    bool ok() const { return !lost && unsolved == 0 && not_finite == 0 && said.empty(); }
     /// "ok", or what went wrong.
     friend std::string describe(const Status& status) {
         if (status.lost) return "a step was broken off by an exception";
@@ -41,6 +42,7 @@ struct Status {
             text += detail::joined({text.empty() ? "" : ", ", describe(std::size_t(status.not_finite)),
                                     " bodies not finite, the first is body ",
                                     describe(std::size_t(status.first_not_finite.id))});
+        if (!status.said.empty()) text += (text.empty() ? "" : "; ") + status.said;
         return text;
     }
     /// The same on a stream.

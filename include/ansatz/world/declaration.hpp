@@ -230,7 +230,7 @@ public:
     ClockTime time() const { return data_.clock.now(); }
     /// Steps taken.
     std::uint64_t tick() const { return data_.clock.tick(); }
-    /// What went wrong inside steps; looks at every body when it is called.
+    /// What went wrong inside steps, and what policies have to say; looks at every body when it is called.
     Status status() const;
     /// @}
 
@@ -284,6 +284,7 @@ private:
     void get_ready(const char* where);
     [[noreturn, gnu::cold, gnu::noinline]] static void refuse_lost(const char* where);
 
+    template <class Policy> void let_say(Status& status) const;
     void wake_ends(const auto& state, std::uint32_t id);
     TimeStep<S> step_of(const typename S::Time& dt) const;
     template <class Transient, bool Later = false> void take_step(const ClockTime& dt);

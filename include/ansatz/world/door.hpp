@@ -72,7 +72,7 @@ template <class... P> template <class C, class Q> void World<P...>::write(Handle
     static_assert(!std::same_as<C, InverseMass>,
                   "Ansatz: a mass is changed by set_mass, which holds it to be positive");
     static_assert(!std::same_as<C, AppliedForce> && !std::same_as<C, CoupledForce> && !std::same_as<C, RestTime> &&
-                      !std::same_as<C, DrawnPosition>,
+                      !std::same_as<C, DrawnPosition> && !std::same_as<C, PositionRemainder>,
                   "Ansatz: the world itself writes this column; a force from outside is given by apply_force, a place "
                   "by set_position");
     auto slot = data_.bodies.slot(body, "World::write");
@@ -164,6 +164,7 @@ template <class... P> Status World<P...>::status() const {
     Status s;
     s.lost = lost_;
     data_.template ask<hook::Report>(s);
+    (let_say<P>(s), ...);
     for_each([&](Handle h) {
         bool finite = true;
         data_.template ask<hook::IsFinite>(data_.bodies.slot_of_id(h.id), finite);
@@ -171,6 +172,24 @@ template <class... P> Status World<P...>::status() const {
         if (s.not_finite++ == 0) s.first_not_finite = h;
     });
     return s;
+}
+
+template <class... P> template <class Policy> void World<P...>::let_say([[maybe_unused]] Status& status) const {
+    if constexpr (detail::names_report<Policy>) {
+        constexpr bool understood = requires(const Policy& policy, const Quantity<unit::Time>& dt, std::string& said) {
+            said = policy.report(*this, dt);
+        };
+        static_assert(understood,
+                      "Ansatz: a policy that has something to say in status(), with a wrong signature; it "
+                      "needs `std::string report(const auto& world, const Quantity<unit::Time>& dt) const`");
+        if constexpr (understood) {
+            if (tick() == 0) return; // no step has a length yet
+            int parts = 1;
+            inside().template tell<hook::NextParts>(parts);
+            const auto said = get<Policy>().report(*this, scalar_cast<double>(data_.clock.last()) / double(parts));
+            if (!said.empty()) status.said += (status.said.empty() ? "" : "; ") + said;
+        }
+    }
 }
 
 template <class... P> std::uint64_t World<P...>::hash() const {
