@@ -34,7 +34,7 @@ import sys
 from typing import Callable, Optional
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import cost_rows  # noqa: E402  (it is run as a file)
+from workshop import cost_rows, forge  # noqa: E402  (it is run as a file)
 from workshop.advice_blocks import BEGIN, END, Fault, generated, table_of  # noqa: E402
 from workshop.cost_rows import Row, Table  # noqa: E402
 
@@ -193,7 +193,7 @@ def faults_of_page(file: str, text: str, names: set[str]) -> list[str]:
     except Fault as fault:
         return [f"{file}: {fault}"]
     return ([f"{file}: its tables are not those of docs/costs; advice.py write makes them anew"] if stale else []) \
-        + faults_of_text(file, text, names)
+        + faults_of_text(file, forge.doxygen(text) if forge.is_text(file) else text, names)
 
 
 # ---------------------------------------------------------------- what it is asked for

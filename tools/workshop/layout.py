@@ -10,14 +10,17 @@ prints the layout. Both lists are pages that pages.py makes.
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
 
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def attributes(url: str, title: str, kind: str = "user") -> str:

@@ -11,11 +11,12 @@ import glob
 import os
 import re
 
+from workshop import forge
+
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def stem_of(file: str) -> str:

@@ -25,15 +25,14 @@ import sys
 from typing import Union
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import skeleton  # noqa: E402  (it is run as a file)
+from workshop import forge, skeleton  # noqa: E402  (it is run as a file)
 
 QUOTED = re.compile(r" *//! \[")
 
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def write(file: str, text: str) -> None:

@@ -12,16 +12,19 @@ A line of the aliases is a section, or another heading's label, and the words th
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
 
 SAYS_NOTHING = frozenset("and the for of in to as what how from with its is it an not by on at or".split())
 
 
 def read(file: str) -> str:
     """The text of a file."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read()
+    return forge.page(file)
 
 
 class Index:
