@@ -57,7 +57,7 @@ too_wide() {
     rm "$page"
 }
 if command -v chromium > /dev/null; then
-    for page in page_world.html chapter_motion.html index.html; do
+    for page in page_world.html chapter_motion.html section_1_6_3.html motion_costs.html section_6_1.html index.html; do
         seen=$(too_wide $page)
         if [ "${seen# }" != "<title>cut: 0 " ]; then echo "$page on a screen of 1200 pixels: ${seen#<title>}"; exit 1; fi
     done
@@ -96,8 +96,11 @@ says() { # <page> <text>
     grep -qF -e "$2" "$html/$1" || { echo "$1 should have: $2"; exit 1; }
 }
 says index.html 'class="front-way"'
-says chapter_collision.html 'rel="prev" href="chapter_motion.html"'
-says chapter_collision.html 'rel="next" href="chapter_springs.html"'
+says chapter_collision.html 'rel="prev" href="motion_sources.html"'
+says chapter_collision.html 'rel="next" href="section_2_1.html"'
+says section_2_1_1.html 'rel="prev" href="section_2_1.html"'
+says section_2_1_1.html 'href="chapter_collision.html">Chapter 2: collision</a>'
+says chapter_collision.html 'href="section_2_1_1_4.html">2.1.1.4 Sort and sweep</a>'
 says exercise_motion_drag.html '<details><summary>Task 1: a question</summary>'
 says exercise_motion_drag.html 'class="comment"'
 says page_course.html 'href="exercise_motion_drag.html"'
@@ -232,7 +235,7 @@ without() {
 }
 without structansatz "conceptansatz_1_1EffectIn.html names no policy of its kind" "$html/conceptansatz_1_1EffectIn.html"
 # An exercise, its section and its header know each other.
-without chapter_motion.html#section_ "the exercise drag does not link to its section" "$html/exercise_motion_drag.html"
+without section_ "the exercise drag does not link to its section" "$html/exercise_motion_drag.html"
 without drag_8hpp.html "the exercise drag does not link to include/ansatz/motion/drag.hpp" "$html/exercise_motion_drag.html"
 for said in "./workbook exercise suvat:its command" "exercises/1-motion/suvat/exercise.hpp:which file to edit"; do
     keep "$html/exercise_motion_suvat.html"
@@ -241,7 +244,7 @@ for said in "./workbook exercise suvat:its command" "exercises/1-motion/suvat/ex
     reports "the page of the exercise suvat does not say ${said#*:}"
 done
 found
-without exercise_motion_drag.html "no chapter links to the exercise drag" "$html"/chapter_*.html
+without exercise_motion_drag.html "no chapter links to the exercise drag" "$html"/chapter_*.html "$html"/section_*.html
 mapfile -t of_the_library < <(grep -l 'href="exercise_motion_drag.html' "$html"/struct*.html "$html"/class*.html "$html"/namespace*.html "$html"/*_8hpp.html)
 without exercise_motion_drag.html "no page of the API links to the exercise drag" "${of_the_library[@]}"
 # Without the copy of MathJax. Every page that loads it has a dead link as well: said once.
@@ -310,7 +313,7 @@ mkdir -p "$tree/exercises/1-motion/nobody_knows"
 printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
 reports "exercises/1-motion/nobody_knows has no page exercise_motion_nobody_knows.html"
 found
-awk '/<\/body>/ { print "<a href=\"chapter_motion.html#section_1_1\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/page_world.html" > "$html/exercise_motion_nobody_knows.html"
+awk '/<\/body>/ { print "<a href=\"section_1_1.html\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/page_world.html" > "$html/exercise_motion_nobody_knows.html"
 reports "no chapter links to the exercise nobody_knows"
 found
 rm -r "$tree/exercises/1-motion/nobody_knows" "$html/exercise_motion_nobody_knows.html"

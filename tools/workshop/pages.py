@@ -25,7 +25,7 @@ import sys
 from typing import Union
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import forge, skeleton  # noqa: E402  (it is run as a file)
+from workshop import forge, parts, skeleton  # noqa: E402  (it is run as a file)
 
 QUOTED = re.compile(r" *//! \[")
 
@@ -129,8 +129,9 @@ def chapters() -> list[tuple[int, str, str, str]]:
 
 
 def order() -> str:
-    """A group for the chapters, one for the exercises, one for the programs."""
-    text = "".join(f"{label}\tChapter {number}: {title}\n" for number, label, title, _ in chapters()) + "\n"
+    """A group for the chapters with their pages, one for the exercises, one for the programs."""
+    text = "".join(f"{part.label}\t{html.escape(parts.plain(part.name(f'Chapter {number}')), quote=False)}\n"
+                   for number, _, _, page in chapters() for part in parts.parts_of(read(page))) + "\n"
     rows = (re.match(r'\| ([0-9.]+) \| \\ref (\w+) "(.*?)" \|', row) for row in exercises().split("\n"))
     text += "".join(f"{row[2]}\t{row[1]} {html.escape(row[3])}\n" for row in rows if row) + "\n"
     numbered = sorted(glob.glob("chapters/*/[0-9]*-*.cpp"), key=lambda file: in_order(file.rpartition("/")[2]))
