@@ -59,6 +59,8 @@ def label_of_file(target: str) -> str:
         return f"exercise_{exercise[1]}_{exercise[2]}"
     if program := re.fullmatch(r"chapters/\d+-(\w+)/([^/]+)\.(cpp|hpp)", path):
         return f"program_{program[1]}_" + re.sub("[^A-Za-z0-9]", "_", program[2]) + ("_hpp" if program[3] == "hpp" else "")
+    if model := re.fullmatch(r"tests/package/models/(\w+)\.cpp", path):
+        return f"model_{model[1]}"
     return path.removeprefix("include/") if re.fullmatch(r"include/.*\.hpp", path) else ""
 
 
@@ -173,7 +175,8 @@ def labels() -> dict[str, tuple[str, bool]]:
 @functools.lru_cache(maxsize=None)
 def files_of_labels() -> dict[str, str]:
     """The file of each exercise and program, by what Doxygen calls its page."""
-    files = glob.glob("exercises/*/*/README.md") + glob.glob("chapters/*/*.[ch]pp")
+    files = [file for pattern in ("exercises/*/*/README.md", "chapters/*/*.[ch]pp", "tests/package/models/*.cpp")
+             for file in glob.glob(pattern)]
     return {"page_readme": "README.md", "page_exercises": "exercises", "page_programs": "chapters",
             **{label_of_file(file): file for file in files}}
 

@@ -11,7 +11,8 @@
                                     prints what the page of an exercise shows behind its README.md: the skeleton, which it
                                     writes into <out>/listing, and its hints, folded
     pages.py programs <out>         writes <out>/pages/programs.md, beside it a page for each program of the chapters,
-                                    and into <out>/listing what that page shows: the program without marks of quotations
+                                    and into <out>/listing what that page shows: the program without marks of quotations;
+                                    the same of tests/package/models, the policies that the page of worlds shows
 """
 
 from __future__ import annotations
@@ -232,6 +233,17 @@ def programs(out: str) -> None:
             write(f"{out}/pages/{program.page}.md", program.text())
             text += program.row()
     write(f"{out}/pages/programs.md", text)
+    models(out)
+
+
+def models(out: str) -> None:
+    """A page for each model of a policy of one's own, to which the page of worlds leads."""
+    for file in sorted(glob.glob("tests/package/models/*.cpp")):
+        name, lines = file.rpartition("/")[2], read(file)
+        write(f"{out}/listing/models/{name}", "".join(line + "\n" for line in lines if not QUOTED.match(line)))
+        write(f"{out}/pages/model_{name.removesuffix('.cpp')}.md",
+              f"# {name} {{#model_{name.removesuffix('.cpp')}}}\n\n{what_it_shows(lines)}\n\n\\include listing/models/{name}\n\n"
+              f"One of the policies of \\ref page_world \"the page about worlds\"; it is compiled against an installed Ansatz, and run.\n")
 
 
 def main(arguments: list[str]) -> int:

@@ -21,6 +21,7 @@ PAIRS = (
     ('A \\ref ansatz/motion/drag.hpp "header".', "A [header](../include/ansatz/motion/drag.hpp)."),
     ('- Exercise: \\ref exercise_motion_drag "drag".', "- Exercise: [drag](../exercises/1-motion/drag/README.md)."),
     ('\\ref program_motion_1_7_drag "1.7-drag.cpp"', "[1.7-drag.cpp](../chapters/1-motion/1.7-drag.cpp)"),
+    ('\\ref model_law "law.cpp"', "[law.cpp](../tests/package/models/law.cpp)"),
     ("With \\f$ v = a\\,t \\f$ it is \\f$ x \\f$.", "With $`v = a\\,t`$ it is $`x`$."),
     ("\\f[\na = -c\\,v\n\\f]", "```math\na = -c\\,v\n```"),
     ("1. One:\n   \\f[\n   a\n   \\f]\n   and so on", "1. One:\n   ```math\n   a\n   ```\n   and so on"),
@@ -53,6 +54,7 @@ class Pages(unittest.TestCase):
                 "docs/recordings/1.7.txt": "It falls.\n", "docs/pictures/1.7-film.svg": "<svg/>\n",
                 "include/ansatz/motion/drag.hpp": "namespace ansatz {\nstruct Drag {\n};\ninline constexpr Motion fixed = 1;\n}\n",
                 "exercises/1-motion/drag/README.md": "# 1.7 Drag\n",
+                "tests/package/models/law.cpp": "//\n",
                 "chapters/1-motion/1.7-drag.cpp":
                     "int main() {\n    //! [by hand]\n    int i = 0;\n\n    //! [step]\n    ++i;\n    //! [step]\n    //! [by hand]\n}\n",
         }.items():
