@@ -11,6 +11,7 @@ A generated block stands between `<!-- from costs: KIND WHAT -->` and `<!-- end 
     first collision broadphase                 for each problem who is the fastest, and from which number on another
     crossings collision broadphase: A : B      from how many bodies on A is faster than B
     errors motion integrator: 1e-1 1e-3        for each problem, who comes so near in the least time
+    table paths crowd; rows key walkers; ...   any figures (advice_tables.py)
 
 Elsewhere a sentence that compares what policies cost names its row, in the same paragraph, list item or row of a table:
 
