@@ -74,9 +74,9 @@ def label_of(choice: str, parameter: str = "") -> str:
     return named + choice[len(name):] + (f", {parameter}" if parameter else "")
 
 
-def numbers(text: str) -> list[str]:
-    """As str writes them."""
-    return [str(float(word)) for word in text.split()]
+def is_among(number: Optional[float], text: str) -> bool:
+    """Whether a row's number is one of those of a clause."""
+    return number is not None and number in [float(word) for word in text.split()]
 
 
 def column_of(clause: str) -> Column:
@@ -101,9 +101,9 @@ def table(rows: list[Row], clauses: list[str]) -> list[str]:
         elif word == "without":
             rows = [row for row in rows if rest not in row.choice and rest not in row.problem]
         elif word == "works":
-            rows = [row for row in rows if str(row.work) in numbers(rest)]
+            rows = [row for row in rows if is_among(row.work, rest)]
         elif word == "keys":
-            rows = [row for row in rows if str(row.key) in numbers(rest)]
+            rows = [row for row in rows if is_among(row.key, rest)]
         else:
             columns.append(column_of(clause))
     named: dict[str, Callable[[Row], str]] = {
