@@ -19,13 +19,11 @@ Both may be written; write makes the left of the right. A page keeps its lines, 
 
 from __future__ import annotations
 
-import argparse
 import functools
 import glob
 import os
 import re
 import sys
-from typing import Callable
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -360,20 +358,20 @@ def faults_of(file: str, text: str) -> list[str]:
 
 def main(arguments: list[str]) -> int:
     """One of the two."""
+    import argparse    # doxygen_filter.py starts once for each of some hundred headers, and does without
     parser = argparse.ArgumentParser(prog="forge.py", description="Text pages as a forge shows them.")
     parser.add_argument("asked", choices=("write", "check"))
     parser.add_argument("texts", nargs="+", help="pages")
     given = parser.parse_args(arguments)
-    written: Callable[[str], object] = print
     for file in given.texts:
         text = read(file)
         if given.asked == "check":
             for fault in faults_of(file, text):
-                written(fault)
+                print(fault)
         elif (fresh := markdown(file, text)) != text:
             with open(file, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
                 stream.write(fresh)
-            written(f"written anew: {file}")
+            print(f"written anew: {file}")
     return 0
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
-"""A chapter as several pages of the site: one for each heading that has a label, of that name. From the project's folder:
+"""The text pages as Doxygen reads them, and a chapter as several of them: one for each heading that has a label, of that name.
+From the project's folder:
 
-    parts.py <out> <texts>     writes <out>/<label>.md for each part of those that are chapters, and prints their files
+    parts.py <out> <texts>     writes <out>/<label>.md for each part of a chapter, and <out>/<name>.md of any other text
 
 The file stays one, which a forge shows whole. The chapter's first page keeps what stands before its first section, and lists the others.
 """
@@ -76,6 +77,12 @@ def plain(title: str) -> str:
     return re.sub('[`"]', "", title)
 
 
+def write(file: str, text: str) -> None:
+    """A page."""
+    with open(file, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
+        stream.write(text)
+
+
 def main(arguments: list[str]) -> int:
     """Writes them."""
     parser = argparse.ArgumentParser(prog="parts.py", description="A chapter as several pages of the site.")
@@ -83,14 +90,15 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("texts", nargs="+", help="the chapters, and other pages")
     given = parser.parse_args(arguments)
     for file in given.texts:
+        if file == "docs/README.md":    # the list of the pages, for a forge
+            continue
         lines = filtered(file)
         if not (chapter := chapter_of(lines)):
+            write(f"{given.out}/{os.path.basename(file)}", "\n".join(lines) + "\n")
             continue
-        print(file)
         first, *others = parts_of(lines)
         for part in [first, *others]:
-            with open(f"{given.out}/{part.label}.md", "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-                stream.write(text_of(part, chapter, others if part is first else []))
+            write(f"{given.out}/{part.label}.md", text_of(part, chapter, others if part is first else []))
     return 0
 
 
