@@ -40,7 +40,7 @@ FENCE = re.compile(r" *(```+|~~~+)")
 QUOTED = re.compile(r"<!-- (snippet|output): (\S+)(?: (.+?))? -->")
 PICTURE = re.compile(r'(?:!|Picture: )\[(?P<title>[^\n]*)\]\((?P<target>[^)\s]+)(?: "(?P<note>[^"]*)")?\)$')
 COMMAND = re.compile(r"[\\@](?:ref|snippet|verbinclude|include|dontinclude|image|htmlinclude|htmlonly|f[$\[\]{]|subpage|anchor|page"
-                     r"|section|par|code|verbatim|n\b)|\{#[\w-]+\}|\[TOC\]")
+                     r"|section|par|verbatim|n\b)|\{#[\w-]+\}|\[TOC\]")
 
 
 def read(file: str) -> str:
