@@ -4,7 +4,8 @@
 #
 # A check that cannot fail checks nothing. A fault is planted for each kind, beside the same thing without it: the first must
 # be refused, for its own reason, and the second must pass. The kinds with a test of their own are not here again: sentences
-# (tools.must_not_compile), wrong answers that pass (exercises.verify), what the five trees hold (tools.mirror).
+# (tools.must_not_compile), wrong answers that pass (exercises.verify), what the five trees hold (tools.mirror), what pages quote and
+# show (tools.planted_pages, tools.docs).
 #
 # The flags of the sanitizers are those of CMakePresets.json, so whoever switches one off there is told here.
 #

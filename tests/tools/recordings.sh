@@ -24,8 +24,8 @@ fault() { printf 'recordings: %s\n' "$*"; faults=$((faults + 1)); }
 programs=(chapters/*/[0-9]*-*.cpp)
 if [ ${#programs[@]} -eq 0 ]; then echo "recordings: there is no section in chapters/"; exit 1; fi
 pages=(docs/*.md exercises/*/*/README.md)
-# What the pages include, in any of Doxygen's ways.
-included=$(cat "${pages[@]}" | grep -oE '[\\@](verbinclude|include|snippet|dontinclude)(\{[^}]*\})? *[^ ]+' | awk '{ print $NF }' || true)
+# What the pages quote.
+included=$(cat "${pages[@]}" | grep -oE '^<!-- output: [^ ]+' | awk '{ print $NF }' || true)
 
 # differs <kept film> <drawn film>: says which frames do, and whether there are more or fewer than before.
 differs() {

@@ -11,6 +11,7 @@ A generated block stands between `<!-- from costs: KIND WHAT -->` and `<!-- end 
     first collision broadphase                 for each problem who is the fastest, and from which number on another
     crossings collision broadphase: A : B      from how many bodies on A is faster than B
     errors motion integrator: 1e-1 1e-3        for each problem, who comes so near in the least time
+    table paths crowd; rows key walkers; ...   any figures (advice_tables.py)
 
 Elsewhere a sentence that compares what policies cost names its row, in the same paragraph, list item or row of a table:
 
@@ -34,7 +35,7 @@ import sys
 from typing import Callable, Optional
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import cost_rows  # noqa: E402  (it is run as a file)
+from workshop import cost_rows, forge  # noqa: E402  (it is run as a file)
 from workshop.advice_blocks import BEGIN, END, Fault, generated, table_of  # noqa: E402
 from workshop.cost_rows import Row, Table  # noqa: E402
 
@@ -193,7 +194,7 @@ def faults_of_page(file: str, text: str, names: set[str]) -> list[str]:
     except Fault as fault:
         return [f"{file}: {fault}"]
     return ([f"{file}: its tables are not those of docs/costs; advice.py write makes them anew"] if stale else []) \
-        + faults_of_text(file, text, names)
+        + faults_of_text(file, forge.doxygen(text) if forge.is_text(file) else text, names)
 
 
 # ---------------------------------------------------------------- what it is asked for

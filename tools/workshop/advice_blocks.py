@@ -10,7 +10,7 @@ import math
 import re
 from typing import Callable
 
-from workshop import cost_rows
+from workshop import advice_tables, cost_rows
 from workshop.cost_rows import NOISE, Row, Table
 
 BEGIN = re.compile(r" *<!-- from costs: ([a-z]+) ([^>]*?) *-->")
@@ -153,8 +153,18 @@ def errors_block(words: str) -> list[str]:
     return lines
 
 
+def table_block(words: str) -> list[str]:
+    """A table of figures (advice_tables.py)."""
+    place, *clauses = [clause.strip() for clause in words.split(";")]
+    module, axis = place.split(" ", 1)
+    try:
+        return advice_tables.table(table_of(module).of(axis), clauses)
+    except ValueError as fault:
+        raise Fault(f"table {place}: {fault}") from fault
+
+
 BLOCKS: dict[str, Callable[[str], list[str]]] = {
-    "run": run_block, "first": first_block, "crossings": crossings_block, "errors": errors_block}
+    "run": run_block, "first": first_block, "crossings": crossings_block, "errors": errors_block, "table": table_block}
 
 
 def generated(text: str) -> str:

@@ -32,6 +32,7 @@ class Row:
     error: Optional[float]
     time_unit: str
     error_norm: str
+    parameter: str = ""
 
 
 def parameter_of(text: Optional[str]) -> Optional[float]:
@@ -61,7 +62,8 @@ class Table:
         lost = bool(one.get("diverged"))
         return Row(str(one["axis"]), str(one.get("problem") or ""), str(one["choice"]),
                    number("n") if key is None else key, number("n"), None if lost else number("time"), number("work"),
-                   None if lost else number("error"), str(one.get("time_unit") or ""), str(one.get("error_norm") or ""))
+                   None if lost else number("error"), str(one.get("time_unit") or ""), str(one.get("error_norm") or ""),
+                   parameter if isinstance(parameter, str) else "")
 
     def choices(self) -> set[str]:
         """All of them."""

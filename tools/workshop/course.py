@@ -26,6 +26,9 @@ import re
 import sys
 from typing import Mapping
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
+
 # Sections without an exercise, and why. What is "not asked yet" may become shorter, never longer.
 WITHOUT_EXERCISE = {
     "1.6": "compares the methods of 1.6.1 to 1.6.4, each of which has its exercise",
@@ -57,8 +60,7 @@ ITALICS = re.compile(r"(?<![\w*])\*{1,2}(?=[^\s*])([^*]+)(?<=\S)\*{1,2}(?!\w)")
 @functools.lru_cache(maxsize=None)
 def text_of(file: str) -> str:
     """A file."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read()
+    return forge.page(file)
 
 
 def in_order(number: str) -> list[int]:

@@ -10,8 +10,12 @@ A line for each: what would stay as TeX on the page ($x$, a \\f$ without its end
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
 
 # What MathJax reads without an entry of that name in a script.
 BUILT_IN = frozenset(("begin", "end", "left", "right"))
@@ -19,8 +23,7 @@ BUILT_IN = frozenset(("begin", "end", "left", "right"))
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def commands_of(script: str) -> set[str]:
@@ -63,7 +66,7 @@ def faults_of_paragraph(text: str, known: frozenset[str]) -> list[str]:
     if re.search(r"\\f[\]$]", between):
         faults.append("a formula has no beginning")
     if bare := re.search(r"\$[^$ \n][^$\n]*\$|\$\$", between):
-        faults.append(f"a formula would stay as TeX, write \\f$...\\f$: {shown(between[bare.start():])}")
+        faults.append(f"a formula would stay as TeX, write $`...`$ on a page and \\f$...\\f$ in a header: {shown(between[bare.start():])}")
     return faults
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The navigation of the site: chapters with their sections, the programs and the exercises, in place of the remarks
+"""The navigation of the site: chapters with their pages, the programs and the exercises, in place of the remarks
 <!-- chapters -->, <!-- programs --> and <!-- exercises --> of Doxygen's layout.
 
     layout.py --programs <the list of programs> --exercises <that of exercises> docs/site/layout.xml docs/*.md
@@ -10,14 +10,17 @@ prints the layout. Both lists are pages that pages.py makes.
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge, parts  # noqa: E402  (it is run as a file)
 
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def attributes(url: str, title: str, kind: str = "user") -> str:
@@ -27,20 +30,14 @@ def attributes(url: str, title: str, kind: str = "user") -> str:
 
 
 def chapter(lines: list[str]) -> list[str]:
-    """A chapter with its sections; nothing of a page that is no chapter."""
+    """A chapter with its pages; nothing of a page that is no chapter."""
+    if not parts.chapter_of(lines):
+        return []
     tabs: list[str] = []
-    page = ""
-    for line in lines:
-        heading = re.match(r"#+ *(.*?) *\{#((?:chapter|section)_[A-Za-z0-9_]+)\} *$", line)
-        if not heading:
-            continue
-        title, label = re.sub("[`*]", "", heading[1]), heading[2]
-        if label.startswith("chapter_") and not page:
-            page = label
-            tabs.append(f"    <tab {attributes(f'@ref {label}', title, 'usergroup')}>")
-        elif page:
-            tabs.append(f"      <tab {attributes(f'{page}.html#{label}', title)}/>")
-    return tabs + ["    </tab>"] if page else []
+    for part in parts.parts_of(lines):
+        title, leads = re.sub("[`*]", "", part.title), f"@ref {part.label}"
+        tabs.append(f"      <tab {attributes(leads, title)}/>" if tabs else f"    <tab {attributes(leads, title, 'usergroup')}>")
+    return tabs + ["    </tab>"]
 
 
 def in_order(pages: list[str]) -> list[str]:

@@ -11,11 +11,12 @@ import glob
 import os
 import re
 
+from workshop import forge
+
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def stem_of(file: str) -> str:
@@ -36,7 +37,7 @@ class Course:
         """The labels of the sections."""
         found: set[str] = set()
         for page in glob.glob("docs/*.md"):
-            found.update(re.findall(r"\{#(section_[0-9_]+)\}", "\n".join(read(page))))
+            found.update(re.findall(r"(?:\{#|<a id=\")(section_[0-9_]+)[}\"]", forge.read(page)))    # in either form
         return frozenset(found)
 
     @functools.cached_property
@@ -71,10 +72,10 @@ class Course:
     def label_of(self, file: str) -> str:
         """The label of a page, from the first heading of its file that has one."""
         try:
-            lines = read(file)
+            lines = forge.read(file).split("\n")
         except OSError:
             return ""
-        labelled = (re.match(r"# .*\{#([A-Za-z0-9_]+)\} *$", line) for line in lines)
+        labelled = (re.match(r"# .*(?:\{#|<a id=\")([A-Za-z0-9_]+)(?:\}|\"></a>) *$", line) for line in lines)
         return next((label[1] for label in labelled if label), "")
 
     def linked(self, number: str) -> str:

@@ -9,8 +9,12 @@ It may stand in a \\code, in a fence that names C++ or only holds what looks lik
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
 
 CPP = frozenset(("cpp", "c++", "cxx", "hpp", "cc", "h", "c"))
 PROGRAM = re.compile(r"(?:.*;[ \t]*(?://.*)?$| *(?:#include|template *<|struct |class |namespace ))")
@@ -61,10 +65,9 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="listings.py", description="The listings that are pasted into text pages.")
     parser.add_argument("texts", nargs="+", help="the pages")
     for file in parser.parse_args(arguments).texts:
-        with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-            lines = stream.read().removesuffix("\n").split("\n")
+        lines = forge.page(file).removesuffix("\n").split("\n")
         for number in pasted(lines):
-            fault = f"a pasted listing, {file}:{number}; quote it with \\snippet from a file that is compiled\n"
+            fault = f"a pasted listing, {file}:{number}; quote it from a file that is compiled (tools/workshop/forge.py)\n"
             sys.stdout.buffer.write(fault.encode("utf-8", "surrogateescape"))
     return 0
 

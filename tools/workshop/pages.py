@@ -11,7 +11,8 @@
                                     prints what the page of an exercise shows behind its README.md: the skeleton, which it
                                     writes into <out>/listing, and its hints, folded
     pages.py programs <out>         writes <out>/pages/programs.md, beside it a page for each program of the chapters,
-                                    and into <out>/listing what that page shows: the program without marks of quotations
+                                    and into <out>/listing what that page shows: the program without marks of quotations;
+                                    the same of tests/package/models, the policies that the page of worlds shows
 """
 
 from __future__ import annotations
@@ -25,15 +26,14 @@ import sys
 from typing import Union
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import skeleton  # noqa: E402  (it is run as a file)
+from workshop import forge, parts, skeleton  # noqa: E402  (it is run as a file)
 
 QUOTED = re.compile(r" *//! \[")
 
 
 def read(file: str) -> list[str]:
     """Its lines, without their ends."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read().removesuffix("\n").split("\n")
+    return forge.page(file).removesuffix("\n").split("\n")
 
 
 def write(file: str, text: str) -> None:
@@ -130,8 +130,9 @@ def chapters() -> list[tuple[int, str, str, str]]:
 
 
 def order() -> str:
-    """A group for the chapters, one for the exercises, one for the programs."""
-    text = "".join(f"{label}\tChapter {number}: {title}\n" for number, label, title, _ in chapters()) + "\n"
+    """A group for the chapters with their pages, one for the exercises, one for the programs."""
+    text = "".join(f"{part.label}\t{html.escape(parts.plain(part.name(f'Chapter {number}')), quote=False)}\n"
+                   for number, _, _, page in chapters() for part in parts.parts_of(read(page))) + "\n"
     rows = (re.match(r'\| ([0-9.]+) \| \\ref (\w+) "(.*?)" \|', row) for row in exercises().split("\n"))
     text += "".join(f"{row[2]}\t{row[1]} {html.escape(row[3])}\n" for row in rows if row) + "\n"
     numbered = sorted(glob.glob("chapters/*/[0-9]*-*.cpp"), key=lambda file: in_order(file.rpartition("/")[2]))
@@ -232,6 +233,17 @@ def programs(out: str) -> None:
             write(f"{out}/pages/{program.page}.md", program.text())
             text += program.row()
     write(f"{out}/pages/programs.md", text)
+    models(out)
+
+
+def models(out: str) -> None:
+    """A page for each model of a policy of one's own, to which the page of worlds leads."""
+    for file in sorted(glob.glob("tests/package/models/*.cpp")):
+        name, lines = file.rpartition("/")[2], read(file)
+        write(f"{out}/listing/models/{name}", "".join(line + "\n" for line in lines if not QUOTED.match(line)))
+        write(f"{out}/pages/model_{name.removesuffix('.cpp')}.md",
+              f"# {name} {{#model_{name.removesuffix('.cpp')}}}\n\n{what_it_shows(lines)}\n\n\\include listing/models/{name}\n\n"
+              f"One of the policies of \\ref page_world \"the page about worlds\"; it is compiled against an installed Ansatz, and run.\n")
 
 
 def main(arguments: list[str]) -> int:

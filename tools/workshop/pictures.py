@@ -18,6 +18,9 @@ import re
 import sys
 from typing import Union
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
+
 STAND_IN = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="640" height="60"><rect width="640" height="60" fill="#eee"/>'
     '<text x="320" y="35" text-anchor="middle" font-family="sans-serif" font-size="14" fill="#555">'
@@ -81,8 +84,7 @@ def main(arguments: list[str]) -> int:
     given = parser.parse_args(arguments)
     texts: dict[str, str] = {}
     for file in given.texts:
-        with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-            texts[file] = stream.read()
+        texts[file] = forge.page(file)
     lines = stand_ins(given.out, given.drawn, texts) if given.asked == "stand-ins" else of_nobody(texts)
     sys.stdout.buffer.write("".join(line + "\n" for line in lines).encode("utf-8", "surrogateescape"))
     return 0

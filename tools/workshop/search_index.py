@@ -12,16 +12,19 @@ A line of the aliases is a section, or another heading's label, and the words th
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import forge  # noqa: E402  (it is run as a file)
 
 SAYS_NOTHING = frozenset("and the for of in to as what how from with its is it an not by on at or".split())
 
 
 def read(file: str) -> str:
     """The text of a file."""
-    with open(file, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-        return stream.read()
+    return forge.page(file)
 
 
 class Index:
@@ -48,11 +51,11 @@ class Index:
                 title = titles[heading[1]] = re.sub(r"^#+ *| *\{#.*|[`*\"\\]", "", line)
                 if heading[1].startswith("section_"):
                     also = aliases.get(title.split(" ")[0], "")
-                    self.add(f"{title} {also}", f"{chapter}.html#{heading[1]}", title)
+                    self.add(f"{title} {also}", f"{heading[1]}.html", title)
                 elif heading[1] in aliases:
-                    self.add(aliases[heading[1]], f"{chapter}.html#{heading[1]}", title)
+                    self.add(aliases[heading[1]], f"{heading[1]}.html", title)
             elif chapter and (word := re.match(r"\| ([^|`\\]+) \|.*\\ref (\w+)[^|]*\|$", line)) and word[2] in titles:
-                self.add(word[1], f"{chapter}.html#{word[2]}", titles[word[2]])
+                self.add(word[1], f"{word[2]}.html", titles[word[2]])
             elif row := re.match(r'\| ([0-9.]+) \| \\ref (exercise_[a-z0-9_]+) "([^"]*)"', line):
                 number, label, title = row.groups()
                 self.add(f"exercise {number} {title}", f"{label}.html", f"Exercise {number}: {title}")

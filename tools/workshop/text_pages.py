@@ -86,6 +86,8 @@ class TextPage:
             if len(part) < 3:
                 return "page_exercises"
             return self.course.exercises.get(part[2], "") if len(part) == 3 or name == "README.md" else ""
+        if re.fullmatch(r"tests/package/models/\w+\.cpp", path):
+            return f"model_{name.removesuffix('.cpp')}"
         if part[0] != "chapters":
             return ""
         if len(part) < 3:

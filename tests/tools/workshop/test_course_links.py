@@ -13,10 +13,10 @@ from workshop import course_links
 
 EXERCISE, HEADER = "exercises/1-motion/drag", "include/ansatz/motion/drag.hpp"
 LINK = '<a href="exercise_motion_drag.html">x</a>'
-PAGE = ('./workbook exercise drag exercises/1-motion/drag/exercise.hpp <a href="chapter_motion.html#section_1_7">x</a>'
+PAGE = ('./workbook exercise drag exercises/1-motion/drag/exercise.hpp <a href="section_1_7.html">x</a>'
         '<a href="drag_8hpp.html">x</a>')
 TITLE = "<title>Ansatz: ansatz/motion/drag.hpp File Reference</title>"
-WHOLE = {"exercise_motion_drag.html": PAGE, "chapter_motion.html": LINK, "structansatz_1_1Drag.html": LINK,
+WHOLE = {"exercise_motion_drag.html": PAGE, "section_1_7.html": LINK, "structansatz_1_1Drag.html": LINK,
          "drag_8hpp.html": TITLE}
 
 
@@ -41,7 +41,7 @@ class OfASite(unittest.TestCase):
 
     def test_no_page(self) -> None:
         """Then nothing else is asked of it."""
-        self.assertEqual(self.faults(exercise_motion_drag="", chapter_motion=""),
+        self.assertEqual(self.faults(exercise_motion_drag="", section_1_7=""),
                          [f"{EXERCISE} has no page exercise_motion_drag.html"])
 
     def test_each(self) -> None:
@@ -49,11 +49,11 @@ class OfASite(unittest.TestCase):
         no_words = "the page of the exercise drag does not say"
         for part, fault in (("./workbook exercise drag", f"{no_words} its command"),
                             (f"{EXERCISE}/exercise.hpp", f"{no_words} which file to edit"),
-                            ("#section_1_7", "the exercise drag does not link to its section"),
+                            ("section_1_7.html", "the exercise drag does not link to its section"),
                             ("drag_8hpp.html", f"the exercise drag does not link to {HEADER}")):
             self.assertEqual(self.faults(exercise_motion_drag=PAGE.replace(part, "")), [fault])
         other = '<a href="exercise_motion_drag_more.html">x</a>'
-        self.assertEqual(self.faults(chapter_motion=other), ["no chapter links to the exercise drag"])
+        self.assertEqual(self.faults(section_1_7=other), ["no chapter links to the exercise drag"])
         self.assertEqual(self.faults(structansatz_1_1Drag=other), ["no page of the API links to the exercise drag"])
         self.assertEqual(self.faults(drag_8hpp=TITLE.replace("motion", "springs")), [f"{HEADER} has no page"])
 

@@ -44,8 +44,8 @@ class Faults(unittest.TestCase):
     def test_each(self) -> None:
         """In the words that a page's author reads."""
         for text, fault in {
-                "The step $x$ is long.": r"a formula would stay as TeX, write \f$...\f$: $x$ is long.",
-                "$$x$$": r"a formula would stay as TeX, write \f$...\f$: $$x$$",
+                "The step $x$ is long.": r"a formula would stay as TeX, write $`...`$ on a page and \f$...\f$ in a header: $x$ is long.",
+                "$$x$$": r"a formula would stay as TeX, write $`...`$ on a page and \f$...\f$ in a header: $$x$$",
                 r"A \f$ x is": "a formula has no end:  x is", r"x \f] is": "a formula has no beginning",
                 r"\f$ \frca{1}{2} \f$": r"MathJax knows no \frca:  \frca{1}{2} ",
                 r"\f$ \frac{1}{2 \f$": r"a brace has no partner:  \frac{1}{2 ",
@@ -56,7 +56,7 @@ class Faults(unittest.TestCase):
         """In one paragraph: each is told, formulas first."""
         self.assertEqual(self.faults(r"$5 and $x$, \f$ \a \f$, \f$ \b \f$, all"), [
             r"MathJax knows no \a:  \a ", r"MathJax knows no \b:  \b ",
-            r"a formula would stay as TeX, write \f$...\f$: $5 and $x$,  ,  , all"])
+            r"a formula would stay as TeX, write $`...`$ on a page and \f$...\f$ in a header: $5 and $x$,  ,  , all"])
 
     def test_closing_before_opening(self) -> None:
         """As many of both, and wrong."""

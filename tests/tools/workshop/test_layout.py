@@ -16,12 +16,12 @@ class Tabs(unittest.TestCase):
     """Of chapters, programs and exercises."""
 
     def test_chapter(self) -> None:
-        """With its sections; a heading without a label, and what stands before the chapter's, is none of them."""
+        """With its pages; a heading without a label is none of them."""
         self.assertEqual(
-            layout.chapter(["# Before {#section_0}", "# Chapter 1: *motion* {#chapter_motion}",
+            layout.chapter(["# Chapter 1: *motion* {#chapter_motion}",
                             "## 1.7 `v` & \"<drag>\" {#section_1_7}", "## None", "text {#section_1}"]), [
                 '    <tab type="usergroup" visible="yes" url="@ref chapter_motion" title="Chapter 1: motion">',
-                '      <tab type="user" visible="yes" url="chapter_motion.html#section_1_7" '
+                '      <tab type="user" visible="yes" url="@ref section_1_7" '
                 'title="1.7 v &amp; &quot;&lt;drag>&quot;"/>', "    </tab>"])
         self.assertEqual(layout.chapter(["# A page {#page_world}", "## One {#section_1}"]), [])
 
@@ -39,7 +39,7 @@ class Program(unittest.TestCase):
     """The layout whole."""
 
     def test_places(self) -> None:
-        """Each list in the place of its remark; chapters by their number, 10 behind 2, and other pages as they came."""
+        """Each list in the place of its remark; chapters by their number, 10 behind 2; other pages have no tab here."""
         with tempfile.TemporaryDirectory() as folder:
             def write(name: str, text: str) -> str:
                 with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
@@ -48,15 +48,14 @@ class Program(unittest.TestCase):
             arguments = ["--programs", write("p.md", '| \\ref program_a "A" |\n'),
                          "--exercises", write("e.md", '| 1 | \\ref exercise_b "B" | c |\n'),
                          write("l.xml", "<a>\n<!-- exercises -->\n<!-- chapters -->\n<!-- programs -->\n</a>\n"),
-                         write("10.md", "# Chapter 10: ten {#chapter_ten}\n"), write("a.md", "# Z {#chapter_z}\n"),
-                         write("b.md", "# A {#chapter_a}\n"), write("2.md", "# Chapter 2: two {#chapter_two}\n")]
+                         write("10.md", "# Chapter 10: ten {#chapter_ten}\n"), write("a.md", "# Z {#page_z}\n"),
+                         write("b.md", "# A {#page_a}\n"), write("2.md", "# Chapter 2: two {#chapter_two}\n")]
             out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
             with contextlib.redirect_stdout(out):
                 self.assertEqual(layout.main(arguments), 0)
             out.seek(0)
             said = [line.partition('title="')[2].partition('"')[0] or line for line in out.read().split("\n")]
-            self.assertEqual(said, ["<a>", "1 B", "Chapter 2: two", "    </tab>", "Chapter 10: ten", "    </tab>", "Z",
-                                    "    </tab>", "A", "    </tab>", "A", "</a>", ""])
+            self.assertEqual(said, ["<a>", "1 B", "Chapter 2: two", "    </tab>", "Chapter 10: ten", "    </tab>", "A", "</a>", ""])
 
     def test_refusal(self) -> None:
         """Without the list of the programs."""

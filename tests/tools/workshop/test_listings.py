@@ -57,7 +57,7 @@ class Program(unittest.TestCase):
                 self.assertEqual(listings.main([page]), 0)
             out.seek(0)
             self.assertEqual(out.read(),
-                             f"a pasted listing, {page}:3; quote it with \\snippet from a file that is compiled\n")
+                             f"a pasted listing, {page}:3; quote it from a file that is compiled (tools/workshop/forge.py)\n")
 
     def test_refusal(self) -> None:
         """Without a page."""

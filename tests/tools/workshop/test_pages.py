@@ -141,6 +141,15 @@ class Programs(OfAProject):
         self.assertEqual(self.text("out/listing/1-motion/1.7-drag.cpp"),
                          "// SPDX-License-Identifier: BSL-1.0\n//\n// 1.7 Drag: <slow>\nint i;\n")
 
+    def test_models(self) -> None:
+        """A page each, with the whole file and the way back."""
+        self.write("tests/package/models/law.cpp", "// SPDX-License-Identifier: BSL-1.0", "// A law.", "//! [model]", "int i;", "//! [model]")
+        pages.models("out")
+        self.assertEqual(self.text("out/pages/model_law.md").split("\n\n")[:4], [
+            "# law.cpp {#model_law}", "A law.", "\\include listing/models/law.cpp",
+            'One of the policies of \\ref page_world "the page about worlds"; it is compiled against an installed Ansatz, and run.\n'])
+        self.assertEqual(self.text("out/listing/models/law.cpp"), "// SPDX-License-Identifier: BSL-1.0\n// A law.\nint i;\n")
+
     def test_printed(self) -> None:
         """The two lists that are no files."""
         for kind, title in (("exercises", "# Exercises {#page_exercises}"),

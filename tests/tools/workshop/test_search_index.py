@@ -23,7 +23,7 @@ class Words(unittest.TestCase):
         """By each word of the title, and by those that mean the same; not by words that say nothing, or by letters."""
         index = search_index.Index()
         index.add_page(CHAPTER, {"1.7": "air resistance of a"})
-        section = {"chapter_motion.html#section_1_7": "1.7 Drag, the law"}
+        section = {"section_1_7.html": "1.7 Drag, the law"}
         self.assertEqual(index.links, {word: section for word in ("1.7", "drag", "law", "air", "resistance")})
 
     def test_glossary_and_labels(self) -> None:
@@ -35,8 +35,8 @@ class Words(unittest.TestCase):
 | slow, terminal speed | a | \\ref section_1_7 "1.7" |
 | nowhere | b | \\ref section_9 "9" |
 """, {"motion_more": "piles"})
-        self.assertEqual(index.links["terminal"], {"chapter_motion.html#section_1_7": "1.7 Drag, the law"})
-        self.assertEqual(index.links["piles"], {"chapter_motion.html#motion_more": "More of it"})
+        self.assertEqual(index.links["terminal"], {"section_1_7.html": "1.7 Drag, the law"})
+        self.assertEqual(index.links["piles"], {"motion_more.html": "More of it"})
         self.assertFalse({"nowhere", "more", "word"} & set(index.links))
 
     def test_exercises(self) -> None:
@@ -79,7 +79,7 @@ class Program(unittest.TestCase):
             page = write("motion.md", "# Motion {#chapter_motion}\n## 1.7 Drag {#section_1_7}\n")
             self.assertEqual(
                 search_index.main(["--search", folder, "--aliases", write("aliases.txt", "# none\n"), page]), 0)
-            link = "[['../chapter_motion.html#section_1_7',1,'1.7 Drag']]"[1:-1]
+            link = "[['../section_1_7.html',1,'1.7 Drag']]"[1:-1]
             for name, entry in (("all_0.js", f",\n  ['1_2e7_topics',['1.7 (course)',{link}]]"), ("all_1.js", ""),
                                 ("all_a.js", f",\n  ['drag_topics',['drag (course)',{link}]]")):
                 with open(os.path.join(folder, name), encoding="utf-8") as stream:

@@ -26,6 +26,7 @@ class Files(OfAProject):
                 "../chapters/9-magic": '\\ref page_programs "x"', "../chapters": '\\ref page_programs "x"',
                 "../chapters/1-motion/1.7-drag.cpp": '\\ref program_motion_1_7_drag "x"',
                 "../chapters/1-motion/problems.hpp": '\\ref program_motion_problems_hpp "x"',
+                "../tests/package/models/law.cpp": '\\ref model_law "x"', "../tests/package/pool.cpp": "`x`",
                 "../tools/mirror": "`x`", "https://example.org": "[x](https://example.org)",
                 "#here": "[x](#here)"}.items():
             with self.subTest(target):

@@ -11,7 +11,7 @@
 # The numbers of the sections whose pictures a chapter shows, and which are not drawn yet.
 sections_without_picture() {
     local picture
-    cat docs/*.md 2>/dev/null | grep -oE '[\\@]image +html +[^ ]+' | awk '{ print $3 }' | tr -d '"' | sort -u -V | while IFS= read -r picture; do
+    cat docs/*.md 2>/dev/null | grep -oE '"picture [^ "]+' | awk '{ print $2 }' | sort -u -V | while IFS= read -r picture; do
         if [ -f "docs/pictures/$picture" ] || [ -f "$PICTURES/$picture" ]; then continue; fi
         picture=${picture%.svg}
         echo "${picture%%-*}"
