@@ -3,9 +3,11 @@
 
 #include <ansatz/states/machine.hpp>
 #include <ansatz/states/reload.hpp>
+#include <ansatz/states/save.hpp>
 
 #include "tests/states/support.hpp"
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -82,6 +84,42 @@ TEST_CASE("histories stay with their states when a machine goes on in another ch
             }
 }
 
+TEST_CASE("a history whose states cannot be active together any more remembers nothing", "[states]") {
+    // Two parts beside each other, which are alternatives in the next chart; and another parallel state, or none.
+    const auto chart = [](Kind kind, bool other) {
+        Outline o;
+        o.states = {
+            one(""),        one("work"),     one("parts", 1, kind), one("left", 2), one("idle", 3),
+            one("busy", 3), one("right", 2), one("off", 6),         one("on", 6),   one("where", 1, Kind::deep_history),
+            one("break")};
+        o.states[9].initial = {"parts"};
+        o.transitions = {go(1, "rest", "break"), go(10, "back", "where"), go(4, "left", "busy"), go(7, "right", "on")};
+        if (other) {
+            o.states.push_back(one("both", 0, Kind::parallel));
+            o.states.push_back(one("this", 11));
+            o.states.push_back(one("that", 11));
+            o.transitions.push_back(go(10, "two", "both"));
+        }
+        return o;
+    };
+    const auto begun = [&](const Outline& before, const Outline& after) {
+        Npc npc;
+        FromFile machine{make_chart<Npc>(before, {})};
+        machine.start(npc);
+        for (const char* event : {"left", "right", "rest"}) machine.handle(npc, event);
+        machine.reload(npc, make_chart<Npc>(after, {}));
+        machine.handle(npc, "back");
+        std::string in;
+        for (const char* name : {"left", "right", "idle", "busy", "off", "on"})
+            if (machine.is_in(name)) in += std::string(in.empty() ? "" : " ") + name;
+        return in;
+    };
+    CHECK(begun(chart(Kind::parallel, false), chart(Kind::parallel, false)) == "left right busy on");
+    CHECK(begun(chart(Kind::parallel, false), chart(Kind::state, true)) == "left idle");
+    // Where one is remembered at most, it is the first.
+    CHECK(begun(chart(Kind::parallel, false), chart(Kind::state, false)) == "left busy");
+}
+
 TEST_CASE("a machine that is assigned another goes on as that does, whatever chart it had", "[states]") {
     Npc npc;
     Outline plain;
@@ -146,5 +184,34 @@ TEST_CASE("an action that throws leaves the machine where it was, with parallel 
         machine.handle(npc, "back");
         CHECK(machine.is_in("a"));
         CHECK_FALSE(machine.is_in("b"));
+    }
+}
+
+TEST_CASE("a machine whose first entry throws has not started, with parallel states as without", "[states]") {
+    for (const bool parallel : {false, true}) {
+        INFO("parallel " << parallel);
+        Outline o;
+        o.states = {one(""), one("both", 0, parallel ? Kind::parallel : Kind::state), one("left", 1), one("right", 1)};
+        o.states[parallel ? 3 : 2].entry.push_back({Outline::Content::What::action, "hello", 0});
+        Bindings<Npc> names;
+        names.action("hello", [](Npc& n) {
+            if (n.fails) throw 5;
+            ++n.entered;
+        });
+        Npc npc{.fails = true};
+        FromFile machine{make_chart<Npc>(o, names)};
+        CHECK_THROWS_AS(machine.start(npc), int);
+        for (const char* name : {"both", "left", "right"}) CHECK_FALSE(machine.is_in(name));
+        const auto saved = [](const FromFile& m) {
+            std::ostringstream out;
+            save(m, out);
+            return out.str();
+        };
+        CHECK(saved(machine) == saved(FromFile{make_chart<Npc>(o, names)}));
+        npc.fails = false;
+        machine.start(npc);
+        CHECK(machine.is_in("left"));
+        CHECK(machine.is_in("right") == parallel);
+        CHECK(npc.entered == 1);
     }
 }

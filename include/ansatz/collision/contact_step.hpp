@@ -121,7 +121,7 @@ private:
         if constexpr (C::holds_near) {
             auto found = data_.collisions.contacts.acting
                              .cbegin(); // a body that was stopped on its way is both in contact and near
-            const auto ids = [](const auto& c) { return std::pair(c.first.id, c.second.id); };
+            const auto ids = [](const auto& c) { return detail::ids_of(c); };
             for (const auto& contact : data_.collisions.near().all) {
                 while (found != data_.collisions.contacts.acting.cend() && ids(*found) < ids(contact)) ++found;
                 if (found == data_.collisions.contacts.acting.cend() || ids(*found) != ids(contact))

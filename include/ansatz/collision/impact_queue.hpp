@@ -101,7 +101,7 @@ public:
             }
         });
     }
-    /// Two travellers that may meet; `a` has the smaller id.
+    /// Two that may meet, by their places in `travellers`; `a` is that of the smaller id.
     void add_pair(std::uint32_t a, std::uint32_t b) {
         const auto number = std::uint32_t(pairs_.size());
         pairs_.push_back({a, b, travellers[a].first_link, travellers[b].first_link});
@@ -110,7 +110,8 @@ public:
     /// Lets all of them travel, and stops those that meet.
     /// \param pushed   whether they were moved by a response, which may put them into each other as long as none passes
     ///                 another
-    /// \param by_force whether only forces part bodies, so that they have to be in each other
+    /// \param by_force whether bodies are stopped a sixteenth of their thickness deep in each other, where a penalty force
+    ///                 sees them, and not at the first touch
     void follow(const Shapes& shapes, bool pushed, bool by_force) {
         pushed_ = pushed;
         by_force_ = by_force;
@@ -199,7 +200,7 @@ private:
             using A = std::remove_cvref_t<decltype(one)>;
             using B = std::remove_cvref_t<decltype(other)>;
             if constexpr (detail::can_sweep<A, B, S>)
-                there = stops(one, other, between, motion, a.sensor || b.sensor, e.first);
+                there = must_stop(one, other, between, motion, a.sensor || b.sensor, e.first);
         });
         if (!there) return;
         e.time = from + left * e.first.time;
@@ -208,8 +209,8 @@ private:
     }
     /// Whether a motion has to be stopped, and when.
     template <class A, class B>
-    bool stops(const A& a, const B& b, const Point& between, const Point& motion, bool notices,
-               FirstTouch<S>& first) const {
+    bool must_stop(const A& a, const B& b, const Point& between, const Point& motion, bool notices,
+                   FirstTouch<S>& first) const {
         using Length = typename S::Length;
         const Point origin = S::template zero_vector<unit::Length>();
         Touch<S> before, after;

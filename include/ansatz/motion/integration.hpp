@@ -117,7 +117,8 @@ template <class I, int K, class S, class R, class... W, class... X, class A, cla
     else I::advance(Stage<K>{}, row.template get<W>()..., row.template get<X>()..., a, dt);
 }
 
-/// The integrator whose lines advance a body: a wrapper (Compensated) says around which it is.
+/// The integrator whose lines advance a body: a wrapper (Compensated) says around which it is, by the type `Inner` and
+/// the member `integrator`, both in itself and where it is bound.
 template <class I> [[gnu::always_inline]] constexpr const auto& plain_integrator(const I& integrator) {
     if constexpr (requires {
                       typename I::Inner;
@@ -129,7 +130,11 @@ template <class I> [[gnu::always_inline]] constexpr const auto& plain_integrator
 template <class I> using plain_integrator_of = std::remove_cvref_t<decltype(plain_integrator(std::declval<I>()))>;
 template <class I, class S> // the same, bound
 [[gnu::always_inline]] inline const auto& plain_integrator(const BoundIntegrator<I, S>& bound) {
-    if constexpr (requires { bound.verbs.integrator; }) return plain_integrator(bound.verbs.integrator);
+    if constexpr (requires {
+                      typename I::Inner;
+                      bound.verbs.integrator;
+                  })
+        return plain_integrator(bound.verbs.integrator);
     else return bound;
 }
 

@@ -6,7 +6,7 @@
 /// step.
 ///
 /// Ask it before you decide on float or double, on the size of a world and on its step: at 1/240 s a float moves 0.05
-/// m/s rightly within 32 m, and 5 m/s within 4 km. `WorldRadius` has the world tell who is outside.
+/// m/s rightly, within 1 %, out to 32 m, and 5 m/s to 2 km. `WorldRadius` has the world tell who is outside.
 
 #include <ansatz/motion/facts.hpp>
 #include <ansatz/motion/integrators/semi_implicit_euler.hpp>

@@ -203,7 +203,12 @@ private:
         now_ = dt_ = {}, queue_ = {}, stopped_ = false;
         forget();
         for_memories(context, true);
-        enter();
+        try {
+            enter();
+        } catch (...) { // half entered is not started
+            forget();
+            throw;
+        }
         settle(context);
     }
     static Opts make_options([[maybe_unused]] O... options) {

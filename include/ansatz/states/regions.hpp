@@ -41,17 +41,35 @@ public:
     bool has(std::size_t s) const { return s == 0 ? started() : active_[s] != 0; }
     std::size_t first_leaf(const Chart<Context>&) const { return leaves_.empty() ? 0 : leaves_.front(); }
 
-    /// Calls `f(state)` for each that a history remembers.
+    /// Calls `f(state)` for each that a history remembers: its parent, where that was alone.
     void each_remembered(const Chart<Context>& c, std::size_t h, auto&& f) const {
         const char* flags = recorded_.data() + recorded_at_[h];
+        if (!flags[0]) return;
         const std::size_t parent = c.states_[h].parent;
-        for (std::size_t d = parent + 1; flags[0] && d < c.states_[parent].end; ++d)
-            if (flags[d - parent]) f(d);
+        bool alone = true;
+        for (std::size_t d = parent + 1; d < c.states_[parent].end; ++d)
+            if (flags[d - parent]) alone = false, f(d);
+        if (alone) f(parent);
     }
-    /// A history remembers a state in its parent, too.
+    /// A history remembers a state in its parent, too, or that its parent was alone.
     void remember(const Chart<Context>& c, std::size_t h, std::size_t s) {
         char* flags = recorded_.data() + recorded_at_[h];
         flags[0] = flags[s - c.states_[h].parent] = 1;
+    }
+    /// A history whose states cannot be active together remembers nothing.
+    void check_history(const Chart<Context>& c, std::size_t h) {
+        char* flags = recorded_.data() + recorded_at_[h];
+        const std::size_t parent = c.states_[h].parent, end = c.states_[parent].end;
+        std::fill(enters_.begin(), enters_.end(), char(0));
+        for (std::size_t d = parent + 1; d < end; ++d)
+            for (std::size_t up = d; flags[d - parent] && up != parent; up = c.states_[up].parent) enters_[up] = 1;
+        for (std::size_t s = parent; s < end; ++s) {
+            if (c.states_[s].kind != Kind::state) continue;
+            std::size_t inside = 0;
+            for (std::size_t child = s + 1; child < c.states_[s].end; child = c.states_[child].end)
+                inside += std::size_t(enters_[child]);
+            if (inside > 1) return void(std::fill(flags, flags + (end - parent), char(0)));
+        }
     }
 
     /// Enters the initial states.
@@ -150,7 +168,7 @@ private:
             for (const auto t : kept_)
                 if (!c.transitions_[t].stays) aim(c, c.transitions_[t].targets, c.transitions_[t].domain);
             enter_all(machine, context);
-        } catch (...) { // an action of the user's: the machine is where it was, as one without parallel states is
+        } catch (...) { // by an action: the same states are active as before, as without parallel states
             active_ = were_;
             throw;
         }

@@ -67,8 +67,8 @@ Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachi
     return all && entered == 0 ? Reloaded::same_states : Reloaded::other_states;
 }
 
-/// What a history remembers, by names, where it is in its parent still. Charts with parallel states remember several
-/// for each history, all others one.
+/// What a history remembers, by names, where it is in its parent still and, for a deep one, innermost. Charts with
+/// parallel states remember several for each history, all others one.
 template <class D, class Context_, class... O>
 void InterpretedMachine<D, Context_, O...>::keep_history(const InterpretedMachine& before, std::size_t was,
                                                          std::size_t now) {
@@ -76,17 +76,25 @@ void InterpretedMachine<D, Context_, O...>::keep_history(const InterpretedMachin
     const auto& old = *before.chart_;
     const auto& history = c.states_[now];
     const auto keep = [&](std::size_t remembered) {
-        const std::size_t s = index(c.find(old.name(StateId(remembered))));
-        if (s >= c.state_count() || states::is_history(c.states_[s].kind)) return;
-        const bool inside = history.kind == states::Kind::shallow_history
-                                ? c.states_[s].parent == history.parent
-                                : s > history.parent && s < c.states_[history.parent].end;
-        if (!inside) return;
+        std::size_t s = history.parent;
+        if (remembered == old.states_[was].parent) { // it was there alone
+            if (!c.states_[s].childless) return;
+        } else {
+            s = index(c.find(old.name(StateId(remembered))));
+            if (s >= c.state_count() || states::is_history(c.states_[s].kind)) return;
+            const bool inside = history.kind == states::Kind::shallow_history
+                                    ? c.states_[s].parent == history.parent
+                                    : s > history.parent && s < c.states_[history.parent].end &&
+                                          c.states_[s].initial.count == 0 &&
+                                          c.states_[s].kind != states::Kind::parallel;
+            if (!inside) return;
+        }
         if (c.parallel_) regions_.remember(c, now, s);
-        else history_[now] = std::uint16_t(s);
+        else if (history_[now] == states::nowhere) history_[now] = std::uint16_t(s); // of several, the first
     };
     if (old.parallel_) before.regions_.each_remembered(old, was, keep);
     else if (before.history_[was] != states::nowhere) keep(before.history_[was]);
+    if (c.parallel_) regions_.check_history(c, now);
 }
 
 template <class D, class Context_, class... O>

@@ -96,7 +96,7 @@ concept ExecutionPolicy =
 /// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only. A policy of any role may have
 /// `std::string report(const auto& world, const Quantity<unit::Time>& dt) const`, which `World::status` asks: a
 /// sentence about the world as it is now, or nothing. `dt` is the length of the last step, or of its parts where a
-/// response divides it; nobody is asked before the first step.
+/// response or a StepControl divides it; nobody is asked before the first step.
 ///
 /// \snippet tests/world/page.cpp recorder
 ///

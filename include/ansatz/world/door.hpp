@@ -176,17 +176,18 @@ template <class... P> Status World<P...>::status() const {
 
 template <class... P> template <class Policy> void World<P...>::let_say([[maybe_unused]] Status& status) const {
     if constexpr (detail::names_report<Policy>) {
-        constexpr bool understood = requires(const Policy& policy, const Quantity<unit::Time>& dt, std::string& said) {
-            said = policy.report(*this, dt);
+        constexpr bool understood = requires(const Policy& policy, const Quantity<unit::Time>& dt) {
+            { policy.report(*this, dt) } -> std::same_as<std::string>;
         };
         static_assert(understood,
                       "Ansatz: a policy that has something to say in status(), with a wrong signature; it "
                       "needs `std::string report(const auto& world, const Quantity<unit::Time>& dt) const`");
         if constexpr (understood) {
-            if (tick() == 0) return; // no step has a length yet
+            if (tick() == 0 || status.lost) return; // no step has a length yet, or the last was not whole
             int parts = 1;
             inside().template tell<hook::NextParts>(parts);
-            const auto said = get<Policy>().report(*this, scalar_cast<double>(data_.clock.last()) / double(parts));
+            const std::string said =
+                get<Policy>().report(*this, scalar_cast<double>(data_.clock.last()) / double(parts));
             if (!said.empty()) status.said += (status.said.empty() ? "" : "; ") + said;
         }
     }

@@ -100,7 +100,7 @@ template <class IntegratorT> struct Compensated {
         explicit In(const Compensated& compensated) : integrator(compensated.integrator) {}
 
         /// Stage `K` of the inner integrator, of the way since the step began.
-        /// \param first of several stages, where the step began; of one, the acceleration
+        /// \param first where the step began, of several stages; of one, what the inner one is given first
         template <int K>
         [[gnu::always_inline]] void advance(Stage<K>, auto& x, auto& v, auto& remainder, auto& first,
                                             auto&... rest) const {
