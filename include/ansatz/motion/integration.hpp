@@ -138,13 +138,6 @@ template <class I, class S> // the same, bound
     else return bound;
 }
 
-/// What rounding dropped from the sum `a + b`, exactly (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
-template <class V> [[gnu::always_inline]] inline V dropped_from_sum(const V& a, const V& b, const V& sum) {
-    const V of_b = sum - a;
-    const V of_a = sum - of_b;
-    return V(a - of_a) + V(b - of_b);
-}
-
 /// Stage `K` of all degrees of freedom: what accelerates them is asked before any of them moves.
 template <class I, int K, class S, class Degrees, class R, class A>
 [[gnu::always_inline]] inline void advance_all(const BoundIntegrator<I, S>& integrator,
