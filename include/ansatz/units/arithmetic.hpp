@@ -56,14 +56,12 @@ template <class S, int R, int K, int C, int O1, int O2>
     return result;
 }
 
-namespace detail {
 /// What rounding dropped from the sum `a + b`, exactly (Knuth, The Art of Computer Programming 2, 4.2.2, theorem B).
 template <class V> [[gnu::always_inline]] inline V dropped_from_sum(const V& a, const V& b, const V& sum) {
     const V of_b = sum - a;
     const V of_a = sum - of_b;
     return V(a - of_a) + V(b - of_b);
 }
-} // namespace detail
 
 } // namespace ansatz::detail
 
