@@ -344,6 +344,26 @@ def faults_of_links(file: str, text: str) -> list[str]:
     return faults
 
 
+HTML = re.compile(r"<(?!/?(?:a|br|details|img|kbd|sub|summary|sup)\b|https?:|!--)[A-Za-z][^<>]*>")
+
+
+def faults_of_html(file: str, text: str) -> list[str]:
+    """What a forge takes for HTML, and rows of tables that it cuts."""
+    faults: list[str] = []
+    cells = 0
+    raw = text.split("\n")
+    for number, line in enumerate(without_code(text), start=1):
+        if tag := HTML.search(line):
+            faults.append(f"{file}:{number}: a forge takes {tag[0]} for HTML and drops it; put it in backticks")
+        if re.match(r"\s*<!--.*-->\s*\S", line):
+            faults.append(f"{file}:{number}: a forge shows text behind a comment as HTML; put the comment behind the text")
+        now = len(re.findall(r"(?<!\\)\|", raw[number - 1])) if line.startswith("|") else 0
+        if cells and now and now != cells:
+            faults.append(f"{file}:{number}: a forge cuts this row: {now - 1} cells, the head of its table has {cells - 1}")
+        cells = cells if cells and now else now
+    return faults
+
+
 def faults_of(file: str, text: str) -> list[str]:
     """What a forge would show as it should not."""
     faults = [f"{file}:{number}: a forge shows {command[0]} as it is written; forge.py write puts Markdown in its place"
@@ -353,7 +373,7 @@ def faults_of(file: str, text: str) -> list[str]:
         number = next((i for i, (a, b) in enumerate(zip(lines, now)) if a != b), min(len(lines), len(now)))
         line = lines[number] if number < len(lines) else ""
         faults.append(f"{file}:{number + 1}: what it quotes or links to is otherwise now: \"{line[:60]}\"; forge.py write")
-    return faults + faults_of_links(file, text)
+    return faults + faults_of_links(file, text) + faults_of_html(file, text)
 
 
 def main(arguments: list[str]) -> int:

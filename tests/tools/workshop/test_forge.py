@@ -100,7 +100,7 @@ class Pages(unittest.TestCase):
 
     def test_faults(self) -> None:
         """Each is planted alone, and told with its line."""
-        good = f'# A <a id="page_a"></a>\n\n[1.7](motion.md#chapter_motion), `\\ref x`.\n\n{QUOTED}\n\n{OUTPUT}\n'
+        good = f'# A <a id="page_a"></a>\n\n[1.7](motion.md#chapter_motion), `\\ref x<y>`.\n\n{QUOTED}\n\n{OUTPUT}\n'
         self.assertEqual(forge.faults_of("docs/a.md", good), [])
         for planted, told in {
                 '\\ref section_1_7 "1.7"': "docs/a.md:17: a forge shows \\ref as it is written",
@@ -112,6 +112,9 @@ class Pages(unittest.TestCase):
                 "[x](nowhere.md)": "docs/a.md:17: there is no docs/nowhere.md, to which it links",
                 "[x](collision.md#nowhere)": "docs/a.md:17: docs/collision.md has no place 'nowhere', to which it links",
                 "![x](pictures/2.svg)": "docs/a.md:17: there is no docs/pictures/2.svg",
+                "The Odeint<Stepper> of Boost.": "docs/a.md:17: a forge takes <Stepper> for HTML and drops it",
+                "<!-- costs: x --> A sentence.": "docs/a.md:17: a forge shows text behind a comment as HTML",
+                "| a | b |\n|---|---|\n| `x || y` | z |": "docs/a.md:19: a forge cuts this row: 4 cells, the head of its table has 2",
         }.items():
             with self.subTest(planted):
                 found = forge.faults_of("docs/a.md", good + "\n" + planted + "\n")
