@@ -355,7 +355,7 @@ def faults_of_html(file: str, text: str) -> list[str]:
     for number, line in enumerate(without_code(text), start=1):
         if tag := HTML.search(line):
             faults.append(f"{file}:{number}: a forge takes {tag[0]} for HTML and drops it; put it in backticks")
-        if re.match(r"\s*<!--.*-->\s*\S", line):
+        if line.strip() and re.match(r"\s*<!--.*-->\s*\S", raw[number - 1]):
             faults.append(f"{file}:{number}: a forge shows text behind a comment as HTML; put the comment behind the text")
         now = len(re.findall(r"(?<!\\)\|", raw[number - 1])) if line.startswith("|") else 0
         if cells and now and now != cells:
