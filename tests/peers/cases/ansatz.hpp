@@ -115,8 +115,8 @@ template <class W> std::unique_ptr<Engine> our_engine(const Scene& scene, W worl
 }
 
 /// The one composition for contacts: docs/collision.md, "what is supported". Eight parts at 120/s hold 300 : 1.
-template <class Space_, class Narrow>
-std::unique_ptr<Engine> our_contacts(const Scene& scene, const Narrow& narrowphase) {
+template <class Space_, class Narrow, class Integrator = ansatz::SemiImplicitEuler>
+std::unique_ptr<Engine> our_contacts(const Scene& scene, const Narrow& narrowphase, const Integrator& integrator = {}) {
     using namespace ansatz;
     const Vector& g = scene.gravity;
     SoftSubsteps<Friction> response;
@@ -130,7 +130,7 @@ std::unique_ptr<Engine> our_contacts(const Scene& scene, const Narrow& narrowpha
         rest.time = (scene.sleeps ? scene.slow_for : 1e30) * second; // nobody sleeps
     }
     rest.pull = 1e-3 * scene.size * metre_per_second_squared;
-    return our_engine(scene, World{Space_{}, SemiImplicitEuler{}, Gravity{metres_per_second_squared(g[0], g[1], g[2])},
+    return our_engine(scene, World{Space_{}, integrator, Gravity{metres_per_second_squared(g[0], g[1], g[2])},
                                    AppliedForces{}, UniformGrid{}, narrowphase, response, rest});
 }
 /// Contacts that are springs: Penalty, in implicit steps.
@@ -161,6 +161,7 @@ template <class Space_> std::unique_ptr<Engine> ours(const Scene& scene) {
     using Shapes = Narrowphase<Sphere, Plane, Box>;
     if (scene.soft > 0) return our_soft_contacts<Space_>(scene);
     if (scene.detection == Scene::Detection::continuous) return our_contacts<Space_>(scene, Swept<Shapes>{});
+    if (scene.far) return our_contacts<Space_>(scene, Shapes{}, Compensated<SemiImplicitEuler>{});
     return our_contacts<Space_>(scene, Shapes{});
 }
 
@@ -191,7 +192,7 @@ template <class Scalar> Contestant our_contestant() {
             .epsilon = double(std::numeric_limits<Scalar>::epsilon()),
             .settings = {"contacts: SemiImplicitEuler, UniformGrid, Narrowphase<Sphere, Plane, Box>, "
                          "SoftSubsteps<Friction> with 8 parts at 120/s, Rest",
-                         "Swept where a row asks for continuous detection",
+                         "Swept where a row asks for continuous detection, Compensated where it is far from the origin",
                          "springs, orbits and drag: VelocityVerlet where the step resolves them, else ImplicitEuler"},
             .make = ours<S>,
             .pairs = our_pairs<S>};

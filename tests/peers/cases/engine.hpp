@@ -38,6 +38,7 @@ struct Scene {
     double pull_of_sun = 0;            ///< m^3/s^2: everybody is drawn to the origin by this / r^2
     double drag = 0;                   ///< 1/s: of a velocity e^(-drag t) shall be left
     double drag_dt = 0;                ///< s, the step for which drag is set up, where an engine takes a factor a step
+    bool far = false;                  ///< bodies are so far from the origin that places are coarse beside their steps
 };
 
 struct Ball {

@@ -244,7 +244,7 @@ double v3_energy(const Contestant& who) {
 double v7_far(const Contestant& who) {
     double most = 0;
     for (const double away : {512.0, 4096.0}) {
-        const auto world = who.make({.dt = 1.0 / 240, .gravity = Vector::Zero()});
+        const auto world = who.make({.dt = 1.0 / 240, .gravity = Vector::Zero(), .far = true});
         const int ball = world->add(Ball{.x = at(away), .v = at(0.05)});
         world->steps(240 * 20);
         most = worse(most, std::abs((world->x(ball)[0] - away) / 1.0 - 1));
