@@ -202,11 +202,13 @@ private:
         return acceleration_(slot, data_.load(slot, dt_));
     }
 
+    template <class... Column> // no lambda: clang++ inlines none by name
+    [[gnu::always_inline]] void load_columns(auto& row, Slot slot, Columns<Column...>) const {
+        ((row.template get<Column>() = value<Column>(slot)), ...);
+    }
     template <class R> [[gnu::always_inline]] Body<R> load(Slot slot, bool is_free) const {
         Body<R> row;
-        [&]<class... Column>(Columns<Column...>) [[gnu::always_inline]] {
-            ((row.template get<Column>() = value<Column>(slot)), ...);
-        }(typename Body<R>::columns{});
+        load_columns(row, slot, typename Body<R>::columns{});
         if (!is_free) row.template get<InverseMass>() = typename S::InverseMass();
         return row;
     }

@@ -33,11 +33,15 @@ public:
 
     /// A body: from `since` on it is at `at` and moves at `rate`. Times are parts of the step.
     struct Traveller {
-        std::uint32_t id, slot;
+        std::uint32_t id;                ///< of the body
+        std::uint32_t slot;              ///< its slot
         bool stops;                      ///< where it meets another; a body that a program moves does not
-        bool fast, sensor;               ///< it is
-        Point at, rate;                  ///< m; m in a step
-        Scalar since{0}, lost{0};        ///< lost: the part of the step that was left when it was stopped first
+        bool fast;                       ///< moves by more than a quarter of its smallest extent
+        bool sensor;                     ///< only notices
+        Point at;                        ///< where it is at `since`, m
+        Point rate;                      ///< how far it moves in a whole step, m
+        Scalar since{0};                 ///< when its motion changed last
+        Scalar lost{0};                  ///< what was left of the step when it was stopped first
         Point stopped_at{};              ///< where that was, m
         int count = 0;                   ///< how often it was stopped
         std::uint32_t version = 0;       ///< of its motion
@@ -45,7 +49,8 @@ public:
     };
     /// Two that have met.
     struct Impact {
-        std::uint32_t a, b;  ///< their ids
+        std::uint32_t a;     ///< the smaller id
+        std::uint32_t b;     ///< the other
         FirstTouch<S> first; ///< its arm is the place, m
     };
 
