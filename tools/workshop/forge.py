@@ -344,7 +344,7 @@ def faults_of_links(file: str, text: str) -> list[str]:
     return faults
 
 
-HTML = re.compile(r"<(?!/?(?:a|br|details|img|kbd|sub|summary|sup)\b|https?:|!--)[A-Za-z][^<>]*>")
+HTML = re.compile(r"<(?!/?(?:a|br|details|img|kbd|pre|sub|summary|sup)\b|https?:|!--)[A-Za-z][^<>]*>")
 
 
 def faults_of_html(file: str, text: str) -> list[str]:
