@@ -143,6 +143,6 @@ TEST_CASE("ten thousand random machines do what an oracle says", "[states]") {
         transitions += std::size_t(std::count(trace.begin(), trace.end(), '*'));
         restored += outline.states.size() && oracle.remembered.size() ? 1 : 0;
     }
-    CHECK(transitions > 3 * machines); // they move
-    CHECK(restored > machines / 50);   // and histories remember
+    CHECK(transitions > std::size_t(test::at_least(30000))); // they move
+    CHECK(restored > std::size_t(test::at_least(200)));      // and histories remember
 }
