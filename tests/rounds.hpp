@@ -15,7 +15,8 @@ inline constexpr int one_in = 1;
 
 /// \param all how many rounds a test has
 constexpr int rounds(int all) { return all / one_in; }
-/// \param all what all rounds together must meet at least; of a part of them half its share, since few rounds differ more
+/// What they must meet at least; of a part of the rounds half its share, since few rounds differ more.
+/// \param all what all rounds together must meet
 constexpr int at_least(int all) { return one_in == 1 ? all : all / (2 * one_in); }
 
 } // namespace ansatz::test

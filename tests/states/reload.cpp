@@ -35,6 +35,15 @@ Outline::Transition go(std::size_t from, const char* event, const char* to) {
     t.targets = {to};
     return t;
 }
+/// An action that counts, or fails.
+Bindings<Npc> greeting() {
+    Bindings<Npc> names;
+    names.action("hello", [](Npc& n) {
+        if (n.fails) throw 5;
+        ++n.entered;
+    });
+    return names;
+}
 /// Work of two kinds, each in two steps, a break, and back to where the work was.
 Outline work(Kind history, bool parallel) {
     Outline o;
@@ -165,11 +174,7 @@ TEST_CASE("an action that throws leaves the machine where it was, with parallel 
             o.states.push_back(one("right", 3));
             o.transitions.push_back(go(2, "two", "both"));
         }
-        Bindings<Npc> names;
-        names.action("hello", [](Npc& n) {
-            if (n.fails) throw 5;
-            ++n.entered;
-        });
+        const auto names = greeting();
         Npc npc{.fails = true};
         FromFile machine{make_chart<Npc>(o, names)};
         machine.start(npc);
@@ -193,11 +198,7 @@ TEST_CASE("a machine whose first entry throws has not started, with parallel sta
         Outline o;
         o.states = {one(""), one("both", 0, parallel ? Kind::parallel : Kind::state), one("left", 1), one("right", 1)};
         o.states[parallel ? 3 : 2].entry.push_back({Outline::Content::What::action, "hello", 0});
-        Bindings<Npc> names;
-        names.action("hello", [](Npc& n) {
-            if (n.fails) throw 5;
-            ++n.entered;
-        });
+        const auto names = greeting();
         Npc npc{.fails = true};
         FromFile machine{make_chart<Npc>(o, names)};
         CHECK_THROWS_AS(machine.start(npc), int);

@@ -202,7 +202,8 @@ private:
         return acceleration_(slot, data_.load(slot, dt_));
     }
 
-    template <class... Column> // no lambda: clang++ inlines none by name
+    // A function and no lambda, on which clang++ ignores the attribute.
+    template <class... Column>
     [[gnu::always_inline]] void load_columns(auto& row, Slot slot, Columns<Column...>) const {
         ((row.template get<Column>() = value<Column>(slot)), ...);
     }

@@ -229,8 +229,8 @@ template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs, co
 /// grows.
 ///
 /// It is of the world as it stands: springs stay as stiff as they are however they stretch, a filling (`Pressure`)
-/// becomes stiffer as its surface is pressed or inflated, up to seven times the step in a ball that falls on the
-/// ground. Ask again before each step there, or take `StepLimit`, which does.
+/// becomes stiffer as its surface is pressed or inflated. Ask again before each step there, or take `StepLimit`, which
+/// does.
 ///
 /// It is on the safe side: a chain of twenty bodies takes 0.3 % more, and `measured_stiffness` says how much a world
 /// does. Forces of one body (`Gravity`, a drag of yours) are not looked at, nor those between bodies that do not say

@@ -100,7 +100,7 @@ concept ExecutionPolicy =
 ///
 /// \snippet tests/world/page.cpp recorder
 ///
-/// The library has one of its own, `WorldRadius`: what else a game or a test wants to see, it says itself. A
+/// What a game or a test wants to see, it says itself; of the library's own e.g. `WorldRadius` is one. A
 /// \ref ansatz::World asks it after each step.
 template <class O, class S>
 concept ObserverIn =

@@ -28,7 +28,7 @@ struct Status {
     std::uint64_t unsolved = 0;   ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
-    std::string said{};           ///< what policies of the world have to say, now: WorldRadius, or one of your own
+    std::string said{};           ///< what policies have to say, now; one of your own, or e.g. WorldRadius
     /// Nothing went wrong.
     bool ok() const { return !lost && unsolved == 0 && not_finite == 0 && said.empty(); }
     /// "ok", or what went wrong.
