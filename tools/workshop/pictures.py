@@ -22,7 +22,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from workshop import forge  # noqa: E402  (it is run as a file)
 
 STAND_IN = (
-    '<svg xmlns="http://www.w3.org/2000/svg" width="640" height="60"><rect width="640" height="60" fill="#eee"/>'
+    '<svg xmlns="http://www.w3.org/2000/svg" width="640" height="60" viewBox="0 0 640 60"><rect width="640" height="60" fill="#eee"/>'
     '<text x="320" y="35" text-anchor="middle" font-family="sans-serif" font-size="14" fill="#555">'
     "Not drawn yet. {command} draws it; then ./workbook docs shows it here.</text></svg>\n")
 

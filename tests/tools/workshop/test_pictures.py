@@ -41,6 +41,10 @@ class OfAProject(unittest.TestCase):
                 self.assertIn(f">Not drawn yet. {command} draws it; then ./workbook docs shows it here.<",
                               stream.read())
 
+    def test_stand_in_shrinks(self) -> None:
+        """A phone is narrower than a stand-in: without a viewBox its words would be cut there."""
+        self.assertIn('viewBox="0 0 640 60"', pictures.STAND_IN)
+
     def test_of_nobody(self) -> None:
         """Neither in docs/pictures nor of a section that there is."""
         text = "".join(f"\\image html {name}.svg\n" for name in ("there", "1.7", "1.7-two", "1.8", "own"))
