@@ -55,6 +55,52 @@ TEMPLATE_TEST_CASE("Random tears leave who is left by the rules, and keep mass a
     }
 }
 
+TEMPLATE_TEST_CASE("Beside a far larger side of its vertex a side keeps a mass", "[soft_bodies][tearing]", double,
+                   float) {
+    const double rounding = std::numeric_limits<TestType>::epsilon();
+    // Short sides of three fans; the first stays with the body, the others go in this order.
+    for (const std::array<double, 3>& sides :
+         {std::array{0.5, 0.25, 1.0}, std::array{0.1 * rounding, 1.0, 0.0}, std::array{1.0, 0.1 * rounding, 0.0},
+          std::array{1e-4, 1.0, 1e-4}, std::array{1.0, 1e-9, 0.1 * rounding}}) {
+        World world{Space<TestType, 3>{}, SemiImplicitEuler{}, Springs<Breaking>{}, Tearing<Splitting>{.room = 10}};
+        const auto at = [&](double x, double y) { return world.add(position(metres(x, y, 0)), mass(3.0 * kilogram)); };
+        const auto middle = at(0, 0);
+        double all = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double turn = 2.0 * double(i), side = sides[i];
+            if (side == 0) continue;
+            const auto corner = [&](double angle) { return at(side * std::cos(angle), side * std::sin(angle)); };
+            const auto one = corner(turn), other = corner(turn + 1);
+            world.add(TearableTriangle{{middle, one, other}});
+            all += side * side;
+        }
+        const auto torn = at(1, -1), pulled = at(2, -1);
+        world.add(TearableTriangle{{middle, torn, pulled}});
+        world.add(Spring{.first = torn, .second = pulled, .stiffness = 1.0 * newton_per_metre}, breaks_at(0.3));
+        world.set_position(pulled, metres(5, -1, 0));
+        const double before = mass_of_all(world);
+        world.step(0.01 * second);
+        CAPTURE(sides[0], sides[1], sides[2], rounding);
+        REQUIRE(world.split_vertices().size() == (sides[2] == 0 ? 1 : 2));
+        CHECK(mass_of_all(world) == Approx(before).epsilon(4 * rounding));
+        CHECK(world.status().ok());
+        std::vector<Handle> holders = {middle};
+        for (const auto& [from, to] : world.split_vertices()) holders.push_back(to);
+        for (std::size_t i = 0; i < holders.size(); ++i) {
+            const double has = double(world.mass(holders[i]).value());
+            CHECK(has > 0);
+            // To the rounding of what is in the larger sides.
+            CHECK(std::abs(has - 3 * sides[i] * sides[i] / all) <= 12 * rounding);
+        }
+        std::stringstream file;
+        save(world, file);
+        auto loaded =
+            World{Space<TestType, 3>{}, SemiImplicitEuler{}, Springs<Breaking>{}, Tearing<Splitting>{.room = 10}};
+        load(loaded, file);
+        CHECK(loaded.hash() == world.hash());
+    }
+}
+
 TEST_CASE("Without room vertices wait, and part at the next tear when there is some", "[soft_bodies][tearing]") {
     std::mt19937 random(5);
     auto world = tearing_world<SemiImplicitEuler, double>(Tearing<Splitting>{.room = 3});

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSL-1.0
 """Writes the file in which the answers to an exercise are compiled.
 
-`others`, all but the student's in one: each has a namespace of its own, with the tests in it once more. The headers
-that it includes come before, so that they are parsed once; inside, their guards leave nothing of them. What macros an
+`others`, all but the student's in one: each has a namespace of its own, with the tests in it once more; the last has none,
+since the student's has none either, and a name of the tests that the library has too must be found before a student finds
+it. The headers that it includes come before, so that they are parsed once; inside, their guards leave nothing of them. What macros an
 answer defines or undefines, in itself or in the files beside it that it includes, are as they were after it. What is
 written does not compile those that ANSATZ_BROKEN_<n> names, and with ANSATZ_ONLY=<n> but one.
 
@@ -90,26 +91,32 @@ def only_for(number: int, lines: list[str]) -> list[str]:
     return [one, *lines, "#endif"]
 
 
+def alone(number: int, last: int, lines: list[str]) -> list[str]:
+    """Lines in the namespace of the subject of that number; the last one has none, as the student's file."""
+    return lines if number == last else [f"namespace subject_{number} {{", *lines, "}"]
+
+
 def others(place: str, exercise: str, out: str, names: list[str]) -> str:
     """What compiles the subjects of these names: solution and library stand in the exercise's folder, those that are
     made in `out`, where what is returned belongs."""
     lines = ["// Made by tools/exercises/subjects.sh.", '#include "tools/exercises/expect.hpp"',
              "template <int> struct NothingIsOpen;"]
+    last = len(names) - 1
     for number, name in enumerate(names):
         written = name in ("solution", "library")
         file = os.path.join(exercise if written else out, name + ".hpp")
         macros = macros_of(file)
         # What others include is no help to this one as long as it comes first: so does the solution, and the skeletons.
         lines += ["", f"// subject {number}: {name}", *only_for(number, [
-            "\n".join(headers_of(file)), kept(macros, "push"), f"namespace subject_{number} {{",
-            f'static constexpr const char* tested_subject = "{name}";',
-            f'#include "{place + "/" if written else ""}{name}.hpp"', "}",
+            "\n".join(headers_of(file)), kept(macros, "push"),
+            *alone(number, last, [f'static constexpr const char* tested_subject = "{name}";',
+                                  f'#include "{place + "/" if written else ""}{name}.hpp"']),
             kept(macros, "pop"), f"template <> struct NothingIsOpen<{number}> {{}};"])]
     lines += ["", *headers_of(os.path.join(exercise, "test.cpp"))]
     for number in range(len(names)):
-        lines += only_for(number, [
-            f"namespace subject_{number} {{", f'#include "{place}/test.cpp"',
-            "static const ansatz::workbook::RegisteredProbe registered_probe(tested_subject, &probe);", "}"])
+        lines += only_for(number, alone(number, last, [
+            f'#include "{place}/test.cpp"',
+            "static const ansatz::workbook::RegisteredProbe registered_probe(tested_subject, &probe);"]))
     return "".join(line + "\n" for line in lines)
 
 

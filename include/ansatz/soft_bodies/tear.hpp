@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -198,22 +199,28 @@ private:
             if (corner.id != at && other.has(corner.id)) return true;
         return false;
     }
+    /// The part of the mass that goes with these areas. Beside a side that is larger by more than rounding can tell, a
+    /// side gets the least share that leaves both of them a mass: with none its inverse mass would be infinite.
+    static typename S::Scalar share_of(typename S::Scalar goes, typename S::Scalar stays) {
+        using Scalar = typename S::Scalar;
+        const Scalar least = std::numeric_limits<Scalar>::epsilon(), most = Scalar(1) - least;
+        const Scalar share = goes / (goes + stays);
+        if (share < least) return least;
+        return share > most ? most : share;
+    }
     void split_vertex(std::uint32_t body, std::size_t first, std::size_t last, std::size_t room) {
         const auto count = find_fans(body, first, last);
         const auto& around = table_.scratch.value.around;
         const auto& fans = table_.scratch.value.fans;
-        typename S::Scalar left(0); // m^2, of the fans that have not gone yet
-        for (const auto triangle : around) left += before_[triangle].area.value();
         for (std::uint32_t fan = 1; fan < count; ++fan) {
             if (table_.split >= room) {
                 table_.waiting += count - fan;
                 return;
             }
-            typename S::Scalar area(0);
+            typename S::Scalar goes(0), stays(0); // m^2, of this fan, and of the others that have not gone yet
             for (std::size_t i = 0; i < around.size(); ++i)
-                if (fans[i] == fan) area += before_[around[i]].area.value();
-            const auto part = view_.divide(body, area / left);
-            left -= area;
+                if (fans[i] == 0 || fans[i] >= fan) (fans[i] == fan ? goes : stays) += before_[around[i]].area.value();
+            const auto part = view_.divide(body, share_of(goes, stays));
             for (std::size_t i = 0; i < around.size(); ++i)
                 if (fans[i] == fan) {
                     Row_ row = table_.row(around[i]);

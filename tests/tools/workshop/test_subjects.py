@@ -32,7 +32,8 @@ STUDENT = """template <class> struct NothingIsOpen;
 template <> struct NothingIsOpen<int> {};
 """
 
-# With two answers: one that includes something and changes macros, and one that does neither.
+# With two answers: one that includes something and changes macros, and one that does neither, and, as the last, has no
+# namespace.
 OTHERS = """// Made by tools/exercises/subjects.sh.
 #include "tools/exercises/expect.hpp"
 template <int> struct NothingIsOpen;
@@ -56,10 +57,8 @@ template <> struct NothingIsOpen<0> {};
 #if !defined(ANSATZ_BROKEN_1) && (!defined(ANSATZ_ONLY) || ANSATZ_ONLY + 0 == 1)
 
 
-namespace subject_1 {
 static constexpr const char* tested_subject = "wrong.sign";
 #include "wrong.sign.hpp"
-}
 
 template <> struct NothingIsOpen<1> {};
 #endif
@@ -72,10 +71,8 @@ static const ansatz::workbook::RegisteredProbe registered_probe(tested_subject, 
 }
 #endif
 #if !defined(ANSATZ_BROKEN_1) && (!defined(ANSATZ_ONLY) || ANSATZ_ONLY + 0 == 1)
-namespace subject_1 {
 #include "exercises/1-a/b/test.cpp"
 static const ansatz::workbook::RegisteredProbe registered_probe(tested_subject, &probe);
-}
 #endif
 """
 
