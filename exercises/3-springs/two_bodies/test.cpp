@@ -47,12 +47,12 @@ double followed(const Swing& s) {
     return 4 * (t - dt + dt * before / (before - (b - a)));
 }
 
-using Springs = std::vector<Stiffness>;
-const std::vector<Springs> sets{
+using Stiffnesses = std::vector<Stiffness>;
+const std::vector<Stiffnesses> sets{
     {200.0 * newton_per_metre, 50.0 * newton_per_metre},
     {30.0 * newton_per_metre, 70.0 * newton_per_metre, 400.0 * newton_per_metre},
     {8.0 * newton_per_metre, 1.5 * newton_per_metre, 2.5 * newton_per_metre, 90.0 * newton_per_metre}};
-std::string said(const Springs& springs) {
+std::string said(const Stiffnesses& springs) {
     std::ostringstream text;
     text << "springs of";
     for (const char* between = " "; const Stiffness& k : springs) text << between << k.value(), between = ", ";
@@ -146,7 +146,7 @@ TEST_CASE("two of one mass swing as one of them on half of the spring", "[task-1
 }
 
 TEST_CASE("beside each other springs add their forces", "[task-2][beside]") {
-    for (const Springs& springs : sets) {
+    for (const Stiffnesses& springs : sets) {
         double right = 0;
         for (const Stiffness& k : springs) right += k.value();
         expect_near(said(springs) + " beside each other: as stiff as one of", exercise::beside(springs),
@@ -156,7 +156,7 @@ TEST_CASE("beside each other springs add their forces", "[task-2][beside]") {
 }
 
 TEST_CASE("in a row springs add their stretches", "[task-2][row]") {
-    for (const Springs& springs : sets) {
+    for (const Stiffnesses& springs : sets) {
         double stretch = 0; // under one newton
         for (const Stiffness& k : springs) stretch += 1 / k.value();
         std::ostringstream why;
@@ -169,7 +169,7 @@ TEST_CASE("in a row springs add their stretches", "[task-2][row]") {
 
 TEST_CASE("a spring cut into equal parts is their row again", "[task-2][cut]") {
     for (const int parts : {1, 2, 5, 12}) {
-        const Springs springs(static_cast<std::size_t>(parts), double(parts) * 60.0 * newton_per_metre);
+        const Stiffnesses springs(static_cast<std::size_t>(parts), double(parts) * 60.0 * newton_per_metre);
         std::ostringstream text;
         text << "a spring of 60 N/m in " << parts << " equal parts, each of " << springs[0] << ": the row of them";
         expect_near(text.str(), exercise::in_a_row(springs), 60.0 * newton_per_metre, 1e-7 * newton_per_metre,
@@ -255,7 +255,7 @@ std::vector<double> probe(int task) {
     if (task == 1)
         for (const Swing& s : swings) numbers.push_back(yours(s).value());
     if (task == 2)
-        for (const Springs& springs : sets) {
+        for (const Stiffnesses& springs : sets) {
             numbers.push_back(exercise::beside(springs).value());
             numbers.push_back(exercise::in_a_row(springs).value());
         }
