@@ -17,7 +17,7 @@ using exercise::Pair;
 using Time = Quantity<unit::Time>;
 using Length = Quantity<unit::Length>;
 using Velocity = Quantity<unit::Velocity>;
-using Stiffness = Quantity<unit::Stiffness>;
+using PerMetre = Quantity<unit::Stiffness>;
 
 struct Swing {
     double first, second, stiffness; // kg, kg, N/m
@@ -47,15 +47,15 @@ double followed(const Swing& s) {
     return 4 * (t - dt + dt * before / (before - (b - a)));
 }
 
-using Stiffnesses = std::vector<Stiffness>;
-const std::vector<Stiffnesses> sets{
+using SideBySide = std::vector<PerMetre>;
+const std::vector<SideBySide> sets{
     {200.0 * newton_per_metre, 50.0 * newton_per_metre},
     {30.0 * newton_per_metre, 70.0 * newton_per_metre, 400.0 * newton_per_metre},
     {8.0 * newton_per_metre, 1.5 * newton_per_metre, 2.5 * newton_per_metre, 90.0 * newton_per_metre}};
-std::string said(const Stiffnesses& springs) {
+std::string said(const SideBySide& springs) {
     std::ostringstream text;
     text << "springs of";
-    for (const char* between = " "; const Stiffness& k : springs) text << between << k.value(), between = ", ";
+    for (const char* between = " "; const PerMetre& k : springs) text << between << k.value(), between = ", ";
     text << " N/m";
     return text.str();
 }
@@ -146,9 +146,9 @@ TEST_CASE("two of one mass swing as one of them on half of the spring", "[task-1
 }
 
 TEST_CASE("beside each other springs add their forces", "[task-2][beside]") {
-    for (const Stiffnesses& springs : sets) {
+    for (const SideBySide& springs : sets) {
         double right = 0;
-        for (const Stiffness& k : springs) right += k.value();
+        for (const PerMetre& k : springs) right += k.value();
         expect_near(said(springs) + " beside each other: as stiff as one of", exercise::beside(springs),
                     right * newton_per_metre, 1e-9 * right * newton_per_metre,
                     "Make all of them longer by a metre: each pulls with its own k, and you feel all of them.");
@@ -156,9 +156,9 @@ TEST_CASE("beside each other springs add their forces", "[task-2][beside]") {
 }
 
 TEST_CASE("in a row springs add their stretches", "[task-2][row]") {
-    for (const Stiffnesses& springs : sets) {
+    for (const SideBySide& springs : sets) {
         double stretch = 0; // under one newton
-        for (const Stiffness& k : springs) stretch += 1 / k.value();
+        for (const PerMetre& k : springs) stretch += 1 / k.value();
         std::ostringstream why;
         why << "Pull with 1 N: every spring carries it, and each is stretched by 1 N / k, in all by " << stretch
             << " m.";
@@ -169,7 +169,7 @@ TEST_CASE("in a row springs add their stretches", "[task-2][row]") {
 
 TEST_CASE("a spring cut into equal parts is their row again", "[task-2][cut]") {
     for (const int parts : {1, 2, 5, 12}) {
-        const Stiffnesses springs(static_cast<std::size_t>(parts), double(parts) * 60.0 * newton_per_metre);
+        const SideBySide springs(static_cast<std::size_t>(parts), double(parts) * 60.0 * newton_per_metre);
         std::ostringstream text;
         text << "a spring of 60 N/m in " << parts << " equal parts, each of " << springs[0] << ": the row of them";
         expect_near(text.str(), exercise::in_a_row(springs), 60.0 * newton_per_metre, 1e-7 * newton_per_metre,
@@ -255,7 +255,7 @@ std::vector<double> probe(int task) {
     if (task == 1)
         for (const Swing& s : swings) numbers.push_back(yours(s).value());
     if (task == 2)
-        for (const Stiffnesses& springs : sets) {
+        for (const SideBySide& springs : sets) {
             numbers.push_back(exercise::beside(springs).value());
             numbers.push_back(exercise::in_a_row(springs).value());
         }
