@@ -13,6 +13,8 @@ if(ANSATZ_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
         CCACHE_DEPEND=1 CCACHE_INODECACHE=1)
     # With the project's folder as its base, paths inside it are handed to the compiler relative to the build folder, so that
     # another checkout finds what this one has compiled; errors are still said with whole paths.
+    # g++ does not write a precompiled header twice with the same bytes, and what is compiled with it is known by them: two
+    # checkouts that compile one for the first time at once have a header each, and from then on share nothing behind it.
     # Not where that path has a space, #, $ or the like: ccache 4.7 overlooks such paths in the compiler's list of dependencies
     # and would hand the list of one checkout to another, which then waits for changes in the first one's files.
     set(shared "")

@@ -32,14 +32,17 @@ project(checkout LANGUAGES CXX)
 include(${CCACHE_CMAKE})
 add_executable(program program.cpp)
 target_include_directories(program PRIVATE include)
+target_compile_options(program PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+target_precompile_headers(program PRIVATE <cstdio> [["precompiled.hpp"]])
 END
+        printf '#pragma once\n#include <string_view>\n' > "$tree/include/precompiled.hpp"
         printf '#include "said.hpp"\n#include <cstdio>\nint main() { std::puts(said); }\n' > "$tree/program.cpp"
         printf '#pragma once\ninline const char* said = "%s";\n' "$name" > "$tree/include/said.hpp"
         cmake -G Ninja -S "$tree" -B "$tree/build" -DCMAKE_BUILD_TYPE=Release -DCCACHE_CMAKE="$project/cmake/Ccache.cmake" > "$scratch/log" 2>&1 \
             || { cat "$scratch/log"; exit 1; }
         before=$(hits)
         expect "in $tree" "$name" "$(said "$tree")"
-        if [ "$checkout $name" = "two plain" ]; then expect "the second checkout finds what the first compiled" $((before + 1)) "$(hits)"; fi
+        if [ "$checkout $name" = "two plain" ]; then expect "the second checkout finds what the first compiled, its precompiled header too" $((before + 2)) "$(hits)"; fi
         printf '#pragma once\ninline const char* said = "changed in %s";\n' "$checkout" > "$tree/include/said.hpp"
         expect "after a change of a header in $tree" "changed in $checkout" "$(said "$tree")"
         printf '#pragma once\ninline const char* said = "%s";\n' "$name" > "$tree/include/said.hpp"
