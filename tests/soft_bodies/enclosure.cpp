@@ -143,6 +143,13 @@ TEST_CASE("What encloses nothing is refused, and says where", "[soft_bodies][pre
                ContainsSubstring("stiffness is -1 Pa") && ContainsSubstring("not negative"));
     CHECK_THAT(says([](auto& e) { e.filling.damping = NAN * pascal_second; }), ContainsSubstring("damping is"));
     CHECK_THAT(says([](auto& e) { e.volume = 0.0 * cubic_metre; }), ContainsSubstring("volume is 0 m^3"));
+    CHECK_THAT(says([](auto& e) { e.volume = 1e-308 * cubic_metre; }),
+               ContainsSubstring("volume is 1e-308 m^3") && ContainsSubstring("than the world's scalar can hold"));
+    CHECK_THAT(says([](auto& e) {
+                   e.volume = 1e-300 * cubic_metre;
+                   e.filling = {.stiffness = 1.0 * pascal, .damping = 1e9 * pascal_second};
+               }),
+               ContainsSubstring("volume is 1e-300 m^3") && ContainsSubstring("than the world's scalar can hold"));
     CHECK_THROWS_AS(world.add([&] {
         auto bad = good;
         bad.bodies[0].generation += 1;

@@ -211,6 +211,11 @@ template <class S> struct EnclosureRow {
         require_positive(where, "volume", volume);
         if (!(law().slope(volume.value()) > Scalar(0)))
             refuse_value(where, "stiffness", stiffness, "a filling is a gas or is stiff");
+        if (!is_finite(law().slope(Scalar(0))) || !is_finite(damping / volume))
+            refuse_value(
+                where, "volume", volume,
+                "the filling resists a change of it by more than the world's scalar can hold: give it more, or "
+                "less pressure, stiffness and damping");
         check_bodies(where);
         detail::check_closed(where, corners, bodies.size());
     }

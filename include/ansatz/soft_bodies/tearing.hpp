@@ -52,6 +52,7 @@ struct TearStatus {
     std::size_t torn = 0;    ///< triangles, of those that are there
     std::size_t split = 0;   ///< bodies that vertices have become
     std::size_t waiting = 0; ///< sides that hang by a vertex and have no body of their own, because there was no room
+                             ///< when something tore last
 };
 
 namespace detail {
