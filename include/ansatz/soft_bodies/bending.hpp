@@ -19,7 +19,7 @@
 /// | c, d       | the wings: the third vertices of the two triangles, c to the left of the edge | m    |
 /// | theta      | 0 flat, positive where the wings lie below the normals' side (a ridge)        | rad  |
 /// | theta_0    | the angle at rest                                                             | rad  |
-/// | k, c       | stiffness and damping of the hinge                                            | J, J s |
+/// | k, eta     | stiffness and damping of the hinge                                            | J, J s |
 ///
 /// Angles are counted the shorter way round from theta_0, so that a fold can go through flat and back. A triangle that
 /// has lost its area has no angle: its hinge does nothing until it has one again. The force grows as a triangle becomes
@@ -46,7 +46,7 @@ struct Hinge {
     std::array<Handle, 2> edge = {};                                 ///< its ends
     std::array<Handle, 2> wings = {};                                ///< the third vertices of the two triangles
     Parameter<unit::Energy> stiffness = 0.0 * joule;                 ///< k, J for a squared radian, not negative
-    Parameter<unit::AngularMomentum> damping = 0.0 * joule * second; ///< c, J s, not negative
+    Parameter<unit::AngularMomentum> damping = 0.0 * joule * second; ///< eta, J s, not negative
     std::optional<Parameter<unit::PlaneAngle>> rest = {};            ///< without it the angle that it has
 };
 
