@@ -33,7 +33,6 @@ from workshop import forge  # noqa: E402  (it is run as a file)
 WITHOUT_EXERCISE = {
     "1.6": "compares the methods of 1.6.1 to 1.6.4, each of which has its exercise",
     "2.1": "counts pairs; its parts, 2.1.1.1 to 2.1.2.2, have their exercises",
-    "4.9": "not asked yet: how a vertex splits",
     "4.10": "shows where a rope of 4 breaks under two loads; nothing is added to it",
     "4.11": "shows what the ball of 4 does when it falls; nothing is added to it",
     "5.2.2": "counts transitions with and without parents, which the exercise of 5.3 has",
