@@ -45,7 +45,6 @@ WITHOUT_EXERCISE = {
     "6.3.11": "not asked yet: the two branches of a conflict",
     "6.3.12": "not asked yet: the gates of a border",
     "7": "counts what a volume costs; the library has none",
-    "7.4.3": "not asked yet: one contact for many columns",
 }
 # The asterisk of A* opens and closes nothing.
 ITALICS = re.compile(r"(?<![\w*])\*{1,2}(?=[^\s*])([^*]+)(?<=\S)\*{1,2}(?!\w)")
