@@ -42,7 +42,6 @@ WITHOUT_EXERCISE = {
     "6.1.3": "not asked yet: a path that is pulled straight between the walls",
     "6.3.6": "not asked yet: the estimate of several goals",
     "6.3.7": "not asked yet: a search backwards from the goal",
-    "6.3.9": "not asked yet: whether one tile is seen from another",
     "6.3.11": "not asked yet: the two branches of a conflict",
     "6.3.12": "not asked yet: the gates of a border",
     "7": "counts what a volume costs; the library has none",
