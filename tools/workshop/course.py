@@ -39,7 +39,6 @@ WITHOUT_EXERCISE = {
     "5.2.2": "counts transitions with and without parents, which the exercise of 5.3 has",
     "5.3.1": "not asked yet: what of a machine must be saved",
     "6.1.2": "not asked yet: a graph of one's own, as Boost.Graph asks for it",
-    "6.1.3": "not asked yet: a path that is pulled straight between the walls",
     "6.3.6": "not asked yet: the estimate of several goals",
     "6.3.7": "not asked yet: a search backwards from the goal",
     "6.3.11": "not asked yet: the two branches of a conflict",
