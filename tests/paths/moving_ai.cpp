@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // MovingAI's maps and scenarios: the lengths that they print, and what is wrong with a file.
+// Compiled with optimisation: it finds some ten thousand ways through large maps.
 // Runs long with the sanitizers.
 
 #include "tests/paths/support.hpp"

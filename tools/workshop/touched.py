@@ -35,7 +35,7 @@ from pathlib import Path
 ALWAYS = ("tests/motion/newton.cpp", "tests/motion/momentum.cpp", "tests/performance/bytes.cpp", "tests/springs/hooke.cpp",
           "tests/paths/a_star.cpp", "tests/units/vector.cpp")
 UNKNOWN = 15.0    # seconds that an object takes of which nothing is known
-MISTAKE = 1.0     # seconds that the compiler takes to refuse one
+MISTAKE = 4.0     # seconds that the compiler takes to refuse one
 KEYWORDS = {"alignas", "alignof", "decltype", "explicit", "if", "noexcept", "requires", "sizeof", "static_assert"}
 TOKEN = re.compile(r"[A-Za-z_]\w*")
 INCLUDE = re.compile(r'^#include (?:"([^"]+)"|<(ansatz/[^>]+)>)', flags=re.MULTILINE)

@@ -198,7 +198,7 @@ class Touched(unittest.TestCase):
         self.write("build/.ninja_log", "".join(f"0\t{ms}\t7\ttests/CMakeFiles/test_all.dir/{name}.cpp.o\tx\n"
                                               for name, ms in (("drag", 9000), ("fall", 4000), ("helped", 5000))))
         objects = {name: files for name, files in self.objects().items() if "test_all" in name and "sum" not in name}
-        for limit, late, fall in (("18", "late 1 5", True), ("13", "late 2 9", False)):
+        for limit, late, fall in (("21", "late 1 5", True), ("16", "late 2 9", False)):
             out = io.StringIO()
             with mock.patch.object(touched, "deps_of", return_value=objects), \
                     mock.patch.object(touched, "link_command", return_value="c++ x"), \
