@@ -8,6 +8,7 @@
 /// subjects that do the same work for `n` bodies; each is run in turn, many times over, by this thread's CPU time, and
 /// the smallest of its repeats counts. Ratios of one run are what a reader may compare.
 
+#include "tests/peers/versions.hpp"
 #include "tools/costs/json.hpp"
 
 #include <time.h>
@@ -36,7 +37,8 @@ struct Row {
     std::string subject;
     double value;
     std::string unit;
-    double spread;
+    double spread;      ///< of the median over the smallest
+    std::string remark; ///< what the subject says of itself
 };
 
 class Contest {
@@ -56,20 +58,20 @@ public:
                 subjects[k].run();
                 times[k].push_back(1e9 * (thread_seconds() - start) / divisor);
             }
-        std::printf("\n%s, %d bodies, smallest of %d repeats in turn\n", scene.c_str(), n, repeats_);
+        std::printf("\n%s, n = %d, smallest of %d repeats in turn\n", scene.c_str(), n, repeats_);
         for (std::size_t k = 0; k < subjects.size(); ++k) {
             std::sort(times[k].begin(), times[k].end());
             const double best = times[k].front(), spread = times[k][times[k].size() / 2] / best - 1;
             std::printf("  %-34s %10.1f %s   (median %+.0f %%)  %s\n", subjects[k].name.c_str(), best, unit.c_str(),
                         100 * spread, subjects[k].remark.c_str());
-            rows_.push_back({area_, scene, n, subjects[k].name, best, unit, spread});
+            rows_.push_back({area_, scene, n, subjects[k].name, best, unit, spread, subjects[k].remark});
         }
         std::fflush(stdout);
     }
     /// A number that a scene measured by itself.
     void note(const std::string& scene, int n, const std::string& subject, double value, const std::string& unit,
               double spread = 0) {
-        rows_.push_back({area_, scene, n, subject, value, unit, spread});
+        rows_.push_back({area_, scene, n, subject, value, unit, spread, ""});
     }
     int repeats() const { return repeats_; } ///< of every subject of a scene
     /// The processor's time that this thread has used, s.
@@ -82,7 +84,7 @@ public:
     static void left_out(const std::string& library, const std::string& package) {
         std::cout << "left out: " << library << " (on Debian: apt install " << package << ")\n";
     }
-    /// `{"machine": {...}, "rows": [...]}` into `<folder>/<area>.json`.
+    /// `{"machine": {...}, "versions": {...}, "rows": [...]}` into `<folder>/<area>.json`.
     void write(const std::string& folder) const {
         const auto machine = ansatz::workbook::this_machine();
         ansatz::workbook::Json json;
@@ -94,6 +96,7 @@ public:
                            {"date", machine.date},
                            {"clock", "thread CPU time, one thread"},
                            {"repeats", repeats_}};
+        json["versions"] = versions();
         json["rows"] = ansatz::workbook::Json::array();
         for (const Row& r : rows_)
             json["rows"].push_back({{"area", r.area},
@@ -102,7 +105,8 @@ public:
                                     {"subject", r.subject},
                                     {"value", r.value},
                                     {"unit", r.unit},
-                                    {"spread", r.spread}});
+                                    {"spread", r.spread},
+                                    {"remark", r.remark}});
         const std::string file = folder + "/" + area_ + ".json";
         ansatz::workbook::write_whole(file, json.dump(2) + "\n");
         std::cout << "\nwritten: " << file << '\n';

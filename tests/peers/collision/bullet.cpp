@@ -2,8 +2,12 @@
 // Bullet's btDbvtBroadphase. It keeps its pairs from frame to frame, of boxes in float that are a little wider.
 
 #include "tests/peers/collision/spheres.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <btBulletCollisionCommon.h>
+
+static const peers::Version version("Bullet",
+                                    std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100));
 
 peers::Broadphase peers::bullet_dbvt(const Spheres& spheres) {
     struct Kept {

@@ -2,9 +2,13 @@
 // CGAL's box_self_intersection_d, with the cutoff of 100 that was found best for it.
 
 #include "tests/peers/collision/spheres.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/version.h>
+
+static const peers::Version version("CGAL", CGAL_VERSION_STR);
 
 peers::Broadphase peers::cgal_box_intersection(const Spheres&) {
     using Box = CGAL::Box_intersection_d::Box_d<double, 3>;

@@ -2,9 +2,12 @@
 // FCL's dynamic tree of boxes in an array, updated each frame.
 
 #include "tests/peers/collision/spheres.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/geometry/shape/sphere.h>
+
+static const peers::Version version("FCL", FCL_VERSION);
 
 peers::Broadphase peers::fcl_tree_array(const Spheres& spheres) {
     struct Kept {

@@ -2,8 +2,11 @@
 // ODE with its quick step (twenty passes) and its hash space, as its manual recommends for many bodies.
 
 #include "tests/peers/collision/pile.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <ode/ode.h>
+
+static const peers::Version version("ODE", dODE_VERSION);
 
 namespace {
 

@@ -8,8 +8,11 @@
 #include "tests/peers/paths/hand.hpp"
 #include "tests/peers/paths/soldier.hpp"
 #include "tests/peers/paths/textbook.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <ansatz/paths.hpp>
+
+#include <boost/version.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +27,8 @@
 #endif
 
 std::string project_folder() { return ANSATZ_PROJECT_FOLDER; } // tests/main.cpp, which has it else, is not in this
+
+static const peers::Version version("Boost.Graph", BOOST_LIB_VERSION);
 
 using namespace ansatz;
 using namespace ansatz::paths;

@@ -2,11 +2,15 @@
 // Bullet's soft body as a sheet of its own links, in a soft world without anything to touch; float.
 
 #include "tests/peers/soft_bodies/sheet.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletDynamicsCommon.h>
+
+static const peers::Version version("Bullet",
+                                    std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100));
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "tests/peers/contest.hpp"
 #include "tests/peers/soft_bodies/hand.hpp"
 #include "tests/peers/soft_bodies/sheet.hpp"
+#include "tests/peers/versions.hpp"
 
 #include <ansatz/motion/integrators/matrix_free.hpp>
 #include <ansatz/soft_bodies/coloured_xpbd.hpp>
@@ -16,6 +17,10 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+static const peers::Version version("Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." +
+                                                 std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                                 std::to_string(EIGEN_MINOR_VERSION));
 
 using namespace ansatz;
 using peers::Contest;

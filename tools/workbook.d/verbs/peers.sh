@@ -8,8 +8,8 @@
 #   ./workbook peers collision 30 with so many repeats
 #   ./workbook peers cases        the hard cases in other engines: errors and not times, so that repeats mean nothing
 #
-# The table goes to build/peers/<area>.json. A library that is not installed is named and left out. Compare the ratios of
-# one run, and close other programs first.
+# The table goes to build/peers/<area>.json, and at the end it is said who was fastest in each scene of what is there. A library
+# that is not installed is named and left out. Compare the ratios of one run, and close other programs first.
 
 peer_areas() {
     local file
@@ -44,5 +44,6 @@ verb_peers() {
         fi
         "$program" build/peers ${repeats:+"$repeats"} < /dev/null || failed=$((failed + 1))
     done <<< "$chosen"
+    if [ "$chosen" != cases ] && [ "$chosen" != scale ]; then python3 tools/workshop/peer_times.py summary build/peers; fi
     [ "$failed" -eq 0 ]
 }
