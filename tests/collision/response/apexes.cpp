@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // A ball that bounces for ever: hard case C8, with every integrator and every response.
+// Compiles like 20 kB: a world for each of seven integrators and of four responses.
 
 #include "tests/collision/support.hpp"
 
