@@ -36,7 +36,7 @@ from typing import Any
 
 KEPT = "docs/peers"
 AREAS: tuple[str, ...] = ("collision", "paths", "scale", "soft_bodies", "water")
-BLOCK = re.compile(r"(<!-- from contest: ([^\n]*) -->\n)(.*?)(<!-- end of contest -->)", flags=re.DOTALL)
+BLOCK = re.compile(r"^(<!-- from contest: ([^\n]*) -->\n)(.*?)^(<!-- end of contest -->)", flags=re.DOTALL | re.MULTILINE)
 OURS = "ansatz"
 OPTIONS = ("rows", "columns", "scenes", "n", "subjects", "ratio", "remarks")
 TIME = re.compile(r"[pnum]?s( |$)")
@@ -209,9 +209,9 @@ def table(run: Run, text: str) -> list[str]:
             return ""
         said = number(row.value * by_unit) if len(units) == 1 else quantity(row.value, row.unit)
         by = measure.get((row.scene, row.n))
-        return f"{said}, {number(round(row.value / by.value, 2))} times" if by and by is not row else said
+        return f"{said}, {number(row.value / by.value)} times" if by and by is not row else said
 
-    head = ", ".join(filter(None, (cut.removesuffix(", "), unit)))
+    head = ", ".join(filter(None, (cut.removesuffix(", "), unit))) or "scene"
     made = ["| " + " | ".join([head] + [label(key, across, cut, names) or "time" for key in columns]) + " |", "|" + "---|" * (len(columns) + 1)]
     for key in lines_of:
         made.append("| " + " | ".join([label(key, down, cut, names)] + [cell(at.get((key, column))) for column in columns]) + " |")
@@ -257,7 +257,7 @@ def everything(runs: dict[str, Run]) -> list[str]:
     lines = ["| area | scene | n | the fastest of ours | of the others | times as long |", "|---|---|---|---|---|---|"]
     for area, run in runs.items():
         for match in matches(run):
-            ratio = number(round(match.ratio, 2))
+            ratio = number(match.ratio)
             lines.append("| " + " | ".join([
                 area.replace("_", " "), match.scene, spaced(match.n),
                 f"{who(match.ours.subject)}, {quantity(match.ours.value, match.ours.unit)}",
@@ -271,7 +271,7 @@ def run_line(run: Run, area: str) -> list[str]:
     """The machine, the versions, the repeats and their spread."""
     machine = run["machine"]
     spreads = sorted(row.spread for row in rows_of(run) if TIME.match(row.unit))
-    others = ", ".join(f"{name} {version}" for name, version in run["versions"].items())
+    others = ", ".join(f"{name} {version.replace('_', '.')}" for name, version in run["versions"].items())
     return [f'*One run of `./workbook peers {area}` on {str(machine["date"]).partition("T")[0]}: {machine["cpu"]}, {machine["cores"]} cores; '
             f'{str(machine["compiler"]).partition(" (")[0]}, `{machine["flags"]}`; {machine["clock"]}, the smallest of {machine["repeats"]} '
             f'repeats taken in turn{"; " + others if others else ""}. The median of the repeats lies {100 * spreads[len(spreads) // 2]:.0f} % above the smallest in the middle '
@@ -301,7 +301,7 @@ def generated(text: str, runs: dict[str, Run]) -> str:
         except Fault as fault:
             raise Fault(f"<!-- from contest: {match[2]} -->: {fault}") from fault
 
-    if text.count("<!-- from contest: ") != len(BLOCK.findall(text)):
+    if len(re.findall(r"^<!-- from contest: ", text, flags=re.MULTILINE)) != len(BLOCK.findall(text)):
         raise Fault("a <!-- from contest: ... --> has no <!-- end of contest -->")
     return BLOCK.sub(fresh, text)
 
@@ -355,7 +355,7 @@ def summary(folder: str) -> list[str]:
         found = matches(run)
         if not found:
             continue
-        versions = ", ".join(f"{name} {version}" for name, version in run["versions"].items())
+        versions = ", ".join(f"{name} {version.replace('_', '.')}" for name, version in run["versions"].items())
         lines += ["", f"{area.replace('_', ' ')}: the fastest of ours, of the others, and how many times as long it takes" + (f" ({versions})" if versions else "")]
         for match in found:
             lines.append(f"  {match.scene[:48]:<48} {match.n:>7}  {match.ours.subject.removeprefix(OURS + ' ')[:26]:<26} "
