@@ -147,6 +147,8 @@ TEST_CASE("Membranes are saved and loaded; bad ones are refused", "[soft_bodies]
           "World::add: stiffness is -2 N/m; it must be finite and not negative");
     CHECK_THAT(says([](Membrane& m) { m.damping = NAN * N_s_per_m; }), ContainsSubstring("damping is nan"));
     CHECK_THAT(says([](Membrane& m) { m.area = 0.0 * square_metre; }), ContainsSubstring("area is 0 m^2"));
+    CHECK_THAT(says([](Membrane& m) { m.area = 1e-310 * square_metre; }),
+               ContainsSubstring("area is 1e-310 m^2") && ContainsSubstring("than the world's scalar can hold"));
     CHECK_THAT(says([](Membrane& m) { m.corners[1] = m.corners[0]; }), ContainsSubstring("three different"));
     CHECK(world.hash() == hash);
     auto flat = films<float, 2>(SemiImplicitEuler{});

@@ -244,3 +244,25 @@ TEST_CASE("What ColouredXpbd is told wrongly it refuses", "[soft_bodies][colours
     CHECK_THROWS_WITH(world.set(ColouredXpbd{0, 1}), Catch::Matchers::Contains("substeps is 0"));
     CHECK_THROWS_WITH(world.set(ColouredXpbd{1, -2}), Catch::Matchers::Contains("iterations is -2"));
 }
+
+TEST_CASE("A world that was moved from has no colours of the springs that it had", "[soft_bodies][colours]") {
+    auto world = coloured<double>(ColouredXpbd{3, 2});
+    add_wild_sheet(world, 9, 6);
+    world.step(frame);
+    const auto other = std::move(world);
+    CHECK(other.elements<Spring>().size() > 0);
+    world.step(frame); // NOLINT(bugprone-use-after-move): it is empty, and a world
+    CHECK(world.size() == 0);
+    auto fresh = coloured<double>(ColouredXpbd{3, 2});
+    fresh.step(frame);
+    for (auto* one : {&world, &fresh}) {
+        add_wild_sheet(*one, 9, 6);
+        for (int i = 0; i < 3; ++i) one->step(frame);
+    }
+    const auto lowest = [](auto& one) {
+        double least = HUGE_VAL;
+        one.for_each([&](Handle body) { least = std::min(least, one.position(body).value()[1]); });
+        return least;
+    };
+    CHECK(lowest(world) == lowest(fresh));
+}

@@ -150,6 +150,8 @@ TEST_CASE("What encloses nothing is refused, and says where", "[soft_bodies][pre
                    e.filling = {.stiffness = 1.0 * pascal, .damping = 1e9 * pascal_second};
                }),
                ContainsSubstring("volume is 1e-300 m^3") && ContainsSubstring("than the world's scalar can hold"));
+    CHECK_THAT(says([](auto& e) { e.filling = {.inside = 1e-310 * pascal, .outside = 1e5 * pascal}; }),
+               ContainsSubstring("inside is 1e-310 Pa") && ContainsSubstring("so thin a gas"));
     CHECK_THROWS_AS(world.add([&] {
         auto bad = good;
         bad.bodies[0].generation += 1;

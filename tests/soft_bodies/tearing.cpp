@@ -255,6 +255,29 @@ TEST_CASE("What cannot tear is refused", "[soft_bodies][tearing]") {
     CHECK_THAT(refused(unbreakable, breaks_at(3.0 * newton)), ContainsSubstring("Springs<Breaking>{}"));
     CHECK_THAT(refused(world, breaks_at(-3.0 * newton)), ContainsSubstring("break force is -3 N"));
     CHECK_THAT(refused(world, breaks_at(0.0)), ContainsSubstring("break strain is 0"));
+    // Of a mesh that is no grid the springs against shear and bend are one: they have the stricter limit, and the kind
+    // that does nothing has no say.
+    cloth = woven(3, 3);
+    cloth.mesh = TriangleMesh({cloth.mesh.vertices().begin(), cloth.mesh.vertices().end()},
+                              {cloth.mesh.triangles().begin(), cloth.mesh.triangles().end()});
+    CHECK_THAT(refused(unbreakable, breaks_at(0.2)), ContainsSubstring("add_cloth: break strain is 0.2"));
+    CHECK_THAT(refused(world, breaks_at(-3.0 * newton)), ContainsSubstring("break force is -3 N"));
+    CHECK_THAT(refused(world, {NAN * newton, 0.5}), ContainsSubstring("break force is nan N"));
     CHECK(unbreakable.size() == 0);
     CHECK(world.size() == 3);
+    cloth.shear.breaks = breaks_at(0.4);
+    cloth.bend.breaks = {7.0 * newton, 0.3};
+    const auto limit_of = [&](const ClothParts& parts) {
+        const auto& limit = world.elements<Spring>().limit(parts.bend[0].id);
+        return std::pair(double(limit.force), double(limit.strain));
+    };
+    CHECK(limit_of(add_cloth(world, cloth)) == std::pair(7.0, 0.3));
+    cloth.bend.stiffness = 0.0 * N_per_m;
+    cloth.bend.damping = 0.0 * N_s_per_m;
+    CHECK(limit_of(add_cloth(world, cloth)) == std::pair(double(INFINITY), 0.4));
+    const auto bodies = world.size();
+    cloth.shear.stiffness = cloth.bend.stiffness = 1e308 * N_per_m;
+    CHECK_THAT(refusal([&] { add_cloth(world, cloth); }),
+               ContainsSubstring("add_cloth: shear and bend stiffness is inf N/m"));
+    CHECK(world.size() == bodies);
 }

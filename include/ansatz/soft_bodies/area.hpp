@@ -145,6 +145,11 @@ template <class S> struct MembraneRow {
         require_not_negative("a membrane", "stiffness", stiffness);
         require_not_negative("a membrane", "damping", damping);
         require_positive("a membrane", "area", area);
+        if (!is_finite(stiffness / area) || !is_finite(damping / area))
+            refuse_value(
+                "a membrane", "area", area,
+                "it resists a change of it by more than the world's scalar can hold: give it more area, or less "
+                "stiffness and damping");
     }
     /// As a constraint.
     /// \param slot answers with the slot of a BodyId

@@ -15,7 +15,8 @@
 /// | bend       | along its lines, from a vertex to the next but one | across each inner edge |
 ///
 /// Across an inner edge, between the two opposite vertices, a spring holds against shear and against folding alike, so
-/// that a mesh gets one there, with the sum of both constants. A kind without stiffness and damping is not built.
+/// that a mesh gets one there, with the sum of both constants and the stricter of both limits. A kind without stiffness
+/// and damping is not built.
 ///
 /// In a world with `Bending` a sheet may have a `rigidity` D, too: a hinge on each inner edge, between triangles of
 /// areas A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
@@ -97,6 +98,20 @@ inline void link_edges(SoftPlan& plan, const TriangleMesh& mesh, const SpringCon
 /// Of any mesh: between the vertices opposite to its inner edges.
 inline void link_across(SoftPlan& plan, const TriangleMesh& mesh, const SpringConstants& constants) {
     for (const auto& edge : mesh.inner_edges()) plan.link(edge.opposite[0], edge.opposite[1], constants);
+}
+
+/// The constants of springs that do the work of two kinds, and break where the first of both would; a kind that does
+/// nothing has no say.
+inline SpringConstants sum_of(const SpringConstants& one, const SpringConstants& other) {
+    SpringConstants sum{one.stiffness + other.stiffness, one.damping + other.damping, {}};
+    // What is no number stays, so that it is refused.
+    const auto stricter = [](double a, double b) { return a != a || a < b ? a : b; };
+    for (const SpringConstants* kind : {&one, &other}) {
+        if (!kind->act()) continue;
+        sum.breaks.force = stricter(sum.breaks.force.value(), kind->breaks.force.value()) * newton;
+        sum.breaks.strain = stricter(sum.breaks.strain, kind->breaks.strain);
+    }
+    return sum;
 }
 
 /// The springs of one kind, taken off the front of all.
@@ -208,8 +223,9 @@ ClothParts add_cloth(World<P...>& world, const Cloth& cloth, const Property&... 
     } else {
         detail::link_edges(plan, cloth.mesh, cloth.structural);
         structural = plan.links.size();
-        detail::link_across(plan, cloth.mesh,
-                            {cloth.shear.stiffness + cloth.bend.stiffness, cloth.shear.damping + cloth.bend.damping});
+        const auto across = detail::sum_of(cloth.shear, cloth.bend);
+        plan.check("shear and bend", across);
+        detail::link_across(plan, cloth.mesh, across);
     }
     constexpr bool kept = detail::keeps_hinges<P...>;
     auto hinges = detail::hinges_of<typename World<P...>::S, kept>(plan.where, cloth);

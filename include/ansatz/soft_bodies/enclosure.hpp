@@ -216,6 +216,9 @@ template <class S> struct EnclosureRow {
                 where, "volume", volume,
                 "the filling resists a change of it by more than the world's scalar can hold: give it more, or "
                 "less pressure, stiffness and damping");
+        if (!is_finite(law().excess(volume.value()) / law().slope(volume.value())))
+            refuse_value(where, "inside", inside,
+                         "so thin a gas balances what is outside at a volume that the world's scalar cannot hold");
         check_bodies(where);
         detail::check_closed(where, corners, bodies.size());
     }

@@ -38,8 +38,9 @@ public:
     /// \param bodies how many slots there are
     /// \param room   how many there may be another time
     void colour(const auto& network, std::size_t bodies, std::size_t room = 0) {
-        if (network.arrangement() == made_of_) return;
         const auto& pairs = network.pairs();
+        // The lanes of what was moved from are gone, and where colours begin is not.
+        if (network.arrangement() == made_of_ && begin_.back() == a.size() && a.size() == pairs.size()) return;
         taken_.reserve(room);
         taken_.assign(bodies, 0);
         which_.resize(pairs.size());

@@ -205,7 +205,7 @@ private:
         using Scalar = typename S::Scalar;
         const Scalar least = std::numeric_limits<Scalar>::epsilon(), most = Scalar(1) - least;
         const Scalar share = goes / (goes + stays);
-        if (share < least) return least;
+        if (!(share >= least)) return least; // areas whose sum is no number either
         return share > most ? most : share;
     }
     void split_vertex(std::uint32_t body, std::size_t first, std::size_t last, std::size_t room) {

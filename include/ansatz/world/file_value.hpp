@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <istream>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -21,6 +22,14 @@ namespace ansatz {
 namespace detail {
 
 using Json = nlohmann::ordered_json;
+
+/// Reads a file. What nests deeper than any file of ours is left out: a hundred thousand brackets must not be followed
+/// down, and to copy them or to write them into a sentence is to follow them down.
+inline Json parse_file(std::istream& in, bool throws = true) {
+    constexpr int deepest = 100;
+    return Json::parse(
+        in, [](int depth, Json::parse_event_t, Json&) { return depth < deepest; }, throws);
+}
 
 /// A value in a file, with its place for the sentence about it.
 struct FileValue {

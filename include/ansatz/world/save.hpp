@@ -353,7 +353,7 @@ template <class... P> void save(const World<P...>& world, const std::string& pat
 template <class... P> void load(World<P...>& world, std::istream& in, const std::string& name = "load") {
     detail::Json file;
     try {
-        file = detail::Json::parse(in);
+        file = detail::parse_file(in);
     } catch (const detail::Json::exception& e) {
         const std::string what = e.what(); // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
         const auto sentence = what.find("] ");
