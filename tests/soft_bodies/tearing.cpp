@@ -10,6 +10,8 @@
 
 #include "tests/soft_bodies/tear_model.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <sstream>
 
 using namespace soft_tests;
@@ -99,6 +101,35 @@ TEMPLATE_TEST_CASE("Beside a far larger side of its vertex a side keeps a mass",
         load(loaded, file);
         CHECK(loaded.hash() == world.hash());
     }
+}
+
+TEMPLATE_TEST_CASE("Areas of a file whose sum is no number leave each side a mass", "[soft_bodies][tearing]", double,
+                   float) {
+    const auto make = [] {
+        return World{Space<TestType, 3>{}, SemiImplicitEuler{}, Springs<Breaking>{}, Tearing<Splitting>{.room = 10}};
+    };
+    auto world = make();
+    const auto at = [&](double x, double y) { return world.add(position(metres(x, y, 0)), mass(3.0 * kilogram)); };
+    const auto middle = at(0, 0), a = at(1, 0), b = at(1, 1), c = at(-1, 0), d = at(-1, -1), e = at(0, -1),
+               f = at(1, -1), g = at(2, -1);
+    for (const auto& t : {std::array{middle, a, b}, {middle, c, d}, {middle, d, e}, {middle, f, g}})
+        world.add(TearableTriangle{t});
+    world.add(Spring{.first = f, .second = g, .stiffness = 1.0 * newton_per_metre}, breaks_at(0.3));
+    world.set_position(g, metres(5, -1, 0));
+    std::stringstream file, changed;
+    save(world, file);
+    auto json = nlohmann::ordered_json::parse(file);
+    for (auto& one : json["elements"]["Tearing"]["list"])
+        one["row"]["area"] = double(std::numeric_limits<TestType>::max());
+    changed << json;
+    auto loaded = make();
+    load(loaded, changed);
+    const double before = mass_of_all(loaded);
+    loaded.step(0.01 * second);
+    REQUIRE(loaded.split_vertices().size() == 1);
+    CHECK(loaded.status().ok());
+    CHECK(mass_of_all(loaded) == Approx(before));
+    for (const Handle side : {middle, loaded.split_vertices()[0].to}) CHECK(loaded.mass(side).value() > 0);
 }
 
 TEST_CASE("Without room vertices wait, and part at the next tear when there is some", "[soft_bodies][tearing]") {
