@@ -110,8 +110,8 @@ def who(subject: str) -> str:
 
 
 def spaced(n: int) -> str:
-    """10 000"""
-    return f"{n:,}".replace(",", " ")
+    """10 000, on one line."""
+    return f"{n:,}".replace(",", "\u00a0")
 
 
 def common_start(scenes: list[str]) -> str:

@@ -69,19 +69,19 @@ class Tables(unittest.TestCase):
 
     def test_lines_are_subjects(self) -> None:
         self.assertEqual(self.said("table collision; rows subject; columns scene n; scenes boxes; subjects Rival = it | ansatz Grid"), [
-            "| boxes, ns a body | even, 1 000 | even, 20 000 | mixed, 1 000 |", "|---|---|---|---|",
+            "| boxes, ns a body | even, 1\u00a0000 | even, 20\u00a0000 | mixed, 1\u00a0000 |", "|---|---|---|---|",
             "| it | 45.7 | 15 | 1160 |", "| `Grid` | 10 | 30 | 100 |"])
 
     def test_lines_are_scenes_and_numbers(self) -> None:
         self.assertEqual(self.said("table collision; rows n scene; columns subject; scenes boxes; n 1000; subjects ansatz Grid | Rival; ratio ansatz Grid"), [
             "| boxes, ns a body | `Grid` | Rival |", "|---|---|---|",
-            "| 1 000, even | 10 | 45.7, 4.57 times |", "| 1 000, mixed | 100 | 1160, 11.6 times |"])
+            "| 1\u00a0000, even | 10 | 45.7, 4.57 times |", "| 1\u00a0000, mixed | 100 | 1160, 11.6 times |"])
 
     def test_one_column(self) -> None:
         self.assertEqual(self.said("table collision; rows scene n subject; scenes boxes, even; subjects ansatz Grid | Rival; ratio first"), [
             "| ns a body | time |", "|---|---|",
-            "| boxes, even, 1 000, `Grid` | 10 |", "| boxes, even, 1 000, Rival | 45.7, 4.57 times |",
-            "| boxes, even, 20 000, `Grid` | 30 |", "| boxes, even, 20 000, Rival | 15, 0.5 times |"])
+            "| boxes, even, 1\u00a0000, `Grid` | 10 |", "| boxes, even, 1\u00a0000, Rival | 45.7, 4.57 times |",
+            "| boxes, even, 20\u00a0000, `Grid` | 30 |", "| boxes, even, 20\u00a0000, Rival | 15, 0.5 times |"])
 
     def test_remarks(self) -> None:
         self.assertEqual(self.said("table collision; rows subject; columns scene; scenes heap, settled; remarks what"), [
@@ -93,9 +93,9 @@ class Tables(unittest.TestCase):
 
     def test_all_areas(self) -> None:
         self.assertEqual(self.said("all")[2:], [
-            "| collision | boxes, even | 1 000 | `Grid`, 10 ns a body | Rival, 45.7 ns a body | 4.57 |",
-            "| collision | boxes, even | 20 000 | `Grid`, 30 ns a body | Rival, 15 ns a body (says Rival) | **0.5** |",
-            "| collision | boxes, mixed | 1 000 | `Grid`, 100 ns a body | Rival, 1.16 us a body | 11.6 |",
+            "| collision | boxes, even | 1\u00a0000 | `Grid`, 10 ns a body | Rival, 45.7 ns a body | 4.57 |",
+            "| collision | boxes, even | 20\u00a0000 | `Grid`, 30 ns a body | Rival, 15 ns a body (says Rival) | **0.5** |",
+            "| collision | boxes, mixed | 1\u00a0000 | `Grid`, 100 ns a body | Rival, 1.16 us a body | 11.6 |",
             "| collision | heap, settled | 50 | `Soft`, 0.5 ms a step | Rival, 2 ms a step | 4 |"])
 
     def test_the_run(self) -> None:
