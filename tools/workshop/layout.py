@@ -29,13 +29,18 @@ def attributes(url: str, title: str, kind: str = "user") -> str:
     return f'type="{kind}" visible="yes" url="{url}" title="{title}"'
 
 
+def plain(title: str) -> str:
+    """Without what sets it; the asterisk of A* opens nothing."""
+    return re.sub(r"(?<![\w*])(\*{1,2})(?=\S)(.+?)(?<=\S)\1(?!\w)", r"\2", title.replace("`", ""))
+
+
 def chapter(lines: list[str]) -> list[str]:
     """A chapter with its pages; nothing of a page that is no chapter."""
     if not parts.chapter_of(lines):
         return []
     tabs: list[str] = []
     for part in parts.parts_of(lines):
-        title, leads = re.sub("[`*]", "", part.title), f"@ref {part.label}"
+        title, leads = plain(part.title), f"@ref {part.label}"
         tabs.append(f"      <tab {attributes(leads, title)}/>" if tabs else f"    <tab {attributes(leads, title, 'usergroup')}>")
     return tabs + ["    </tab>"]
 

@@ -63,6 +63,10 @@ class Program(unittest.TestCase):
             layout.main(["--exercises", "e", "l.xml", "1.md"])
         self.assertEqual(end.exception.code, 2)
 
+    def test_titles_keep_an_asterisk_that_is_a_name(self) -> None:
+        self.assertEqual([layout.plain(title) for title in ("6.1 The A* algorithm", "1 *Why* `World`", "2 **All** of A*")],
+                         ["6.1 The A* algorithm", "1 Why World", "2 All of A*"])
+
 
 if __name__ == "__main__":
     unittest.main()
