@@ -2,6 +2,7 @@
 // Files of machines: a save that fails leaves the last good one, and what cannot be is refused when it is read.
 
 #include <ansatz/states/save.hpp>
+#include <ansatz/states/scxml.hpp>
 
 #include "tests/states/support.hpp"
 
@@ -141,4 +142,60 @@ TEST_CASE("a deep value for the name of a state is refused, and not followed dow
     };
     CHECK_THAT(with(60), ContainsSubstring("machine.json: states[1] is a list; expected the name of a state"));
     CHECK_THAT(with(200000), ContainsSubstring("machine.json"));
+}
+
+namespace {
+
+const char* const regions = R"xml(<scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0"
+    xmlns:ansatz="urn:ansatz:states">
+  <parallel id="p">
+    <state id="u">
+      <history id="H"><transition target="a"/></history>
+      <history id="D" type="deep"><transition target="a"/></history>
+      <state id="a"><state id="a1"/><state id="a2"/></state>
+      <state id="b"/>
+      <transition event="out" target="z"/>
+    </state>
+    <state id="w" ansatz:initial="none">
+      <history id="W"><transition target="w1"/></history>
+      <state id="w1"/>
+    </state>
+  </parallel>
+  <state id="z"><transition event="back" target="H"/></state>
+</scxml>)xml";
+using Regional = Machine<InFile<int>, Interpreted, AllowChildless>;
+
+} // namespace
+
+TEST_CASE("a loaded history of parallel states names what can be active together", "[states]") {
+    const auto chart = parse_scxml<int>(regions, "regions.scxml", Bindings<int>{});
+    int n = 0;
+    Regional machine{chart, AllowChildless{}};
+    machine.start(n);
+    machine.handle(n, "out");
+    const auto good = saved(machine);
+    load_text(machine, good);
+    CHECK(saved(machine) == good);
+    const auto with = [&](const char* history, std::vector<std::string> names) {
+        auto file = nlohmann::ordered_json::parse(good);
+        auto& kept = file["histories"][history] = {{"count", names.size()}};
+        for (std::size_t i = 0; i < names.size(); ++i) kept[std::to_string(i)] = names[i];
+        const auto said = refusal([&] { load_text(machine, file.dump()); });
+        if (said != "nothing") CHECK(saved(machine) == good);
+        return said;
+    };
+    CHECK_THAT(with("H", {"a", "b"}), ContainsSubstring("machine.json: histories.H is") &&
+                                          ContainsSubstring("expected names of states that can be active together"));
+    CHECK_THAT(with("D", {"a1", "a2"}), ContainsSubstring("histories.D is") && ContainsSubstring("together"));
+    CHECK_THAT(with("D", {"a1", "b"}), ContainsSubstring("histories.D is") && ContainsSubstring("together"));
+    const auto other = ContainsSubstring("expected names of states that this history can remember");
+    CHECK_THAT(with("H", {"a1"}), ContainsSubstring("histories.H is") && other);      // a grandchild, of a shallow one
+    CHECK_THAT(with("D", {"a"}), ContainsSubstring("histories.D is") && other);       // not innermost, of a deep one
+    CHECK_THAT(with("W", {"w", "w1"}), ContainsSubstring("histories.W is") && other); // alone, and not
+    CHECK(with("W", {"w"}) == "nothing");
+    CHECK(with("W", {"w1"}) == "nothing");
+    CHECK(with("D", {"a2"}) == "nothing");
+    CHECK(with("H", {"b"}) == "nothing");
+    CHECK(machine.handle(n, "back"));
+    CHECK(machine.is_in("b"));
 }
