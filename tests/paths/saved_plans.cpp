@@ -9,7 +9,11 @@
 
 #include <ansatz/states/save.hpp>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -167,4 +171,72 @@ TEST_CASE("a saved plan that does not fit is refused, and the runner is as it wa
                    goap::load(one.runner, p, nobody, std::string("/no/such/file"));
                }),
                ContainsSubstring("goap::load: /no/such/file cannot be opened"));
+}
+
+TEST_CASE("a plan's file is written whole, or is as it was", "[goap]") {
+    const Kitchen kitchen;
+    Kettle one{kitchen};
+    one.tick(), one.tick();
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("ansatz_plan_" + std::to_string(::getpid()))).string();
+    const auto text = [&] {
+        std::ostringstream out;
+        out << std::ifstream(path).rdbuf();
+        return out.str();
+    };
+    goap::save(one.runner, one.performance, path);
+    const auto good = text();
+    CHECK(good == saved(one.runner, one.performance));
+    Domain foreign;
+    const auto fact = foreign.fact("f\xFF");
+    foreign.action("do").makes(fact);
+    Planner planner{foreign};
+    Runner runner{planner, goap::Remembers{}};
+    CHECK_THAT(
+        refusal([&] { goap::save(runner, goap::Performance{}, path); }),
+        ContainsSubstring("goap::save: the name of the fact \"f\xEF\xBF\xBD\" is not UTF-8, and a file holds UTF-8"));
+    CHECK_THAT(refusal([&] { saved(runner); }), ContainsSubstring("is not UTF-8"));
+    CHECK(text() == good);
+    CHECK_THAT(refusal([&] { load_text(runner, good); }),
+               ContainsSubstring("fact 0 is \"f\xEF\xBF\xBD\", and was \"has water\" when"));
+    Domain acts;
+    acts.action("d\xFF").makes(acts.fact("f"));
+    Planner actor{acts};
+    CHECK_THAT(refusal([&] {
+                   saved(Runner{actor, goap::Remembers{}});
+               }),
+               ContainsSubstring("the name of the action \"d\xEF\xBF\xBD\" is not UTF-8"));
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("a full disk is noticed when a plan is saved", "[goap]") {
+    if (!std::filesystem::exists("/dev/full")) return;
+    const Kitchen kitchen;
+    Kettle one{kitchen};
+    CHECK_THAT(refusal([&] { goap::save(one.runner, one.performance, std::string("/dev/full")); }),
+               ContainsSubstring("save: /dev/full could not be written to the end"));
+}
+
+TEST_CASE("a directory is no file of a plan", "[goap]") {
+    const Kitchen kitchen;
+    Kettle one{kitchen};
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    CHECK_THAT(refusal([&] { goap::load(one.runner, one.performance, one.crew, folder); }),
+               ContainsSubstring(folder + " cannot be read; is it a file?"));
+}
+
+TEST_CASE("a deep value in a plan's domain is refused, and not followed down", "[goap]") {
+    const Kitchen kitchen;
+    Kettle one{kitchen};
+    const auto good = saved(one.runner, one.performance);
+    for (const std::string what : {"\"has tea\"\n", "3.0", "\"boil\""}) {
+        const auto with = [&](std::size_t levels) {
+            std::string text = good;
+            text.replace(text.find(what), what.size(), std::string(levels, '[') + std::string(levels, ']'));
+            return refusal([&] { load_text(one.runner, text); });
+        };
+        CHECK_THAT(with(60), ContainsSubstring("plan.json: the domain has changed: ") &&
+                                 ContainsSubstring(", and was a list when the plan was saved"));
+        CHECK_THAT(with(200000), ContainsSubstring("plan.json"));
+    }
 }

@@ -260,19 +260,24 @@ private:
             std::vector<std::string> kept;
             for (std::size_t d = parent + 1; d < c.states_[parent].end; ++d)
                 if (flags[0] && flags[d - parent]) kept.emplace_back(c.name(StateId(d)));
-            const bool alone = c.states_[parent].childless;
+            const bool alone = c.states_[parent].childless, deep = c.states_[h].kind == Kind::deep_history;
             if (alone && flags[0] && kept.empty()) kept.emplace_back(c.name(StateId(parent)));
             detail::archive_field(a, c.name(StateId(h)), kept);
             if (!a.reads()) continue;
             flags[0] = char(!kept.empty());
             for (const auto& name : kept) {
                 const auto s = c.find(name);
-                if (alone && index(s) == parent) continue;
+                if (alone && index(s) == parent && kept.size() == 1) continue;
                 if (s == StateId::none || index(s) <= parent || index(s) >= c.states_[parent].end ||
-                    is_history(m.kind_of(s)))
+                    is_history(m.kind_of(s)) ||
+                    (deep ? c.states_[index(s)].initial.count > 0 || c.states_[index(s)].kind == Kind::parallel
+                          : c.states_[index(s)].parent != parent)) // what Regions::record keeps
                     a.refuse_here(c.name(StateId(h)), "names of states that this history can remember");
                 flags[index(s) - parent] = 1;
             }
+            r.check_history(c, h);
+            if (!kept.empty() && !flags[0])
+                a.refuse_here(c.name(StateId(h)), "names of states that can be active together");
         }
         a.close();
     }

@@ -25,10 +25,12 @@
 #include <ansatz/states/outline.hpp>
 
 #include <ansatz/world/file_value.hpp>
+#include <ansatz/world/whole_file.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <ios>
 #include <istream>
 #include <limits>
 #include <optional>
@@ -200,6 +202,33 @@ inline std::vector<MachineArchive::Addition> additions_from_file(const FileValue
     return found;
 }
 
+/// A file as text. Texts that are no UTF-8 come from the program, and the sentence is to say from where in it.
+inline std::string text_of(const Json& file, const std::vector<std::string>& states) {
+    try {
+        return file.dump(1) + '\n';
+    } catch (const Json::type_error&) {
+        using How = Json::error_handler_t;
+        for (const auto& state : states) {
+            const auto legible = Json(state).dump(-1, ' ', false, How::replace);
+            if (legible != Json(state).dump(-1, ' ', false, How::ignore))
+                refuse(Refusal::invalid_argument,
+                       "save: the name of the state " + legible + " is not UTF-8, and a file holds UTF-8 text");
+        }
+        refuse(Refusal::invalid_argument,
+               "save: a text that the machine remembers is not UTF-8, and a file holds UTF-8 text");
+    }
+}
+inline Json parsed(std::istream& in, const std::string& name) {
+    try {
+        auto file = ansatz::detail::parse_file(in, false);
+        if (file.is_discarded())
+            refuse(Refusal::invalid_argument, name + ": it is no JSON; expected a machine that was saved");
+        return file;
+    } catch (const std::ios_base::failure&) { // a directory can be opened, and fails when it is read
+        refuse(Refusal::invalid_argument, name + " cannot be read; is it a file?");
+    }
+}
+
 } // namespace detail
 
 /// What `save` takes.
@@ -215,38 +244,41 @@ template <class D, class C, class... O> inline constexpr bool is_interpreted<Int
 
 } // namespace states
 
-/// Writes where a machine is and what it remembers.
-/// \throws std::invalid_argument from within an action of the machine, and, for Interpreted, where a guard or a state class
-///         does not say what it consists of; nothing is written
-template <class Machine>
-    requires states::is_machine<Machine>
-void save(const Machine& machine, std::ostream& out) {
-    using states::MachineArchive;
+namespace states::detail {
+/// All of it, so that nothing is written of a machine that is refused.
+template <class Machine> std::string saved_text(const Machine& machine) {
     if (MachineArchive::busy(machine))
         refuse(Refusal::invalid_argument, "save: called from an action of the machine; save between two updates");
-    const states::detail::Identity identity(MachineArchive::outline(machine));
-    states::detail::Json file;
+    const Identity identity(MachineArchive::outline(machine));
+    Json file;
     file["machine"] = MachineArchive::version;
     file["representation"] = MachineArchive::representation(machine);
     file["description"] = identity.text();
     file["states"] = identity.states;
-    if (auto added = states::detail::additions_to_file(MachineArchive::outline(machine)); !added.empty())
+    if (auto added = additions_to_file(MachineArchive::outline(machine)); !added.empty())
         file["added"] = std::move(added);
-    states::detail::JsonWriter writer(file);
+    JsonWriter writer(file);
     Machine copy(machine); // a copy, because fields() takes a machine that may be changed: reading and writing share it
     MachineArchive::fields(copy, writer);
-    out << file.dump(1) << '\n';
+    return text_of(file, identity.states);
+}
+} // namespace states::detail
+
+/// Writes where a machine is and what it remembers.
+/// \throws std::invalid_argument from within an action of the machine, for a name or a text that is no UTF-8, and, for
+///         Interpreted, where a guard or a state class does not say what it consists of; nothing is written
+template <class Machine>
+    requires states::is_machine<Machine>
+void save(const Machine& machine, std::ostream& out) {
+    out << states::detail::saved_text(machine);
 }
 namespace states::detail {
 /// \param names  what the names of transitions stand for that were added while the machine ran; null: nothing
 template <class Machine, class Names>
 void load_machine(Machine& machine, std::istream& in, const std::string& name, const Names* names) {
-    using states::MachineArchive;
     if (MachineArchive::busy(machine))
         refuse(Refusal::invalid_argument, "load: called from an action of the machine; load between two updates");
-    const Json file = Json::parse(in, nullptr, false);
-    if (file.is_discarded())
-        refuse(Refusal::invalid_argument, name + ": it is no JSON; expected a machine that was saved");
+    const Json file = parsed(in, name);
     const FileValue root{file, name, true};
     root.at("machine").is(MachineArchive::version, ", the version of the format that this library reads");
     root.at("representation")
@@ -257,6 +289,7 @@ void load_machine(Machine& machine, std::istream& in, const std::string& name, c
     for (std::size_t s = 0; s < std::max(there.size("names"), identity.states.size()); ++s) {
         const bool here = s < identity.states.size(), saved = s < there.json.size();
         if (here && saved && there.json[s] == identity.states[s]) continue;
+        if (saved && !there.json[s].is_string()) there.at(s).refuse_here("the name of a state");
         refuse(Refusal::invalid_argument, name + ": the description of the machine has changed: state " +
                                               std::to_string(s) + " is " + (here ? shown(identity.states[s]) : "none") +
                                               ", and was " + (saved ? there.json[s].dump() : "none") +
@@ -297,17 +330,16 @@ void load(Machine& machine, std::istream& in, const Bindings<typename Machine::C
           const std::string& name = "load") {
     states::detail::load_machine(machine, in, name, &names);
 }
-/// The same into a file.
-/// \throws std::invalid_argument where it cannot be written, too
+/// The same into a file, whole or not at all: it is written beside the file, as `path`.part, which then takes its
+/// place.
+/// \throws std::invalid_argument where it cannot be written, too; what was there before is there as it was
 template <class Machine>
     requires states::is_machine<Machine>
 void save(const Machine& machine, const std::string& path) {
-    std::ofstream out(path);
-    if (out) save(machine, out);
-    if (!out) refuse(Refusal::invalid_argument, "save: " + path + " cannot be written");
+    ansatz::detail::write_whole_file(path, states::detail::saved_text(machine));
 }
 /// The same from a file.
-/// \throws std::invalid_argument for one that cannot be opened, too
+/// \throws std::invalid_argument for one that cannot be opened or read, too
 template <class Machine>
     requires states::is_machine<Machine>
 void load(Machine& machine, const std::string& path) {

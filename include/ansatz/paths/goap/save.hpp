@@ -18,9 +18,11 @@
 
 #include <ansatz/paths/goap/perform.hpp>
 #include <ansatz/world/file_value.hpp>
+#include <ansatz/world/whole_file.hpp>
 
 #include <array>
 #include <fstream>
+#include <ios>
 #include <istream>
 #include <ostream>
 
@@ -56,6 +58,34 @@ template <std::size_t W> Json to_file(const Domain<W>& domain) {
     }
     file["facts"] = facts, file["actions"] = actions;
     return file;
+}
+
+/// A file as text. Names that are no UTF-8 come from the program, and the sentence is to say which.
+template <std::size_t W> std::string text_of(const Json& file, const Domain<W>& domain) {
+    try {
+        return file.dump(1) + '\n';
+    } catch (const Json::type_error&) {
+        using How = Json::error_handler_t;
+        const auto require = [](const char* what, const std::string& name) {
+            const auto legible = Json(name).dump(-1, ' ', false, How::replace);
+            if (legible != Json(name).dump(-1, ' ', false, How::ignore))
+                refuse(Refusal::invalid_argument, "goap::save: the name of the " + std::string(what) + " " + legible +
+                                                      " is not UTF-8, and a file holds UTF-8 text");
+        };
+        for (std::size_t f = 0; f < domain.facts(); ++f) require("fact", domain.name_of(Fact{f}));
+        for (Action a = 0; a < domain.actions(); ++a) require("action", domain.name_of(a));
+        throw; // there is no other text in it
+    }
+}
+inline Json parsed(std::istream& in, const std::string& name) {
+    try {
+        auto file = ansatz::detail::parse_file(in, false);
+        if (file.is_discarded())
+            refuse(Refusal::invalid_argument, name + ": it is no JSON; expected a plan that was saved");
+        return file;
+    } catch (const std::ios_base::failure&) { // a directory can be opened, and fails when it is read
+        refuse(Refusal::invalid_argument, name + " cannot be read; is it a file?");
+    }
 }
 
 /// Reads names of a domain from a file.
@@ -94,15 +124,22 @@ template <std::size_t W> struct NamesFromFile {
     void same(const FileValue& root) const {
         const Json here = to_file(domain);
         const auto there = root.at("domain");
+        // What nests deeply is named, not shown: a file of a hundred thousand brackets must not be followed down. The
+        // program's own names may be no UTF-8.
+        const auto legible = [](const Json& value) {
+            if (FileValue::deeper_than(value, 4)) return std::string(value.is_array() ? "a list" : "an object");
+            return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+        };
         const auto differs = [&](const std::string& what, const Json& now, const Json& was) {
-            refuse(Refusal::invalid_argument, root.place + ": the domain has changed: " + what + " is " + now.dump() +
-                                                  ", and was " + was.dump() + " when the plan was saved");
+            refuse(Refusal::invalid_argument, root.place + ": the domain has changed: " + what + " is " + legible(now) +
+                                                  ", and was " + legible(was) + " when the plan was saved");
         };
         const auto facts = there.at("facts"), actions = there.at("actions");
         const auto number = [](std::size_t i) { return std::to_string(i); };
         for (std::size_t f = 0; f < std::max(facts.size("names of facts"), here["facts"].size()); ++f) {
-            const Json now = f < domain.facts() ? here["facts"][f] : Json("none");
-            const Json was = f < facts.json.size() ? facts.json[f] : Json("none");
+            const Json none = "none";
+            const Json& now = f < domain.facts() ? here["facts"][f] : none;
+            const Json& was = f < facts.json.size() ? facts.json[f] : none; // no copy, which would follow it down
             if (now != was) differs("fact " + number(f), now, was);
         }
         for (std::size_t a = 0; a < std::max(actions.size("actions"), here["actions"].size()); ++a) {
@@ -162,6 +199,10 @@ struct RunnerArchive {
             file["memory"] = {{"time", r.memory_.now().value()}, {"failed", all}};
         }
         return file;
+    }
+    /// The same as text.
+    template <class P, class M> static std::string text(const Runner<P, M>& r, const Performance& performance) {
+        return detail::text_of(to_file(r, performance), r.planner_->domain());
     }
     /// Reads all of it into a copy.
     template <class P, class M>
@@ -242,17 +283,17 @@ private:
 };
 
 /// Writes a plan that is being performed.
+/// \throws std::invalid_argument for a name of the domain that is no UTF-8; nothing is written
 template <class Planner, class Memory>
 void save(const Runner<Planner, Memory>& runner, const Performance& performance, std::ostream& out) {
-    out << RunnerArchive::to_file(runner, performance).dump(1) << '\n';
+    out << RunnerArchive::text(runner, performance);
 }
-/// The same into a file.
-/// \throws std::invalid_argument where it cannot be written
+/// The same into a file, whole or not at all: it is written beside the file, as `path`.part, which then takes its
+/// place.
+/// \throws std::invalid_argument where it cannot be written, too; what was there before is there as it was
 template <class Planner, class Memory>
 void save(const Runner<Planner, Memory>& runner, const Performance& performance, const std::string& path) {
-    std::ofstream out(path);
-    if (out) save(runner, performance, out);
-    if (!out) refuse(Refusal::invalid_argument, "goap::save: " + path + " cannot be written");
+    ansatz::detail::write_whole_file(path, RunnerArchive::text(runner, performance));
 }
 /// Puts a runner where the one was that was saved.
 /// \param performer who goes on with the action that is begun: one with `resume(action)`, such as ByMachine, is told of it
@@ -262,9 +303,7 @@ void save(const Runner<Planner, Memory>& runner, const Performance& performance,
 template <class Planner, class Memory, Performer P>
 void load(Runner<Planner, Memory>& runner, Performance& performance, P& performer, std::istream& in,
           const std::string& name = "goap::load") {
-    const auto file = detail::Json::parse(in, nullptr, false);
-    if (file.is_discarded())
-        refuse(Refusal::invalid_argument, name + ": it is no JSON; expected a plan that was saved");
+    const auto file = detail::parsed(in, name);
     auto next = runner;
     Performance going;
     RunnerArchive::from_file(next, going, detail::FileValue{file, name, true});
@@ -274,7 +313,7 @@ void load(Runner<Planner, Memory>& runner, Performance& performance, P& performe
     performance = going;
 }
 /// The same from a file.
-/// \throws std::invalid_argument for one that cannot be opened, too
+/// \throws std::invalid_argument for one that cannot be opened or read, too
 template <class Planner, class Memory, Performer P>
 void load(Runner<Planner, Memory>& runner, Performance& performance, P& performer, const std::string& path) {
     std::ifstream in(path);
