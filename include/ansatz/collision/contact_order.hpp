@@ -19,6 +19,15 @@
 
 namespace ansatz {
 
+namespace detail {
+/// Gives two lists that are about to change places the same room: otherwise a step that has long had all the room that
+/// it needs finds some day that the list with little room has come round.
+template <class T> void equal_room(std::vector<T>& a, std::vector<T>& b) {
+    a.reserve(b.capacity());
+    b.reserve(a.capacity());
+}
+} // namespace detail
+
 /// Sorts contacts; keeps the room that it needs.
 template <class S> class ContactOrder {
 public:
@@ -35,8 +44,10 @@ public:
         const std::size_t found = contacts.size() - ordered;
         if (found < ids / 8) sort_few(contacts, found);
         else sort_many(contacts, found, ids);
-        if (ordered == 0) contacts.swap(sorted_);
-        else merge(contacts, found);
+        if (ordered == 0) {
+            detail::equal_room(contacts, sorted_);
+            contacts.swap(sorted_);
+        } else merge(contacts, found);
     }
 
 private:

@@ -94,6 +94,7 @@ protected:
     /// Those that were found take the place of those that acted.
     /// \param later whether this is a part of a step and not the first
     void compare(std::vector<Contact<S>>& found, bool later) {
+        detail::equal_room(contacts.acting, found);
         if (!later) ended.clear();
         detail::compare_contacts(contacts.acting, found, ended, later);
         contacts.acting.swap(found);
