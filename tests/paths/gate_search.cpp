@@ -147,7 +147,7 @@ TEST_CASE("a search after a change is that of a hierarchy that is built anew", "
 TEST_CASE("where gates lie on ground of 60000 tiles' weight, there is a path by way of them where A* has one",
           "[hierarchy]") {
     std::mt19937 random(31);
-    int found = 0, heavy = 0;
+    int found = 0, heavy = 0, beyond = 0;
     for (int i = 0; i < 6000; ++i) {
         Grid<Eight<>, Terrain> map(12, std::size_t(1 + random() % 6));
         for (std::uint16_t x = 0; x < map.width(); ++x)
@@ -160,9 +160,19 @@ TEST_CASE("where gates lie on ground of 60000 tiles' weight, there is a path by 
         AStar best{map};
         GateSearch gates{map, 4};
         const auto outcome = best.find(start, goal);
-        if (outcome == Outcome::too_far) continue; // 71,000 tiles and more: no number of a grid holds it
         INFO("map " << i);
-        REQUIRE(gates.find(start, goal) == outcome);
+        if (outcome == Outcome::too_far) { // 71,000 tiles and more: gates may add them up, the ways between them not
+            AStar wide{map, CostIn<std::uint64_t>{}};
+            const bool there = wide.find(start, goal) == Outcome::found;
+            if (there) REQUIRE(gates.find(start, goal) != Outcome::no_path);
+            beyond += there;
+            continue;
+        }
+        const auto by_gates = gates.find(start, goal);
+        if (by_gates != outcome) { // which of two ways is tried first may show a search that some cost too much
+            REQUIRE(outcome == Outcome::no_path);
+            REQUIRE(by_gates == Outcome::too_far);
+        }
         if (outcome != Outcome::found) continue;
         REQUIRE(gates.cost() >= map.cost(best.path()) * (1 - 1e-12));
         ++found;
@@ -170,4 +180,24 @@ TEST_CASE("where gates lie on ground of 60000 tiles' weight, there is a path by 
     }
     CHECK(found > 500);
     CHECK(heavy > 200);
+    CHECK(beyond > 20);
+}
+
+TEST_CASE("a way within a square that costs more than its number holds is too far", "[hierarchy]") {
+    for (const bool wall : {false, true}) {
+        Grid<Eight<>, Terrain> map(80, 3);
+        for (std::uint16_t x = 0; x < 80; ++x)
+            for (std::uint16_t y = 0; y < 3; ++y) map.set_weight(Cell{x, y}, x < 20 ? 60000 : 1);
+        if (wall)
+            for (std::uint16_t y = 0; y < 3; ++y) map.set_passable(Cell{70, y}, false);
+        GateSearch gates{map, 16};
+        // Behind the wall, too: from beyond what its numbers hold a search cannot tell.
+        CHECK(gates.find({0, 0}, {79, 2}) == Outcome::too_far);
+        CHECK(gates.find({79, 2}, {0, 0}) == (wall ? Outcome::no_path : Outcome::too_far));
+        CHECK(gates.path().empty());
+        CHECK(gates.find({21, 0}, {69, 2}) == Outcome::found); // what is elsewhere does not matter
+        for (std::uint16_t x = 0; x < 20; ++x)
+            for (std::uint16_t y = 0; y < 3; ++y) map.set_weight(Cell{x, y}, 1);
+        CHECK(gates.find({0, 0}, {79, 2}) == (wall ? Outcome::no_path : Outcome::found));
+    }
 }

@@ -160,8 +160,8 @@ TEST_CASE("a bad file is refused with its path, line and name", "[states]") {
         CHECK_THAT(line2("<state id='" + std::string(id) + "'/>"),
                    ContainsSubstring("with a blank in it; no target could name it"));
     CHECK_THAT(line2("<state id='\xff'/>"), ContainsSubstring("whose byte 0 is of no character of XML"));
-    CHECK_THAT(line2("<state id='x&#1;'/>"), ContainsSubstring("whose byte 1 is of no character of XML"));
-    CHECK_THAT(line2("<state id='x'><onentry><script>a&#1;b</script></onentry></state>"),
+    CHECK_THAT(line2("<state id='x\x01'/>"), ContainsSubstring("whose byte 1 is of no character of XML"));
+    CHECK_THAT(line2("<state id='x'><onentry><script>a\001b</script></onentry></state>"),
                ContainsSubstring("the action is \"a?b\", whose byte 1 is of no character of XML"));
     CHECK_THAT(line2("<state id=\"a\">walk</state>"), ContainsSubstring("text stands in <state>: \"walk\""));
     CHECK_THAT(line2("<state id=\"a\"><transition/></state>"), ContainsSubstring("it would happen for ever"));
@@ -225,6 +225,34 @@ TEST_CASE("tricks with entities, depth and size end in a sentence, soon", "[stat
         many += "<state id=\"s" + std::to_string(i) + "\"><transition event=\"e" + std::to_string(i) +
                 "\" target=\"s0\"/></state>";
     CHECK_THAT(refused(in(many)), ContainsSubstring("20001 states and 20001 events"));
+
+    // Transitions of which each state takes the first, but all of which stand around all of them.
+    std::string wide, around, closed;
+    for (int i = 0; i < 1000; ++i)
+        wide += "<state id=\"s" + std::to_string(i) + "\"><transition event=\"e" + std::to_string(i) + "\"/></state>";
+    for (int i = 0; i < 200; ++i) {
+        around += "<state id=\"around" + std::to_string(i) + "\">";
+        for (int k = 0; k < 20; ++k) around += "<transition event=\"*\"/>";
+        closed += "</state>";
+    }
+    CHECK_THAT(refused(in(around + wide + closed)), ContainsSubstring("more than 16777216 candidates"));
+}
+
+TEST_CASE("a reference is a character of XML, or is refused", "[states]") {
+    const auto name = [](const std::string& id) {
+        return parse_outline("<scxml><state id=\"" + id + "\"/></scxml>", "f").states[1].name;
+    };
+    CHECK(name("&#65;&#x42;&#x1F600;") == "AB\xf0\x9f\x98\x80");
+    for (const std::string bad : {"&#0;", "&#x0;", "&#1;", "&#xD800;", "&#xFFFE;", "&#x110000;", "&#4294967361;",
+                                  "&#18446744073709551681;", "&#;", "&#x;", "&#-65;", "&#X41;", "&#65"}) {
+        CAPTURE(bad);
+        CHECK_THAT(refused("<scxml>\n<state id=\"a" + bad + "\"/></scxml>"),
+                   ContainsSubstring("guard.scxml:2: the reference \"" +
+                                     bad.substr(0, std::min<std::size_t>(20, bad.find(';')))));
+    }
+    // Within these it is only text.
+    CHECK(parse_outline("<?a &#0; ?><scxml><!-- &#0; --><state id=\"a\"/><!--&#0;--></scxml>", "f").states[1].name ==
+          "a");
 }
 
 TEST_CASE("a refused file changes nothing, and a good one is taken over between updates", "[states]") {

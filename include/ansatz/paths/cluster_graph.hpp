@@ -38,7 +38,7 @@ public:
     /// Between these two.
     void set_ends(Cell start, Cell goal) {
         start_ = start, goal_ = goal;
-        clusters_->ways_to(goal, steps_, costs_);
+        too_far_ = !clusters_->ways_to(goal, steps_, costs_);
         away_.clear();
         if (clusters_->is_gate(start)) return;
         for (const Cell gate : clusters_->gates_of(clusters_->square_of(start)))
@@ -55,12 +55,15 @@ public:
         if (c == goal_ || clusters_->square_of(c) != clusters_->square_of(goal_)) return {goal_, Clusters<Map>::no_way};
         return {goal_, costs_[clusters_->local(c)]};
     }
+    /// Whether a way, to a gate or to the goal, costs more than its number holds, and so is none here.
+    bool too_far() const { return too_far_ || clusters_->too_far(); }
     /// The direction of the next step to the goal, inside of its square.
     std::uint8_t step_to_goal(Cell from) const { return steps_[clusters_->local(from)]; }
 
 private:
     const Clusters<Map>* clusters_;
     Cell start_, goal_;
+    bool too_far_ = false;            ///< a way to the goal inside of its square
     std::vector<GateEdge> away_;      ///< from the start
     std::vector<std::uint8_t> steps_; ///< to the goal, inside of its square
     std::vector<std::uint32_t> costs_;

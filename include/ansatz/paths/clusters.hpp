@@ -128,10 +128,15 @@ public:
     /// The cheapest ways inside of its square from every tile to one.
     /// \param steps the direction of each next step, by the tile's place in the square
     /// \param costs what they cost
-    void ways_to(Cell goal, std::vector<std::uint8_t>& steps, std::vector<Cost>& costs) const {
+    /// \return whether no way costs more than a number holds: such a way is none
+    bool ways_to(Cell goal, std::vector<std::uint8_t>& steps, std::vector<Cost>& costs) const {
         costs.assign(side_ * side_, no_way);
         steps.assign(side_ * side_, no_step);
-        fill(goal, steps.data(), costs.data());
+        return fill(goal, steps.data(), costs.data());
+    }
+    /// Whether there are such ways between gates.
+    bool too_far() const {
+        return std::any_of(squares_.begin(), squares_.end(), [](const Square& s) { return s.too_far; });
     }
     /// The place of a tile in its square, row by row.
     std::size_t local(Cell c) const { return c.y % side_ * side_ + c.x % side_; }
@@ -157,6 +162,7 @@ private:
         std::vector<std::uint8_t> step;   ///< by gate, then by the place of the tile
         std::vector<GateEdge> edges;      ///< by gate
         std::vector<std::uint32_t> first; ///< of the edges of each gate
+        bool too_far = false;             ///< some way between gates costs more than a number holds
         bool operator==(const Square&) const = default;
     };
     struct Box {
@@ -312,12 +318,12 @@ private:
     void make(std::size_t square) {
         Square& s = squares_[square];
         const std::size_t n = s.gates.size(), area = side_ * side_;
-        s.between.assign(n * n, no_way);
+        s.too_far = false, s.between.assign(n * n, no_way);
         s.step.assign(n * area, no_step);
         std::vector<Cost> costs(area);
         for (std::size_t k = 0; k < n; ++k) {
             costs.assign(area, no_way);
-            fill(s.gates[k], s.step.data() + k * area, costs.data());
+            if (!fill(s.gates[k], s.step.data() + k * area, costs.data())) s.too_far = true;
             for (std::size_t i = 0; i < n; ++i) s.between[i * n + k] = costs[local(s.gates[i])];
         }
     }
@@ -346,8 +352,8 @@ private:
             s.first.push_back(std::uint32_t(s.edges.size()));
         }
     }
-    /// Dijkstra's algorithm backwards from a tile, inside of its square.
-    void fill(Cell goal, std::uint8_t* steps, Cost* costs) const {
+    /// Dijkstra's algorithm backwards from a tile, inside of its square; whether all costs were numbers.
+    bool fill(Cell goal, std::uint8_t* steps, Cost* costs) const {
         struct Entry {
             Cost cost;
             Cell at;
@@ -358,6 +364,7 @@ private:
         const auto weights = map_->template weights<Cost>();
         open.assign(1, {0, goal});
         costs[local(goal)] = 0;
+        bool near = true;
         while (!open.empty()) {
             const Entry least = open.front();
             std::pop_heap(open.begin(), open.end());
@@ -372,12 +379,14 @@ private:
                 if ((map_->open_directions(from) >> d & 1) == 0) continue;
                 const Cost cost = detail::add(least.cost, enter[d >= 4]);
                 auto& known = costs[local(from)];
+                if (cost == no_way && known == no_way) near = false;
                 if (!(cost < known)) continue;
                 known = cost, steps[local(from)] = std::uint8_t(d);
                 open.push_back({cost, from});
                 std::push_heap(open.begin(), open.end());
             }
         }
+        return near;
     }
 
     std::size_t spacing() const { return side_ * 3 / 8; } ///< the most between two gates of an entrance, about

@@ -73,6 +73,12 @@ public:
         graph_.set_ends(start, goal);
         outcome_ = gates_.find(start, goal);
         looked_at_ += gates_.expanded();
+        if (outcome_ == Outcome::no_path && graph_.too_far()) { // the tiles know whether it is that, or no way
+            outcome_ = tiles_.find(start, goal);
+            looked_at_ += tiles_.expanded();
+            path_.assign(tiles_.path().begin(), tiles_.path().end());
+            return outcome_;
+        }
         if (outcome_ != Outcome::found) return outcome_;
         refine(gates_.path());
         if (improves) shorten();

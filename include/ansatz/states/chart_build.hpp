@@ -343,6 +343,7 @@ private:
         for (std::size_t up = s;; up = c_.states_[up].parent) {
             for (const auto t : of_state_[up])
                 for (const auto column : columns_[t]) {
+                    ++work_;
                     auto& list = lists_[column];
                     if (list.empty()) used_.push_back(column);
                     if (list.empty() || c_.transitions_[list.back()].guard != nowhere) list.push_back(t);
@@ -354,7 +355,7 @@ private:
             c_.candidates_.insert(c_.candidates_.end(), lists_[column].begin(), lists_[column].end());
             c_.candidates_.push_back(nowhere);
         }
-        if (c_.candidates_.size() > most_cells)
+        if (c_.candidates_.size() > most_cells || work_ > 16 * most_cells) // the latter takes a second
             builder_.wrong(0, "its states and transitions make more than 16777216 candidates");
     }
     // A transition that changes the present state and does nothing else: no guard, and nothing inside its domain acts,
@@ -374,6 +375,7 @@ private:
     std::vector<std::vector<std::uint32_t>> columns_;
     std::vector<std::vector<std::uint16_t>> lists_;
     std::vector<std::uint32_t> used_;
+    std::size_t work_ = 0; // candidates that were looked at, whether they are any or stand behind one without a guard
 };
 
 } // namespace states::detail

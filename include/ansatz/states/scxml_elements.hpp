@@ -12,7 +12,12 @@
 
 #include <pugixml.hpp>
 
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <fstream>
+#include <string_view>
+#include <utility>
 
 namespace ansatz::states::detail {
 
@@ -54,6 +59,7 @@ public:
             root = node;
         }
         if (!root) wrong(1, "there is no element in it; a machine begins with <scxml>");
+        require_references();
         namespaces(root);
         if (local(root) != "scxml") wrong(root, "the root is " + tag(root) + "; a machine begins with <scxml>");
         machine(root);
@@ -89,7 +95,34 @@ private:
             wrong(declaration, "the encoding is " + shown(encoding) + "; save the file as UTF-8");
     }
 
-    // pugixml looks at neither bytes nor references such as &#1;.
+    // Of a reference such as &#65; pugixml keeps the last 32 bits, and &#0; ends a value for it.
+    void require_references() {
+        for (auto at = text_.find_first_of("<&"); at != text_.npos; at = text_.find_first_of("<&", at)) {
+            for (const auto& [begin, end] : {std::pair<std::string_view, std::string_view>{"<!--", "-->"},
+                                             {"<![CDATA[", "]]>"},
+                                             {"<?", "?>"}}) // within these it is only text
+                if (text_.substr(at).starts_with(begin)) at = std::min(text_.find(end, at), text_.size() - 1);
+            if (text_.substr(at).starts_with("&#")) {
+                const auto reference = text_.substr(at, text_.find(';', at) - at);
+                if (!names_character(reference.substr(2)))
+                    wrong(line_of(std::ptrdiff_t(at)), "the reference " + shown(std::string(reference.substr(0, 20))) +
+                                                           " is of no character of XML");
+            }
+            ++at;
+        }
+    }
+    /// \param number "65" or "x41"
+    static bool names_character(std::string_view number) {
+        const bool hexadecimal = number.starts_with('x');
+        if (hexadecimal) number.remove_prefix(1);
+        std::uint32_t c = 0;
+        const auto [end, fault] =
+            std::from_chars(number.data(), number.data() + number.size(), c, hexadecimal ? 16 : 10);
+        if (fault != std::errc() || end != number.data() + number.size()) return false;
+        return c == 0x9 || c == 0xa || c == 0xd || (c >= 0x20 && c < 0xd800) || (c >= 0xe000 && c < 0xfffe) ||
+               (c >= 0x10000 && c < 0x110000);
+    }
+    // pugixml does not look at bytes.
     void require_characters(Node node, const std::string& what, std::string_view text) {
         const auto bad = first_bad_byte(text);
         if (bad < text.size())
