@@ -10,9 +10,9 @@
 /// a body.
 /// Each body in turn takes one step of Newton's method in its own place, the others standing still; what is left to do
 /// after all iterations is left. Never explodes, and needs no multipliers; iterated to the end it is ImplicitEuler,
-/// which loses as much energy. Use it for bodies with many constraints each, and where a fixed price matters more than
-/// stiffness: it is at its worst on long chains of stiff springs, along which every iteration carries news by one body.
-/// For those take Xpbd with many substeps.
+/// which loses as much energy. It is made for bodies with many constraints each, and a fixed price; on sheets Xpbd
+/// comes nearer to the truth. It is at its worst on long chains of stiff springs, along which every iteration carries
+/// news by one body. For those take Xpbd with many substeps.
 ///
 /// Curvature that is negative (a spring that is pushed together is unstable across its axis) is left out of the
 /// matrices, so that each of them can be solved and each step goes down. A wide constraint, such as the volume of a

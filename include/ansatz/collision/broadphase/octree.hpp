@@ -5,9 +5,10 @@
 /// `Octree`: the world's cube divided into eight, and each that holds too many bodies again (notes 2.1.1, "Binary
 /// Search Partitioning"). In two dimensions it is a quadtree.
 ///
-/// Use it where bodies are crowded in some places and few in others: small cells are made only where they are needed.
-/// Where many bodies are of one size, UniformGrid is faster. <!-- costs: collision broadphase/uniform: UniformGrid <
-/// Octree from 256 --> The notes' warning is a real one: the `threshold` must be
+/// Use it where bodies are of mixed sizes: small cells are made only where they are needed. Where they are of one size,
+/// in crowds, too, UniformGrid is faster. <!-- costs: collision broadphase/uniform: UniformGrid < Octree from 256;
+/// collision broadphase/clustered: UniformGrid < Octree from 256; collision broadphase/mixed: Octree < UniformGrid from
+/// 1024 --> The notes' warning is a real one: the `threshold` must be
 /// chosen. Above the number of bodies it is `Inside` alone; at one or two most of the time goes into dividing, and
 /// bodies that reach over many planes are copied into many cells. chapters/2-collision/2.1.1.3 shows both ends.
 
