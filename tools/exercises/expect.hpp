@@ -9,6 +9,7 @@
 /// by which a wrong answer lists what it fails: "[task-1][old-velocity]". This header comes before the subject, so that
 /// nothing that an answer defines can change what is asked of it.
 
+#include "tools/exercises/drawn_paths.hpp"
 #include "tools/exercises/registry.hpp"
 #include "tools/exercises/todo.hpp"
 
@@ -79,6 +80,24 @@ void expect_agree(std::string_view what, std::string first, const Q& one, std::s
         .append("\n")
         .append(why);
     expect(detail::all_finite(one) && detail::all_finite(other) && detail::size_of(one - other) <= tolerance, text);
+}
+
+/// Fails unless a path is within `tolerance` of the right one after each step; draws both, and says where they part.
+/// \param what    what is followed, e.g. "the height of a ball that falls"
+/// \param unit    of the numbers, e.g. "m"
+/// \param yours, right after each step; the first of them is where both begin
+/// \param seconds how long a step is
+inline void expect_path(std::string_view what, std::string_view unit, const std::vector<double>& yours,
+                        const std::vector<double>& right, double seconds, double tolerance, std::string_view why) {
+    const std::size_t step = step_of_parting(yours, right, tolerance);
+    if (step == right.size()) return;
+    std::ostringstream text;
+    text << std::setprecision(10) << what << ", after step " << step << " of " << right.size() - 1 << " (" << seconds
+         << " s each)\n    yours  " << yours[step] << ' ' << unit << "\n    right  " << right[step] << ' ' << unit
+         << "\n\n"
+         << drawn_paths(yours, right, step, seconds) << '\n'
+         << why;
+    fail(text.str());
 }
 
 /// Fails unless the error falls as that of a method of `order` does, when the step is halved again and again.
