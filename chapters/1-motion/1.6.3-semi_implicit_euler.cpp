@@ -9,12 +9,15 @@
 // smaller: with a_damping = -c v it is (sqrt(c^2 + 4 w^2) - c) / w^2.
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "oscillation.hpp"
 #include "plot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <string>
 
 using namespace ansatz;
 
@@ -31,6 +34,41 @@ template <class... Damping> double reach(double dt, Damping... damping) {
     return most;
 }
 //! [reach]
+
+/// Masses on three equal springs are let go at half a metre, for the film; how far each swings in the last of four
+/// seconds, over how far it was pulled.
+std::array<double, 3> side_by_side() {
+    workbook::Film film(
+        "1.6.3", "One spring, three methods",
+        "Three masses on equal springs are let go at the same place. By explicit Euler the swing grows, "
+        "by semi-implicit Euler it stays, and by implicit Euler it dies away.",
+        {.middle = metres(0, 0.1, 0), .width = 3.7 * metre, .height = 2.1 * metre});
+    film.still(40);
+    const auto swings = [](auto integrator) {
+        World world{integrator, problems::Oscillator{4.0 / second}};
+        const auto mass = world.add(position(metres(0.5, 0, 0)));
+        std::vector<double> places;
+        for (int n = 0; n <= 120; ++n, world.step(1.0 / 30 * second))
+            places.push_back(in(x(world.position(mass)), metre));
+        return places;
+    };
+    const std::array paths{swings(ExplicitEuler{}), swings(SemiImplicitEuler{}), swings(ImplicitEuler{})};
+    const std::array names{"explicit Euler", "semi-implicit Euler", "implicit Euler"};
+    for (std::size_t k = 0; k < 3; ++k) film.scenery().note(metres(-1.8, 1.0 - 0.7 * double(k), 0), names[k]);
+    for (std::size_t n = 0; n <= 120; n += 2) {
+        auto& frame = film.frame(double(n) / 30 * second);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double height = 0.75 - 0.7 * double(k);
+            frame.line(std::vector{metres(-1.8, height, 0), metres(paths[k][n], height, 0)}, workbook::paints::wire)
+                .ball(metres(paths[k][n], height, 0), 0.12 * metre, workbook::paints::ball);
+        }
+    }
+    film.write();
+    std::array<double, 3> swung{};
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t n = 90; n <= 120; ++n) swung[k] = std::max(swung[k], std::abs(paths[k][n]) / 0.5);
+    return swung;
+}
 
 int main() {
     workbook::Claims claim;
@@ -66,6 +104,13 @@ int main() {
     claim("stable at 0.99 of it", reach(0.99 * limit, problems::LinearDamping{c / second}) < 100);
     claim("unstable at 1.01 of it: damping made the step smaller",
           reach(1.01 * limit, problems::LinearDamping{c / second}) > 1e9);
+
+    const auto [grown, kept_up, faded] = side_by_side();
+    std::cout << "After four seconds at 30 steps a second, omega = 4/s, a swing is " << grown
+              << " times as wide by explicit Euler, " << kept_up << " by semi-implicit, " << faded
+              << " by implicit Euler\n";
+    claim("one line makes the difference between growing and staying", grown > 2.5 && std::abs(kept_up - 1) < 0.02);
+    claim("and the implicit one loses it", faded < 0.5);
 
     const std::size_t shown = 240;
     const std::vector times(run.times.begin(), run.times.begin() + shown);
