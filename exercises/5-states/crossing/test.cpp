@@ -50,6 +50,8 @@ TEST_CASE("a step on one side does not", "[task-1][beside]") {
     expect_crossed(4.0, 4.9999, 5, false, "It was below and is below.");
     expect_crossed(5.1, 5.0001, 5, false, "It was above and is above. How near it came does not matter.");
     expect_crossed(4.95, 4.95, 5, false, "It did not move.");
+    expect_crossed(4.9, 3.0, 5, false, "It was below and is below. A long step away from the limit crosses nothing.");
+    expect_crossed(5.1, 9.0, 5, false, "It was above and is above. A long step away from the limit crosses nothing.");
 }
 
 TEST_CASE("a step that ends on the limit crosses it, one that begins there does not", "[task-1][on-it]") {
@@ -71,12 +73,19 @@ TEST_CASE("a guard counts each way through once, wherever the steps end", "[task
         expect_crossings(text.str(), there, 1, "5 m lies on this way once.");
     }
     expect_crossings("there and back and there", {4, 6, 7, 3, 8}, 3, "Each way through counts.");
+    expect_crossings("to the limit, on and back", {4, 5, 6, 4}, 2,
+                     "The step from 4 m to 5 m is the first crossing, the one from 6 m to 4 m the second.");
+    expect_crossings("to the limit and back", {4, 5, 4}, 1,
+                     "It came to the limit, which counts, and left it, which does not.");
 }
 
 TEST_CASE("the first value has crossed nothing", "[task-2][first]") {
     expect_crossings("7 m and 8 m", {7, 8}, 0,
                      "Both are above. A previous value of 0 m that nobody has given is no previous value.");
     expect_crossings("7 m and 3 m", {7, 3}, 1, "One step, one crossing.");
+    expect_crossings("5 m and 6 m", {5, 6}, 0, "It begins on the limit, and leaving it does not count.");
+    expect_crossings("5 m, 6 m and 4 m", {5, 6, 4}, 1,
+                     "The step from 5 m to 6 m only leaves the limit; that from 6 m to 4 m goes through it.");
 }
 
 TEST_CASE("a gap in the values does not hide a crossing", "[task-2][gap]") {
@@ -84,6 +93,8 @@ TEST_CASE("a gap in the values does not hide a crossing", "[task-2][gap]") {
                      "Nothing is known of the gap, but it was below before it and is above behind it.");
     expect_crossings("not a number, 6 m, 7 m", {gap, 6, 7}, 0, "The first good value is the first value.");
     expect_crossings("4 m, not a number twice, 4 m", {4, gap, gap, 4}, 0, "It is where it was.");
+    expect_crossings("6 m, not a number, 7 m", {6, gap, 7}, 0,
+                     "It was above before the gap and is above behind it. A gap is no place on the other side.");
 }
 
 std::vector<double> probe(int task) {
@@ -93,8 +104,13 @@ std::vector<double> probe(int task) {
             for (const double now : {4.0, 4.95, 5.0, 5.05, 6.0})
                 numbers.push_back(exercise::crossed(before * metre, now * metre, 5.0 * metre));
     } else {
-        for (const auto& places : std::vector<std::vector<double>>{
-                 {4, 6, 5, 5, 6, 4}, {7, 8, 3}, {4, gap, 6, gap, 6, 5, gap, 4}, {gap, 6, 7}, {3, 5, 3}})
+        for (const auto& places : std::vector<std::vector<double>>{{4, 6, 5, 5, 6, 4},
+                                                                   {7, 8, 3},
+                                                                   {4, gap, 6, gap, 6, 5, gap, 4},
+                                                                   {gap, 6, 7},
+                                                                   {3, 5, 3},
+                                                                   {5, 6, 4},
+                                                                   {6, gap, 7}})
             numbers.push_back(crossings(places));
     }
     return numbers;

@@ -33,6 +33,9 @@ TEST_CASE("the guard sees at less than 7 m, on patrol and in a search", "[task-1
     for (const State now : {State::patrol, State::search})
         for (const double distance : {7.01, 7.5, 8.5, 30.0})
             expect_next(now, distance, 0.1, now, "Whoever is not nearer than 7 m is not seen.");
+    for (const State now : {State::patrol, State::search})
+        expect_next(now, 7.0, 0.1, now, "An intruder at 7 m is not nearer than 7 m.");
+    expect_next(State::patrol, 20, 10, State::patrol, "A patrol has no time after which it ends.");
 }
 
 TEST_CASE("in a chase he strikes at less than 1 m, and loses sight beyond 9 m", "[task-1][chase]") {
@@ -44,6 +47,10 @@ TEST_CASE("in a chase he strikes at less than 1 m, and loses sight beyond 9 m", 
                     "step to and fro would change the state.");
     for (const double distance : {9.01, 30.0})
         expect_next(State::chase, distance, 0.1, State::search, "Beyond 9 m he has lost the intruder.");
+    expect_next(State::chase, 1.0, 0.1, State::chase, "At 1 m the intruder is not nearer than 1 m.");
+    expect_next(State::chase, 9.0, 0.1, State::chase, "At 9 m the intruder is not farther than 9 m.");
+    for (const double t : {2.0, 3.0, 10.0})
+        expect_next(State::chase, 6.0, t, State::chase, "However long a chase lasts, only the distance ends it.");
 }
 
 TEST_CASE("a search takes three seconds, a blow two", "[task-1][times]") {
@@ -56,6 +63,12 @@ TEST_CASE("a search takes three seconds, a blow two", "[task-1][times]") {
         expect_next(State::strike, 0.5, t, State::strike, "A blow takes two seconds.");
     for (const double t : {2.0, 2.01, 10.0})
         expect_next(State::strike, 0.5, t, State::chase, "After two seconds the chase goes on.");
+    for (const double distance : {1.5, 8.0, 30.0}) {
+        expect_next(State::strike, distance, 1.0, State::strike,
+                    "A blow takes two seconds, wherever the intruder is by then.");
+        expect_next(State::strike, distance, 2.0, State::chase,
+                    "A blow leads to the chase, wherever the intruder is: the chase asks for him at its next update.");
+    }
 }
 
 TEST_CASE("where two conditions hold, the one that was named first decides", "[task-1][order]") {
@@ -79,7 +92,7 @@ std::vector<double> probe(int task) {
     for (const State now : all) {
         if (task == 2) numbers.push_back(int(exercise::heard(now)));
         if (task == 1)
-            for (const double distance : {0.5, 3.0, 7.5, 8.5, 9.5})
+            for (const double distance : {0.5, 1.0, 3.0, 7.0, 7.5, 8.5, 9.0, 9.5})
                 for (const double t : {0.1, 2.0, 3.0, 4.0})
                     numbers.push_back(int(exercise::next(now, distance * metre, t * second)));
     }

@@ -26,14 +26,23 @@ struct Tree {
     };
     ansatz::Outline outline;
     ansatz::Bindings<Context> names;
+    std::vector<int> states;         // the outline has them depth first
+    std::vector<std::size_t> places; // of each state in the outline
 
-    Tree(const Parents& parents, int innermost) {
-        outline.states.resize(parents.size());
-        for (std::size_t s = 1; s < parents.size(); ++s) {
-            outline.states[s].name = name(int(s));
-            outline.states[s].parent = std::size_t(parents[s]);
-        }
+    Tree(const Parents& parents, int innermost) : places(parents.size()) {
+        put(parents, 0);
         outline.states[0].initial = {name(innermost)};
+    }
+    void put(const Parents& parents, int s) {
+        places[std::size_t(s)] = states.size();
+        states.push_back(s);
+        auto& state = outline.states.emplace_back();
+        if (s != 0) {
+            state.name = name(s);
+            state.parent = places[std::size_t(parents[std::size_t(s)])];
+        }
+        for (std::size_t inner = 1; inner < parents.size(); ++inner)
+            if (parents[inner] == s) put(parents, int(inner));
     }
     static std::string name(int s) { return "s" + std::to_string(s); }
 
@@ -48,7 +57,7 @@ struct Tree {
     }
     void lead(int source, const std::string& guard, int target) {
         ansatz::Outline::Transition transition;
-        transition.source = std::size_t(source);
+        transition.source = places[std::size_t(source)];
         transition.guard = guard;
         transition.targets = {name(target)};
         outline.transitions.push_back(transition);
@@ -62,7 +71,7 @@ inline Way way(const Parents& parents, int source, int target) {
     const auto recorded = tree.update({});
     Way way;
     for (std::size_t i = 0; i < recorded.size(); ++i) {
-        const int state = int(ansatz::index(recorded[i].state));
+        const int state = tree.states[ansatz::index(recorded[i].state)];
         if (recorded[i].what == ansatz::Happening::What::exited) way.left.push_back(state);
         // What is entered behind the target is where that begins.
         if (recorded[i].what == ansatz::Happening::What::entered &&
@@ -79,13 +88,13 @@ inline int taken(const Parents& parents, int innermost, const std::vector<Transi
     Tree tree(parents, innermost);
     Tree::Context context;
     std::vector<int> order; // the transitions of a state stand together
-    for (std::size_t s = 0; s < parents.size(); ++s)
+    for (const int s : tree.states)
         for (std::size_t i = 0; i < transitions.size(); ++i) {
-            if (transitions[i].source != int(s)) continue;
+            if (transitions[i].source != s) continue;
             const std::size_t number = order.size();
             tree.names.guard(Tree::name(int(number)),
                              [number](const Tree::Context& c) { return bool(c.holds[number]); });
-            tree.lead(int(s), Tree::name(int(number)), innermost);
+            tree.lead(s, Tree::name(int(number)), innermost);
             context.holds.push_back(transitions[i].holds);
             order.push_back(int(i));
         }

@@ -59,6 +59,21 @@ TEST_CASE("and neither of them", "[task-1][neither]") {
     expect_around(walk, walk, patrol, "A state is not around itself.");
 }
 
+TEST_CASE("a number says nothing of how far in a state is", "[task-1][numbers]") {
+    // State 2 { state 1 { state 3 }, state 4 }, state 5: state 1 is inside a state with a larger number.
+    const exercise::Parents other{-1, 2, 0, 1, 2, 0};
+    const auto expect_in_other = [&](int source, int target, int right, const std::string& why) {
+        const int yours = exercise::around_both(other, source, target);
+        expect(yours == right, "around state " + std::to_string(source) + " and state " + std::to_string(target) +
+                                   ", where the parents of the states 1 to 5 are 2, 0, 1, 2 and 0\n    yours  state " +
+                                   std::to_string(yours) + "\n    right  state " + std::to_string(right) + "\n" + why);
+    };
+    expect_in_other(3, 4, 2, "State 3 is in state 1, which is in state 2, and so is state 4.");
+    expect_in_other(4, 3, 2, "State 4 is in state 2, and so is state 1 with state 3 in it.");
+    expect_in_other(3, 1, 2, "State 1 is around state 3, but not around itself.");
+    expect_in_other(4, 5, 0, "Nothing but the machine itself is around both.");
+}
+
 TEST_CASE("a transition leaves the inner states first", "[task-2][left]") {
     expect_states("left from strike to hide", exercise::way(guard, strike, hide).left, {strike, combat, on_duty},
                   "From the innermost outwards, up to awake, which stays.");
@@ -82,12 +97,18 @@ TEST_CASE("a transition to a parent leaves and enters it", "[task-2][parent]") {
     expect_states("left from strike to combat", way.left, {strike, combat},
                   "Combat is begun anew, so it is left first.");
     expect_states("entered from strike to combat", way.entered, {combat}, "And entered again.");
+    const auto same = exercise::way(guard, look, look);
+    expect_states("left from look to look", same.left, {look}, "It is begun anew, so it is left first.");
+    expect_states("entered from look to look", same.entered, {look}, "And entered again.");
 }
 
 TEST_CASE("the conditions of every active state are checked", "[task-3][all]") {
     expect_taken(strike, {{combat, false}, {on_duty, true}}, 1,
                  "On duty is active too: what holds for it holds for every state in it.");
     expect_taken(strike, {{awake, true}}, 0, "Awake is active too.");
+    expect_taken(strike, {{combat, false}, {machine, true}}, 1,
+                 "The machine itself is around all states and is asked last. It has number 0, and is a state like any "
+                 "other here.");
     expect_taken(strike, {{patrol, true}, {flee, true}, {walk, true}}, -1, "None of these is active.");
     expect_taken(strike, {{strike, false}, {awake, false}}, -1, "No condition holds.");
 }
@@ -105,12 +126,20 @@ TEST_CASE("of one state the first that holds", "[task-3][first]") {
 
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
+    if (task == 1)
+        for (const int source : {3, 4, 5})
+            for (const int target : {1, 2, 3, 4, 5})
+                numbers.push_back(exercise::around_both({-1, 2, 0, 1, 2, 0}, source, target));
     for (const int source : {walk, strike, hide, home}) {
         if (task == 3)
-            for (int mask = 0; mask < 64; ++mask) {
+            for (int mask = 0; mask < 128; ++mask) {
                 std::vector<exercise::Transition> transitions;
-                const int sources[] = {awake, source, on_duty, combat, source, flee};
-                for (int i = 0; i < 6; ++i) transitions.push_back({sources[i], (mask >> i & 1) != 0});
+                const int sources[] = {awake, source, on_duty, combat, source, flee, machine};
+                for (int i = 0; i < 7; ++i) transitions.push_back({sources[i], (mask >> i & 1) != 0});
+                numbers.push_back(exercise::taken(guard, source, transitions));
+                // And where the innermost state has none of its own.
+                for (auto& t : transitions)
+                    if (t.source == source) t.source = look;
                 numbers.push_back(exercise::taken(guard, source, transitions));
             }
         for (int target = 1; task != 3 && target < int(guard.size()); ++target) {

@@ -48,15 +48,18 @@ std::vector<int> turns(const std::vector<bool>& wishes, Quantity<unit::Time> dwe
     return at;
 }
 void expect_turns(const std::string& what, const std::vector<bool>& wishes, const std::vector<int>& right,
-                  const std::string& why) {
-    const auto yours = turns(wishes, 1.0 * second, 0.25 * second);
+                  const std::string& why, double dt = 0.25) {
+    const auto yours = turns(wishes, 1.0 * second, dt * second);
     const auto said = [](const std::vector<int>& at) {
         std::string text;
         for (const int i : at) text += (text.empty() ? "" : ", ") + std::to_string(i);
         return text.empty() ? std::string("never") : "at update " + text;
     };
-    expect(yours == right, what + ", with a dwell time of 1 s and updates of 0.25 s\n    yours  turns " + said(yours) +
-                               "\n    right  turns " + said(right) + "\n" + why);
+    std::ostringstream text;
+    text << what << ", with a dwell time of 1 s and updates of " << dt << " s\n    yours  turns " << said(yours)
+         << "\n    right  turns " << said(right) << '\n'
+         << why;
+    expect(yours == right, text.str());
 }
 std::vector<bool> wishes(const std::string& signs) {
     std::vector<bool> all;
@@ -102,6 +105,19 @@ TEST_CASE("it turns when it has dwelt and wants to", "[task-2][dwells]") {
                  "By then it has been in its state for long enough: it turns at once.");
     expect_turns("wanting to twice, too early", wishes("-+-+"), {4},
                  "The first wish comes after 0.5 s, the second after 1 s.");
+    expect_turns("wanting to from the first update on", wishes("++++"), {3},
+                 "Three updates are 1.125 s and two are only 0.75 s: the third turns it, since the time that it takes "
+                 "counts too.",
+                 0.375);
+}
+
+TEST_CASE("after a turn the time begins at nothing", "[task-2][anew]") {
+    expect_turns("wanting to only after 2 s, and from then on", wishes("-------++++++"), {8, 12},
+                 "It turns after 2 s, when the dwell time has long been over. The second that it has waited since then "
+                 "is no time in the new state.");
+    expect_turns("wanting to from the first update on", wishes("++++++++++"), {3, 6, 9},
+                 "Each turn comes after 1.125 s, three updates. What is more than a second belongs to the old state.",
+                 0.375);
 }
 
 TEST_CASE("what counts is the time in the state, not that of the wish", "[task-2][wish]") {
@@ -118,6 +134,8 @@ std::vector<double> probe(int task) {
     } else {
         for (const char* signs : {"+++++++++", "-----+---+", "+-+-+-+-+-", "-+-+++"})
             for (const int at : turns(wishes(signs), 1.0 * second, 0.25 * second)) numbers.push_back(at);
+        for (const char* signs : {"+++++++++", "------++++++"})
+            for (const int at : turns(wishes(signs), 1.0 * second, 0.375 * second)) numbers.push_back(at);
     }
     return numbers;
 }

@@ -59,6 +59,10 @@ TEST_CASE("at a post he turns round", "[task-1][turns]") {
                 "40 updates to the far post, and 10 back.");
     expect_near("the place after 100 updates of 0.25 s", place_after(100, dt), 5.0 * metre, 1e-12 * metre,
                 "There, back, and halfway there again.");
+    expect_near("the place after 12 updates of 0.9375 s", place_after(12, 0.9375 * second), 9.0625 * metre,
+                1e-12 * metre, "The eleventh ends at the post, and the twelfth is a whole step back.");
+    expect_near("the place after 22 updates of 0.9375 s", place_after(22, 0.9375 * second), 0.0 * metre, 1e-12 * metre,
+                "Eleven updates there and eleven back, the last one shorter: there is a post at 0 m too.");
 }
 
 TEST_CASE("two guards do not share a post", "[task-1][two-guards]") {
@@ -100,6 +104,17 @@ TEST_CASE("and then every two seconds, at any rate", "[task-2][every-two-seconds
         expect_equal(text.str(), shouts_in(updates, h * second), 5,
                      "One at 0 s, 2 s, 4 s, 6 s and 8 s. Count time, not updates: the rate of a game is not the same "
                      "everywhere.");
+        text.str("");
+        text << "shouts in 2 s with updates of " << h << " s";
+        expect_equal(text.str(), shouts_in(int(2.0 / h), h * second), 2,
+                     "One at 0 s and one at 2 s: with this update the two seconds have passed.");
+        text.str("");
+        text << "shouts in an update less than 2 s with updates of " << h << " s";
+        expect_equal(text.str(), shouts_in(int(2.0 / h) - 1, h * second), 1, "Two seconds have not passed yet.");
+        text.str("");
+        text << "shouts in 8 s with updates of " << h << " s";
+        expect_equal(text.str(), shouts_in(int(8.0 / h), h * second), 5,
+                     "One at 0 s, 2 s, 4 s, 6 s and 8 s, each of them with the update that completes the two seconds.");
     }
 }
 
@@ -120,7 +135,8 @@ TEST_CASE("a new alarm begins to count anew", "[task-2][anew]") {
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
-        for (const int updates : {1, 11, 50, 100}) numbers.push_back(place_after(updates, 0.9375 * second).value());
+        for (const int updates : {1, 11, 12, 21, 23, 50, 100})
+            numbers.push_back(place_after(updates, 0.9375 * second).value());
         Npc npc;
         exercise::Patrol patrol;
         patrol.update(npc, dt);
@@ -129,7 +145,8 @@ std::vector<double> probe(int task) {
         Npc entering;
         exercise::Alarm entered;
         for (int i = 0; i < 3; ++i) entered.enter(entering), numbers.push_back(entering.shouts);
-        for (const double h : {0.25, 0.0625, 0.5}) numbers.push_back(shouts_in(33, h * second));
+        for (const double h : {0.25, 0.0625, 0.5})
+            for (const int updates : {32, 33}) numbers.push_back(shouts_in(updates, h * second));
         Npc npc;
         exercise::Alarm alarm;
         for (int i = 0; i < 4; ++i) {

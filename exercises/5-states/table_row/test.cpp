@@ -28,14 +28,28 @@ const Rows& turnstile() {
     };
     return rows;
 }
+/// Another one, which is broken. The row with a guard stands behind the one without, so that it never answers, and a
+/// kick opens it.
+const Rows& broken() {
+    static const Rows rows{
+        {State::locked, Event::coin, nullptr, take, State::locked},       // 0
+        {State::locked, Event::coin, paid, use, State::unlocked},         // 1
+        {State::locked, Event::kick, nullptr, nullptr, State::unlocked},  // 2
+        {State::unlocked, Event::push, paid, give_back, State::unlocked}, // 3
+        {State::unlocked, Event::push, nullptr, pass, State::locked},     // 4
+    };
+    return rows;
+}
 const char* name(State s) {
     return s == State::locked ? "locked" : s == State::unlocked ? "unlocked" : "no state at all";
 }
 const char* name(Event e) { return e == Event::coin ? "coin" : e == Event::push ? "push" : "kick"; }
 
-void expect_row(State state, Event event, int coins, int right, const std::string& why) {
-    const int yours = row_for(turnstile(), state, event, Gate{coins, 0, 0});
-    expect(yours == right, std::string("the row for \"") + name(event) + "\" in " + name(state) + " with " +
+void expect_row(State state, Event event, int coins, int right, const std::string& why,
+                const Rows& rows = turnstile()) {
+    const int yours = row_for(rows, state, event, Gate{coins, 0, 0});
+    const std::string where = &rows == &broken() ? "of the broken turnstile " : "";
+    expect(yours == right, "the row " + where + "for \"" + name(event) + "\" in " + name(state) + " with " +
                                std::to_string(coins) + " coins paid\n    yours  " + std::to_string(yours) +
                                "\n    right  " + std::to_string(right) + "\n" + why);
 }
@@ -67,6 +81,12 @@ TEST_CASE("and by its guard, where it has one", "[task-1][guard]") {
 TEST_CASE("of several rows the first one answers", "[task-1][first]") {
     expect_row(State::locked, Event::coin, 1, 0,
                "Rows 0 and 1 both fit. The first one wins, so the order of a table is a part of its meaning.");
+    expect_row(
+        State::locked, Event::coin, 1, 0,
+        "Rows 0 and 1 both fit. The first one wins here too, though it has no guard and row 1 has one that holds.",
+        broken());
+    expect_row(State::unlocked, Event::push, 1, 3, "Rows 3 and 4 both fit. The first one wins, and its guard holds.",
+               broken());
 }
 
 TEST_CASE("an event does what its row says and leads where it says", "[task-2][does]") {
@@ -79,6 +99,12 @@ TEST_CASE("an event does what its row says and leads where it says", "[task-2][d
     expect_count(gate.passed, 1, "people who went through", "Row 2 counts them.");
     expect_state(handle(turnstile(), State::unlocked, Event::kick, gate), State::unlocked, "after a kick, unlocked",
                  "Row 4 has no action, which is a row like any other.");
+    gate = {};
+    expect_state(handle(broken(), State::locked, Event::kick, gate), State::unlocked,
+                 "after a kick, with the broken turnstile locked",
+                 "Its row 2 has no action and leads to unlocked. A row without an action leads where it says.");
+    expect_count(100 * gate.coins + 10 * gate.passed + gate.returned, 0,
+                 "coins, people and returned coins after that kick, as one number", "There is nothing to do in row 2.");
 }
 
 TEST_CASE("an event takes one row, not another one in the new state", "[task-2][one-row]") {
@@ -97,6 +123,12 @@ TEST_CASE("an event without a row changes nothing", "[task-2][no-row]") {
         expect_count(100 * gate.coins + 10 * gate.passed + gate.returned, 100 * coins + 32,
                      "coins, people and returned coins, as one number", "Nothing is done either.");
     }
+    Gate gate;
+    expect_state(handle(broken(), State::unlocked, Event::coin, gate), State::unlocked,
+                 "after a coin, with the broken turnstile unlocked",
+                 "It has no row for that: the state stays what it was, whichever state that is.");
+    expect_count(100 * gate.coins + 10 * gate.passed + gate.returned, 0,
+                 "coins, people and returned coins after that coin, as one number", "Nothing is done either.");
 }
 
 std::vector<double> probe(int task) {
@@ -114,5 +146,15 @@ std::vector<double> probe(int task) {
             numbers.push_back(1000 * gate.coins + 100 * gate.passed + 10 * gate.returned + int(state));
         }
     }
+    for (const exercise::State from : {exercise::State::locked, exercise::State::unlocked})
+        for (const exercise::Event event : {exercise::Event::coin, exercise::Event::push, exercise::Event::kick})
+            for (const int coins : {0, 1}) {
+                Gate there{coins, 0, 0};
+                if (task == 1) numbers.push_back(row_for(broken(), from, event, there));
+                else {
+                    const exercise::State to = handle(broken(), from, event, there);
+                    numbers.push_back(1000 * there.coins + 100 * there.passed + 10 * there.returned + int(to));
+                }
+            }
     return numbers;
 }
