@@ -119,7 +119,7 @@ TEST_CASE("the start is the goal: a path of one node", "[task-2][one-node]") {
                    "It is the start and the goal, and stands there once.");
 }
 
-/// Of task 2 the way back too, since a path that is wrong may be right about a way back that is not.
+/// Of task 2 the way back too: a path is wrong by itself, or because the way back is.
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     auto add = [&](const Way& way) {
