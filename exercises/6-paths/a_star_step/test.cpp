@@ -38,12 +38,15 @@ const std::vector<Choice>& choices() {
         {{{List::open, 6, 3, 0}, {List::open, 2, 8, 0}, {List::open, 5, 5, 0}}, 0},
         {{{List::open, 1, 8, 0}, {List::open, 7, 2, 0}, {List::open, 3, 6, 0}}, 1},
         {{{List::open, 4, 2, 0}, {List::open, 9, 0, 0}, {List::open, 4, 2, 0}}, 0},
+        {{{List::open, 5, 4, 0}, {List::open, 2, 7, 0}, {List::open, 7, 2, 0}}, 2},
+        {{{List::open, 3, 3, 0}, {List::open, 8, 1, 0}}, 0},
     };
     return all;
 }
 const std::vector<Choice>& choices_among_lists() {
     static const std::vector<Choice> all = {
         {{{List::closed, 0, 4, 0}, {List::open, 1, 5, 0}, {List::none, 0, 0, nobody}}, 1},
+        {{{List::open, 1, 3, 1}, {List::closed, 0, 2, 1}, {List::open, 4, 4, 1}}, 0},
         {{{List::closed, 0, 4, 0}, {List::none, 0, 0, nobody}, {List::none, 0, 0, nobody}}, nobody},
         {{}, nobody},
     };
@@ -81,10 +84,9 @@ const std::vector<Look>& cheaper() {
     return all;
 }
 const std::vector<Look>& not_cheaper() {
-    static const std::vector<Look> all = {{known_open, 6, known_open},
-                                          {known_open, 5, known_open},
-                                          {known_closed, 6, known_closed},
-                                          {known_closed, 5, known_closed}};
+    static const std::vector<Look> all = {{known_open, 6, known_open},     {known_open, 5, known_open},
+                                          {known_open, 9, known_open},     {known_closed, 6, known_closed},
+                                          {known_closed, 5, known_closed}, {known_closed, 9, known_closed}};
     return all;
 }
 const std::vector<Look>& opened_again() {

@@ -29,7 +29,7 @@ struct Asked {
     bool right;
 };
 const Map open{{"....", "....", "...."}, {}}, walls{{"....", ".#..", "...."}, {}}, pair{{"..", ".#"}, {}},
-    other_pair{{"#.", ".."}, {}};
+    other_pair{{"#.", ".."}, {}}, touching{{".#", "#."}, {}};
 
 const std::vector<Asked>& on_open_ground() {
     static const std::vector<Asked> all = [] {
@@ -64,10 +64,9 @@ const std::vector<Asked>& into_walls() {
     return all;
 }
 const std::vector<Asked>& past_corners() {
-    static const std::vector<Asked> all = {{walls, {0, 1}, {1, 0}, false},
-                                           {walls, {1, 2}, {2, 1}, false},
-                                           {pair, {0, 1}, {1, 0}, false},
-                                           {other_pair, {0, 1}, {1, 0}, false},
+    static const std::vector<Asked> all = {{walls, {0, 1}, {1, 0}, false},    {walls, {1, 2}, {2, 1}, false},
+                                           {pair, {0, 1}, {1, 0}, false},     {other_pair, {0, 1}, {1, 0}, false},
+                                           {touching, {0, 0}, {1, 1}, false}, {touching, {1, 1}, {0, 0}, false},
                                            {walls, {2, 0}, {3, 1}, true}};
     return all;
 }

@@ -45,6 +45,14 @@ const std::vector<Compared>& some_matter() {
                                               {State(1) << 63, {State(1) << 62, State(3) << 62}, 64, 2}};
     return all;
 }
+/// `value` also has bits where `care` has none.
+const std::vector<Compared>& value_beside() {
+    static const std::vector<Compared> all = {{0b0000, {0b0110, 0b0010}, 4, 1},
+                                              {0b0011, {0b1110, 0b0011}, 4, 1},
+                                              {0b1001, {0b1101, 0b1001}, 4, 0},
+                                              {0b0100, {0b1111, 0b0000}, 4, 0}};
+    return all;
+}
 void expect_unmet(const std::vector<Compared>& all, const std::string& why) {
     for (const auto& c : all) {
         const int yours = exercise::unmet(c.state, c.goal);
@@ -74,10 +82,11 @@ const std::vector<Problem>& alike() {
                                              one_for_each(0b00000, 1)};
     return all;
 }
-/// One action that sets all facts at once, and others that undo them.
+/// One action that sets all facts at once, and others that undo them, or set one for more than its share.
 const std::vector<Problem>& all_at_once() {
     static const std::vector<Problem> all = {{{0b11111, 0b11111}, {{0b11111, 0b11111, 4}, {0b00000, 0b00011, 1}}},
-                                             {{0b00110, 0b01111}, {{0b00110, 0b11111, 2}, {0b11001, 0b11111, 0.5}}}};
+                                             {{0b00110, 0b01111}, {{0b00110, 0b11111, 2}, {0b11001, 0b11111, 0.5}}},
+                                             {{0b01011, 0b01111}, {{0b01011, 0b01111, 8}, {0b00001, 0b00001, 3}}}};
     return all;
 }
 const std::vector<Problem>& nothing_helps() {
@@ -142,6 +151,10 @@ TEST_CASE("what the goal does not care about does not count", "[task-1][care]") 
     expect_unmet(some_matter(), "Where care has no bit, the fact may be as it likes.");
 }
 
+TEST_CASE("nor does what value says of it", "[task-1][value]") {
+    expect_unmet(value_beside(), "Where care has no bit, shown as -, value may have one here, and it says nothing.");
+}
+
 TEST_CASE("one action for each fact, all for the same: exact", "[task-2][alike]") {
     for_each_state(alike(), [](const Problem& p, State s, double truth, double yours) {
         expect_near(said(p, s), yours, truth, 1e-9, "Each wrong fact takes one action, and costs what that costs.");
@@ -153,8 +166,8 @@ TEST_CASE("one action for all facts: exact where all of them are wrong", "[task-
         const State s = ~p.goal.value & (states - 1);
         expect_near(said(p, s), exercise::estimate(s, p.goal, p.actions), p.actions[0].cost, 1e-9,
                     "The cost of the action, shared by the facts of the goal that it sets as they should be; those "
-                    "that it sets "
-                    "otherwise, or\nthat do not matter, have no share.");
+                    "that it sets otherwise, or\nthat do not matter, have no share. It is its own cost by its own "
+                    "facts, not by those of another.");
     }
 }
 
@@ -178,7 +191,7 @@ TEST_CASE("never more than the cheapest plan, and 0 in the goal", "[task-2][neve
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     if (task == 1) {
-        for (const auto* all : {&all_matter(), &some_matter()})
+        for (const auto* all : {&all_matter(), &some_matter(), &value_beside()})
             for (const auto& c : *all) numbers.push_back(exercise::unmet(c.state, c.goal));
         return numbers;
     }

@@ -106,14 +106,30 @@ TEST_CASE("each node of the path is the child of the one before it", "[task-2][s
     }
 }
 
+TEST_CASE("no path to a node that the search has not come to", "[task-2][no-path]") {
+    for (const auto& t : unreached())
+        expect_way(t, exercise::path(t.parents, t.goal), {},
+                   "Where there is no way back there is none there either, and nothing to turn round: ask for that "
+                   "before a first or last node is used.");
+}
+
+TEST_CASE("the start is the goal: a path of one node", "[task-2][one-node]") {
+    for (const auto& t : at_the_start())
+        expect_way(t, exercise::path(t.parents, t.goal), {t.goal},
+                   "It is the start and the goal, and stands there once.");
+}
+
+/// Of task 2 the way back too: a path is wrong by itself, or because the way back is.
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
+    auto add = [&](const Way& way) {
+        for (const std::size_t v : way) numbers.push_back(double(v));
+        numbers.push_back(-1);
+    };
     for (const auto* all : {&reached(), &unreached(), &at_the_start()})
         for (const auto& t : *all) {
-            for (const std::size_t v :
-                 task == 1 ? exercise::way_back(t.parents, t.goal) : exercise::path(t.parents, t.goal))
-                numbers.push_back(double(v));
-            numbers.push_back(-1);
+            add(exercise::way_back(t.parents, t.goal));
+            if (task == 2) add(exercise::path(t.parents, t.goal));
         }
     return numbers;
 }

@@ -39,8 +39,9 @@ void expect_answer(const std::string& name, const Asked& a, bool yours, bool rig
 }
 
 const std::vector<Asked>& dearer_ahead() {
-    static const std::vector<Asked> all = {
-        {0, {4, 7, 1, 3}}, {0, {5, 1, 1, blocked}}, {2, {2, 9, 1, 1.5}}, {2, {9, 5, 1, blocked}}, {4, {5, 1, 2, 3}}};
+    static const std::vector<Asked> all = {{0, {4, 7, 1, 3}},       {0, {5, 1, 1, blocked}}, {2, {2, 9, 1, 1.5}},
+                                           {2, {9, 5, 1, blocked}}, {4, {5, 1, 2, 3}},       {0, {2, 9, 1, 2}},
+                                           {1, {7, 2, 1, blocked}}};
     return all;
 }
 const std::vector<Asked>& dearer_behind() {
@@ -49,7 +50,8 @@ const std::vector<Asked>& dearer_behind() {
     return all;
 }
 const std::vector<Asked>& dearer_elsewhere() {
-    static const std::vector<Asked> all = {{0, {3, 6, 1, blocked}}, {2, {7, 3, 1, 4}}, {0, {8, 1, 1, blocked}}};
+    static const std::vector<Asked> all = {{0, {3, 6, 1, blocked}}, {2, {7, 3, 1, 4}},       {0, {8, 1, 1, blocked}},
+                                           {1, {9, 3, 2, blocked}}, {0, {2, 5, 3, blocked}}, {1, {7, 1, 5, 6}}};
     return all;
 }
 /// Both ends are on the path, but nobody walks there, or not in this direction.
@@ -94,7 +96,9 @@ TEST_CASE("an edge behind the walker became dearer: walk on", "[task-1][behind]"
 }
 
 TEST_CASE("an edge elsewhere became dearer: walk on", "[task-1][elsewhere]") {
-    expect_answers(true, {dearer_elsewhere}, false, "What became dearer elsewhere makes no other path better.");
+    expect_answers(true, {dearer_elsewhere}, false,
+                   "What became dearer elsewhere makes no other path better. The path goes along an edge where the two "
+                   "nodes follow each other.");
 }
 
 TEST_CASE("an edge of the path became dearer in the other direction: walk on", "[task-1][direction]") {
@@ -120,12 +124,14 @@ TEST_CASE("what became dearer behind or elsewhere makes no path better", "[task-
                    "Nothing became cheaper, and the rest of the path is what it was.");
 }
 
+/// Of task 2 both answers: should_search is wrong by itself, or because must_search is.
 std::vector<double> probe(int task) {
     std::vector<double> numbers;
     for (const List list : {dearer_ahead, dearer_behind, dearer_elsewhere, other_direction, cheaper_ahead,
                             cheaper_elsewhere, cheaper_behind, unchanged})
-        for (const auto& a : list())
-            numbers.push_back(task == 1 ? exercise::must_search(path, a.at, a.event)
-                                        : exercise::should_search(path, a.at, a.event));
+        for (const auto& a : list()) {
+            numbers.push_back(exercise::must_search(path, a.at, a.event));
+            if (task == 2) numbers.push_back(exercise::should_search(path, a.at, a.event));
+        }
     return numbers;
 }
