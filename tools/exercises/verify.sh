@@ -172,7 +172,7 @@ verify_subjects() {
         wrongs=$((wrongs + 1))
         verify_wrong "wrong.$wrong"
     done
-    [ "$wrongs" -ge 3 ] || fault "there are $wrongs wrong answers; an exercise has three at least"
+    [ "$wrongs" -ge 8 ] || fault "there are $wrongs wrong answers; an exercise has eight at least"
     while IFS=$'\t' read -r _ name _; do
         case $CAUGHT in *",$name,"*) ;; *) fault "the test [$name] catches no wrong answer" ;; esac
     done <<< "$TESTS"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// Contacts whose targets contradict each other: balls in a press, between walls that approach, between what is fixed.
+// Contacts whose targets contradict each other (R17): balls in a press, between walls that approach, between what is
+// fixed.
 
 #include "tests/collision/support.hpp"
+#include "tests/measured.hpp"
 
 #include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/collision/response/impulse.hpp>
@@ -112,23 +114,27 @@ TEST_CASE("a row that is not held is pushed on by the wall", "[collision]") {
     }
 }
 
-TEMPLATE_TEST_CASE("balls in a press stay in it, and none is much faster than the press", "[collision]",
+TEMPLATE_TEST_CASE("R17: balls in a press stay in it, and none is faster than the press", "[collision]",
                    (Space<double, 3>), (Space<float, 2>)) {
     using S = TestType;
-    const auto check = [](const auto& world) {
+    double out = 0, fastest = 0, fastest_of_many = 0;
+    const auto check = [&](const auto& world) {
         for (const double speed : {0.3, 3.0})
             for (const int n : {1, 2, 5, 20})
                 for (const double ratio : {1.0, 3.0, 100.0}) {
                     const auto pressed = press(world, n, speed, {1.0, ratio});
-                    CAPTURE(speed, n, ratio);
-                    CHECK(pressed.out <= 0);
+                    out = std::max(out, pressed.out);
                     // A tall column of unlike balls, which the sweeps do not hold at once, may fall within itself.
-                    CHECK(pressed.fastest <= 4 * speed + (n == 20 && ratio > 3 ? std::sqrt(2 * 9.81 * n) : 9.81 / 240));
+                    if (n == 20 && ratio > 3) fastest_of_many = std::max(fastest_of_many, pressed.fastest - 4 * speed);
+                    else fastest = std::max(fastest, (pressed.fastest - 9.81 / 240) / speed);
                 }
     };
     check(world_of(SemiImplicitEuler{}, S{}, Gravity{}, Impulse<>{}, Projection{}));
     check(world_of(VelocityVerlet{}, S{}, Gravity{}, Impulse<>{}, Projection{1e-3 * metre}));
     check(world_of(ImplicitEuler{}, S{}, Gravity{}, Impulse<Friction>{}, Projection{}));
+    CHECK(test::measured("R17", "how far a ball comes out of the press", out, test::at_most(0), "m"));
+    CHECK(test::measured("R17", "the fastest ball, over the speed of the press", fastest, test::at_most(1)));
+    CHECK(fastest_of_many <= std::sqrt(2 * 9.81 * 20));
 }
 
 TEST_CASE("two presses that come alike leave the ball in the middle where it is", "[collision]") {
