@@ -6,13 +6,16 @@
 // sqrt(k m): with the half of it the mass still swings over. (A part of section 3, which the notes do not divide.)
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
 
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <string>
 #include <vector>
 
 using namespace ansatz;
@@ -50,6 +53,30 @@ Quantity<unit::Length> swinging(Quantity<unit::Time> t, double ratio) {
            metre;
 }
 
+/// Three runs, one above the other.
+void draw(const std::array<const Run*, 3>& runs, const std::array<const char*, 3>& names) {
+    workbook::Film film("3.1", "Let go at one place, with three dampings",
+                        "Three masses on springs of one frequency are let go. The first swings to and fro, the second "
+                        "returns at once and stops, the third creeps back and is last.",
+                        {.middle = metres(0, 0, 0), .width = 1.1 * metre, .height = 0.66 * metre});
+    film.still(7);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double height = 0.16 - 0.21 * double(k);
+        film.scenery().note(metres(-0.53, height + 0.08, 0), names[k]);
+        film.scenery().line(std::vector{metres(0, height - 0.06, 0), metres(0, height + 0.06, 0)}, // where they rest
+                            workbook::paints::stone);
+    }
+    for (std::size_t n = 0; n < runs[0]->places.size(); n += 12) {
+        auto& frame = film.frame(runs[0]->times[n]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double height = 0.16 - 0.21 * double(k), place = in(runs[k]->places[n], metre);
+            frame.line(std::vector{metres(-0.53, height, 0), metres(place, height, 0)}, workbook::paints::wire)
+                .ball(metres(place, height, 0), 0.04 * metre, workbook::paints::ball);
+        }
+    }
+    film.write();
+}
+
 } // namespace
 
 int main() {
@@ -69,6 +96,7 @@ int main() {
     std::cout << "After 1 s: critical " << critical.places[240] << ", zeta 3 " << creeps.places[240] << '\n';
     claim("more damping than critical is slower, not faster", creeps.places[240] > 5.0 * critical.places[240]);
 
+    draw({&swings, &critical, &creeps}, {"zeta = 0.1", "zeta = 1, critical", "zeta = 3"});
     workbook::Plot plot("3.1", "Below the critical damping it swings, above it creeps");
     plot.x("time").y("displacement");
     plot.line("zeta 0.1", swings.times, swings.places)
