@@ -106,7 +106,7 @@ TEST_CASE("a row between two walls that approach shares their speed out by least
 }
 
 TEST_CASE("a row that is not held is pushed on by the wall", "[collision]") {
-    for (const std::size_t n : {1, 3, 8}) {
+    for (const std::size_t n : {1u, 3u, 8u}) {
         auto pushes = row_of<S3>(std::vector<double>(n, 1.0));
         pushes.pushes.front().waits = true; // the wall that stands still is not in its way
         pushes.solve(24);
