@@ -5,10 +5,10 @@
 /// `BinarySplit`: the world divided in two along its longest axis, at the middle body, and each part again
 /// (notes 2.1.1, "Binary Search Partitioning").
 ///
-/// The plane lies where half of the bodies are on either side, so that N bodies are ten levels deep for each factor of a
-/// thousand, wherever they are: crowds at unlike scales, which an Octree needs many divisions to reach, are reached at
-/// once. In the scenes that are measured an Octree is faster. <!-- costs: collision broadphase/*: BinarySplit > Octree
-/// from 64 --> (This is a k-d tree: J. L. Bentley, "Multidimensional binary search trees used for associative
+/// The plane lies where half of the bodies are on either side, so that N bodies are ten levels deep for each factor of
+/// a thousand, wherever they are: crowds at unlike scales, which an Octree needs many divisions to reach, are reached
+/// at once. In the scenes that are measured an Octree is faster. <!-- costs: collision broadphase/*: BinarySplit >
+/// Octree from 64 --> (This is a k-d tree: J. L. Bentley, "Multidimensional binary search trees used for associative
 /// searching", 1975.)
 
 #include <ansatz/collision/broadphase/bounding_boxes.hpp>
