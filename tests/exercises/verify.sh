@@ -70,7 +70,8 @@ for_subject wrong.new_velocity 'as solution'
 expect 1 "wrong.new_velocity passes every test: no test catches this mistake"
 
 without() { sed -i "/^=== $1\$/,/^\$/d" "$exercise/wrong.diff"; }
-for wrong in $(awk '/^=== / { name = $2 } /^Fails:.*velocity-adds-up/ { print name }' "$exercise/wrong.diff"); do without "$wrong"; done
+caught=$(awk '/^=== / { name = $2 } /^Fails:.*velocity-adds-up/ { print name }' "$exercise/wrong.diff")
+for wrong in $caught; do without "$wrong"; done
 expect 1 "the test [velocity-adds-up] catches no wrong answer"
 
 # Its tests fail as they should, but what it computes for the probes is the solution's: a student would be told nothing.

@@ -6,8 +6,8 @@
 ///
 /// The positions at the end of a substep make the energy
 /// \f$ G(\mathbf x) = \sum_i \frac{m_i}{2 h^2} |\mathbf x_i - \mathbf y_i|^2 +
-/// \sum_c \tfrac12 k_c C_c(\mathbf x)^2 + \text{damping} \f$ least, where y is where forces and velocity alone would take
-/// a body.
+/// \sum_c \tfrac12 k_c C_c(\mathbf x)^2 + \text{damping} \f$ least, where y is where forces and velocity alone
+/// would take a body.
 /// Each body in turn takes one step of Newton's method in its own place, the others standing still; what is left to do
 /// after all iterations is left. Never explodes, and needs no multipliers; iterated to the end it is ImplicitEuler,
 /// which loses as much energy. It is made for bodies with many constraints each, and a fixed price; on sheets Xpbd
