@@ -88,8 +88,8 @@ template <class... Options> struct Impulse {
     /// trembles.
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
     /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what
-    /// lies. A blow goes one body further each time, and a column of n needs n. A cluster that they do not half solve is
-    /// gone through twice as often again (infeasible_contacts.hpp).
+    /// lies. A blow goes one body further each time, and a column of n needs n. A cluster that they do not half solve
+    /// is gone through twice as often again (infeasible_contacts.hpp).
     int sweeps = 24;
     static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
