@@ -68,7 +68,7 @@ public:
     template <class Points> Frame& sheet(const Points& points, std::size_t columns, const Paint& paint) {
         return add_sheet(in_metres(points), columns, paint);
     }
-    /// Triangles of three numbers each. Of a closed surface that looks outwards only the near side is drawn.
+    /// Triangles of three numbers each. Of a closed surface that faces outwards only the near side is drawn.
     template <class Points, class Triangles>
     Frame& mesh(const Points& points, const Triangles& triangles, const Paint& paint, bool closed = false) {
         std::vector<std::array<std::uint32_t, 3>> all;
@@ -94,6 +94,10 @@ public:
     template <class Points>
     Frame& rows(const Points& points, std::size_t columns, Quantity<unit::Length> down_to, const Paint& paint) {
         return add_rows(in_metres(points), columns, down_to.value(), paint);
+    }
+    /// Square tiles of a map by their middles, seen from the front. In the view a tile is a whole number of units.
+    template <class Points> Frame& tiles(const Points& middles, Quantity<unit::Length> side, const Paint& paint) {
+        return add_tiles(in_metres(middles), side.value(), paint);
     }
     /// The shadow of some points on level ground, as that of one convex thing.
     template <class Points> Frame& shadow(const Points& points, Quantity<unit::Length> level) {
@@ -141,6 +145,7 @@ private:
     Frame& add_line(const Points&, const Paint&);
     Frame& add_filled(const Points&, double down_to, const Paint&);
     Frame& add_rows(const Points&, std::size_t columns, double down_to, const Paint&);
+    Frame& add_tiles(const Points&, double side, const Paint&);
     Frame& add_shadow(const Points&, double level);
     Frame& add_ground(const Points&, double lines);
     Frame& add_note(const Points&, std::string text);
@@ -182,6 +187,11 @@ public:
         hold_ = frames;
         return *this;
     }
+    /// What a second of its frames' times stands for, where they count something: "turns" of a search.
+    Film& counts(std::string what) {
+        counted_ = std::move(what);
+        return *this;
+    }
     /// Things may leave the picture; without it they are refused.
     Film& may_leave() {
         may_leave_ = true;
@@ -221,6 +231,7 @@ private:
     friend class Frame;
     [[nodiscard]] int tall() const { return tall_; }
     [[nodiscard]] std::string style_of(const Paint&, int shade, bool back, const char* kind);
+    [[nodiscard]] std::string style_of_tiles(const Paint&, int side);
     [[nodiscard]] std::string style_of_row(const Paint&, std::size_t j, std::size_t rows);
     char letter_of(const Paint&);
     [[nodiscard]] std::string styles() const;
@@ -231,9 +242,9 @@ private:
     [[noreturn]] void refuse(const std::string& why) const;
     void check() const;
 
-    std::string number_, title_, told_;
+    std::string number_, title_, told_, counted_;
     View view_;
-    Frame::Point right_{}, up_{}, toward_{}; ///< of who looks
+    Frame::Point right_{}, up_{}, toward_{}; ///< of the viewer
     double scale_ = 1;                       ///< units a metre
     int tall_ = 0;
     double rate_ = 20;

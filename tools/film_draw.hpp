@@ -7,6 +7,7 @@
 #include "film.hpp"
 
 #include "film_shapes.hpp"
+#include "film_tiles.hpp"
 #include "gnuplot.hpp" // the folder for pictures
 
 #include <unistd.h>
@@ -20,15 +21,6 @@
 #include <stdexcept>
 
 namespace ansatz::workbook {
-
-namespace film {
-/// A number of the style sheet, with as many digits as it has, nine at most.
-inline std::string digits(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", value);
-    return text.data();
-}
-} // namespace film
 
 inline Film::Film(std::string number, std::string title, std::string told, const View& view)
     : number_{std::move(number)}, title_{std::move(title)}, told_{std::move(told)}, view_{view}, scenery_{*this, -1} {
@@ -139,8 +131,10 @@ inline std::string Film::stamp(const Frame& frame, int height) const {
     const double apart = frames_.size() > 1 ? frames_[1].time_ - frames_[0].time_ : 1;
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), apart < 0.0999 ? "%.2f s" : "%.1f s", frame.time_ + 1e-9);
-    return "<text class=\"n\" x=\"" + std::to_string(wide - 20) + "\" y=\"" + std::to_string(height) + "\">" +
-           text.data() + "</text>";
+    const auto said =
+        counted_.empty() ? text.data() : film::digits(std::round(frame.time_)) + ' ' + film::escaped(counted_);
+    return "<text class=\"n\" x=\"" + std::to_string(wide - 20) + "\" y=\"" + std::to_string(height) + "\">" + said +
+           "</text>";
 }
 
 inline std::string Film::text() const {

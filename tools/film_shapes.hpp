@@ -22,6 +22,12 @@ namespace film {
 inline constexpr double odd = 0.01237;
 inline int rounded(double value) { return int(std::floor(value + 0.5 + odd)); }
 
+/// A number of the style sheet, with as many digits as it has, nine at most.
+inline std::string digits(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.9g", value);
+    return text.data();
+}
 /// Text between tags.
 inline std::string escaped(const std::string& text) {
     std::string safe;
@@ -86,14 +92,14 @@ template <class P> std::vector<P> convex_hull(std::vector<P> points) {
 }
 /// Whether two convex polygons have more than their borders in common: no edge of one has the other on its far side.
 template <class P> bool overlap(const std::vector<P>& a, const std::vector<P>& b) {
-    const auto parted = [](const std::vector<P>& by, const std::vector<P>& from) {
+    const auto separated = [](const std::vector<P>& by, const std::vector<P>& from) {
         for (std::size_t i = 0; i < by.size(); ++i) {
             const P &p = by[i], &q = by[(i + 1) % by.size()];
             if (std::all_of(from.begin(), from.end(), [&](const P& r) { return turn(p, q, r) <= 0; })) return true;
         }
         return by.empty();
     };
-    return !parted(a, b) && !parted(b, a);
+    return !separated(a, b) && !separated(b, a);
 }
 /// A line without the points that lie within a unit of what is left (Douglas and Peucker, 1973).
 template <class P> void thin(std::span<const P> line, std::vector<P>& kept) {
@@ -119,7 +125,7 @@ template <class P> std::vector<P> thinned(const std::vector<P>& line) {
     thin(std::span<const P>(line), kept);
     return kept;
 }
-/// Numbers of a path, without a blank where a sign parts them.
+/// Numbers of a path, without a blank where a sign separates them.
 inline void put(std::string& path, int number) {
     if (!path.empty() && number >= 0 && path.back() >= '0' && path.back() <= '9') path += ' ';
     path += std::to_string(number);
@@ -197,7 +203,7 @@ inline void Frame::face(const Points& corners, const Paint& paint, bool cull) {
     const bool back = dot(n, film_->toward_) < -1e-9 * size;
     if (back && cull) return;
     double lit = 0, depth = 0;
-    for (std::size_t k = 0; k < 3; ++k) { // from above, on the left of who looks
+    for (std::size_t k = 0; k < 3; ++k) { // from above, on the left of the viewer
         lit += n[k] / size * (-0.40 * film_->right_[k] + 0.74 * film_->up_[k] + 0.54 * film_->toward_[k]);
         for (const Point& corner : corners) depth += corner[k] * film_->toward_[k];
     }

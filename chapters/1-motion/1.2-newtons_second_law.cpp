@@ -56,7 +56,7 @@ int main() {
     claim("twice the mass, half the velocity",
           norm(snow.velocity(heavy) - metres_per_second(1, 0, 0)) < 1e-12 * metre_per_second);
 
-    // A force is there for one step only: nobody has to remember to clear it.
+    // A force is there for one step only: there is nothing to clear.
     const auto before = snow.velocity(light);
     snow.step(dt);
     claim("the dogs stop pulling, and the velocity stays", snow.velocity(light) == before);

@@ -6,10 +6,12 @@
 // itself through space by its own bootstraps: Lopsided below does, and the momentum of the closed system gives it away.
 
 #include "claims.hpp"
+#include "film.hpp"
 #include "plot.hpp"
 
 #include <ansatz/world.hpp>
 
+#include <array>
 #include <iostream>
 #include <vector>
 
@@ -40,15 +42,15 @@ struct Path {
     Quantity<unit::Momentum, Vector<double, 3>> momentum;
 };
 
-/// Two bodies of 1 kg and 3 kg, 4 m apart and at rest, for two seconds.
-template <class Force> Path watch(Force force) {
+/// Two bodies of 1 kg and 3 kg, 4 m apart and at rest, for two seconds, or for so many steps of 1/60 s.
+template <class Force> Path watch(Force force, int steps = 120) {
     //! [pair]
     World world{VelocityVerlet{}, force, Keep<InverseMass>{}};
     const auto light = world.add(position(metres(0, 0, 0)), mass(1.0 * kilogram));
     const auto heavy = world.add(position(metres(4, 0, 0)), mass(3.0 * kilogram));
     //! [pair]
     Path path;
-    for (int i = 0; i <= 120; ++i) {
+    for (int i = 0; i <= steps; ++i) {
         if (i > 0) world.step(1.0 / 60 * second);
         path.times.push_back(world.time());
         path.first.push_back(x(world.position(light)));
@@ -57,6 +59,32 @@ template <class Force> Path watch(Force force) {
     }
     path.momentum = total_momentum(world);
     return path;
+}
+
+/// A film of both pairs, one above the other, until two of the bodies are about to touch.
+void draw(const std::array<Path, 2>& pairs) {
+    workbook::Film film(
+        "1.3", "Action and reaction, and what happens without the reaction",
+        "Two bodies pull on each other. With the law both move, and their centre of mass stays where it "
+        "is. Without the reaction only the heavy one moves, and the centre of mass with it.",
+        {.middle = metres(2.1, 0, 0), .width = 5.6 * metre, .height = 2.3 * metre});
+    film.still(50);
+    const auto in_row = [](std::size_t k, double place, double up) {
+        return metres(place, 0.45 - 1.1 * double(k) + up, 0);
+    };
+    const std::array names{"with the reaction", "without the reaction"};
+    for (std::size_t k = 0; k < 2; ++k) {
+        film.scenery().note(in_row(k, -0.6, 0.42), names[k]);
+        film.scenery().line(std::vector{in_row(k, 3, -0.38), in_row(k, 3, 0.38)}, workbook::paints::stone);
+    }
+    for (std::size_t n = 0; n < pairs[0].times.size(); n += 4) {
+        auto& frame = film.frame(pairs[0].times[n]);
+        for (std::size_t k = 0; k < 2; ++k)
+            frame.ball(in_row(k, in(pairs[k].first[n], metre), 0), 0.2 * metre, workbook::paints::ball)
+                .ball(in_row(k, in(pairs[k].second[n], metre), 0), 0.29 * metre, workbook::paints::rubber)
+                .ball(in_row(k, in(pairs[k].centre[n], metre), 0), 0.05 * metre, workbook::paints::wire);
+    }
+    film.write();
 }
 
 int main() {
@@ -81,6 +109,7 @@ int main() {
     claim("without the reaction the pair gains momentum from nothing",
           norm(one.momentum) > 1.0 * kilogram_metre_per_second);
 
+    draw({watch(attraction, 252), watch(Lopsided{}, 252)});
     workbook::Plot plot("1.3", "Action and reaction: the centre of mass does not move");
     plot.x("time").y("position").line("1 kg", both.times, both.first).line("3 kg", both.times, both.second);
     plot.reference("centre of mass", both.times, both.centre).line("3 kg, by the slip", one.times, one.second).write();

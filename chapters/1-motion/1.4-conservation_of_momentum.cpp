@@ -34,7 +34,7 @@ int main() {
               << energy(cart, wagon) << "\n\n   e   cart         wagon        momentum       energy\n";
     std::vector<double> restitutions;
     std::vector<Quantity<unit::Energy>> energies;
-    bool conserved = true, parted = true;
+    bool conserved = true, separated = true;
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         //! [collide]
         const auto [one, other] = mechanics::collide(cart, wagon, e);
@@ -44,12 +44,12 @@ int main() {
         std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   "
                   << after << "   " << energy(one, other) << '\n';
         conserved = conserved && abs(after - before) < 1e-14 * kilogram_metre_per_second;
-        parted = parted && abs((other.velocity - one.velocity) - e * closing) < 1e-14 * metre_per_second;
+        separated = separated && abs((other.velocity - one.velocity) - e * closing) < 1e-14 * metre_per_second;
         restitutions.push_back(e);
         energies.push_back(energy(one, other));
     }
     claim("momentum is the same before and after, at every e", conserved);
-    claim("they part with e times the speed at which they met", parted);
+    claim("they separate with e times the speed at which they met", separated);
     claim("e = 1: -2.5 m/s and 0.5 m/s, and no energy is lost",
           abs(energies.back() - energy(cart, wagon)) < 1e-13 * joule);
     claim("e = 0: they go on together, 3.375 J are gone",

@@ -57,7 +57,7 @@ int main() {
     const auto start = suvat::solve(suvat::initial_velocity(u), suvat::acceleration(a), suvat::time(t)).front();
     std::cout << "From rest, 2 m/s^2 for 3 s: " << start.s << "; v t - a t^2 / 2 with v = " << start.v << " gives "
               << start.v * t - 0.5 * a * t * t << ", with the initial velocity " << u * t - 0.5 * a * t * t << '\n';
-    claim("the final velocity belongs into the fifth equation", start.v * t - 0.5 * a * t * t == start.s);
+    claim("the final velocity belongs in the fifth equation", start.v * t - 0.5 * a * t * t == start.s);
 
     // Constant acceleration within a step: a spring's changes, so each step of u, a, t -> s, v has an error that adds
     // up.

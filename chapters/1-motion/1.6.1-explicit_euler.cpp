@@ -18,7 +18,7 @@ using namespace ansatz;
 int main() {
     const auto omega = 10.0 / second;
     std::cout << "A mass on a spring, omega = " << omega
-              << ", for 3 s. Energy at the end, in parts of that at the start:\n";
+              << ", for 3 s. Energy at the end, as a multiple of that at the start:\n";
     workbook::Plot plot("1.6.1", "Explicit Euler gains energy at every step, however short");
     plot.x("time").y("energy per mass").log_y();
     workbook::Claims claim;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// 1.6.2 Implicit Euler: stable at any step, because it solves for the next state; the price is damping nobody ordered
+// 1.6.2 Implicit Euler: stable at any step, because it solves for the next state; the price is a damping of its own
 
 // Implicit Euler uses the rate of change in the state that it does not know yet, so it has to *solve* an equation in
 // every step; for a spring that is what makes it "computationally expensive". It never grows: the energy is multiplied
@@ -8,7 +8,7 @@
 //
 // And it must really be solved. Guessing the next state, computing the acceleration there, and repeating that a few
 // times looks like the same thing, but it converges only while w dt < 1, where no implicit method was needed. The
-// second half shows such "sweeps" on a stiff spring beside Newton's method, which the library uses.
+// second half shows such fixed-point iterations on a stiff spring beside Newton's method, which the library uses.
 
 #include "claims.hpp"
 #include "oscillation.hpp"
@@ -20,20 +20,20 @@
 using namespace ansatz;
 
 /// What implicit Euler is not: the new state guessed and improved by repetition, a fixed number of times.
-//! [swept]
-struct SweptEuler {
+//! [fixed_point]
+struct FixedPointEuler {
     using role = roles::Integrator;
     using writes = Columns<Position, Velocity>;
 
     static bool solve(auto& x, auto& v, const auto& laws, const auto& dt) {
         auto next = v;
-        for (int sweep = 0; sweep < 5; ++sweep) next = v + laws(x + next * dt, next, 1.0) * dt;
+        for (int iteration = 0; iteration < 5; ++iteration) next = v + laws(x + next * dt, next, 1.0) * dt;
         v = next;
         x += v * dt;
         return true;
     }
 };
-//! [swept]
+//! [fixed_point]
 
 int main() {
     workbook::Claims claim;
@@ -56,12 +56,13 @@ int main() {
     claim("solved, the stiff spring comes to rest instead of exploding", abs(solved.places.back()) < 1e-6 * metre);
 
     const auto harder = 100.0 / second; // w dt = 1.67
-    const auto swept = problems::oscillate<SweptEuler>(harder, dt, 60);
-    const auto iterated = problems::oscillate<ImplicitEuler>(harder, dt, 60);
-    std::cout << "omega dt = 1.67, 60 steps: 5 sweeps a step end at " << swept.places.back() << ", Newton's method at "
-              << iterated.places.back() << '\n';
-    claim("five sweeps are not a solution: beyond w dt = 1 they explode", abs(swept.places.back()) > 1e30 * metre);
-    claim("solved exactly, the same step is calm", abs(iterated.places.back()) < 1e-15 * metre);
+    const auto repeated = problems::oscillate<FixedPointEuler>(harder, dt, 60);
+    const auto newton = problems::oscillate<ImplicitEuler>(harder, dt, 60);
+    std::cout << "omega dt = 1.67, 60 steps: 5 iterations a step end at " << repeated.places.back()
+              << ", Newton's method at " << newton.places.back() << '\n';
+    claim("five iterations are not a solution: beyond w dt = 1 they explode",
+          abs(repeated.places.back()) > 1e30 * metre);
+    claim("solved exactly, the same step is calm", abs(newton.places.back()) < 1e-15 * metre);
 
     const auto kept = problems::oscillate<SemiImplicitEuler>(omega, dt, 60);
     workbook::Plot plot("1.6.2", "Implicit Euler is stable, and brakes what should swing for ever");

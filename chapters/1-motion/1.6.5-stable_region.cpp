@@ -8,7 +8,7 @@
 //
 //     mpirun -n 5 ./stable_region          (compiled with -DANSATZ_ON_RANKS, Boost.MPI and MPI)
 //
-// and the same numbers whoever runs them. Beside each stands what theory says: one step is a matrix, and the motion is
+// and the same numbers with any executor. Beside each stands what theory says: one step is a matrix, and the motion is
 // bounded while the powers of that matrix are.
 // Compiled alone: it can be a program of MPI's ranks, with headers and a main of its own.
 

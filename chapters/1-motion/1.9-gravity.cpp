@@ -25,7 +25,7 @@ int main() {
     //! [tower]
     std::cout << "After three seconds without air: feather at " << y(tower.position(feather)) << ", anvil at "
               << y(tower.position(anvil)) << '\n';
-    claim("every mass falls alike, to the bit", y(tower.position(feather)) == y(tower.position(anvil)));
+    claim("every mass falls alike, bit for bit", y(tower.position(feather)) == y(tower.position(anvil)));
     claim("and as far as s = g t^2 / 2 says",
           abs(y(tower.position(anvil)) - (50 - 0.5 * 9.81 * 9) * metre) < 1e-10 * metre);
 

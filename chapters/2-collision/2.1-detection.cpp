@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
-// 2.1 Detection: looking at every pair, or only at those that may touch
+// 2.1 Detection: testing every pair, or only those that may touch
 
-// N bodies make N (N - 1) / 2 pairs: twice as many bodies, four times as many looks. The notes divide the work into a
-// broadphase, which leaves out what cannot touch, and a narrowphase, which looks closely at the rest. The world is the
+// N bodies make N (N - 1) / 2 pairs: twice as many bodies, four times as many tests. The notes divide the work into a
+// broadphase, which leaves out what cannot touch, and a narrowphase, which tests the rest exactly. The world is the
 // same with both, to the last bit; only the broadphase in its list is another one.
 
 #include "claims.hpp"
@@ -39,7 +39,7 @@ template <class Broadphase> std::uint64_t gas(int n) {
     return world.hash();
 }
 //! [gas]
-template <class Broadphase> double looks(int n) {
+template <class Broadphase> double tests(int n) {
     Looks::count = 0;
     gas<Broadphase>(n);
     return double(Looks::count) / 30;
@@ -52,17 +52,17 @@ int main() {
     std::vector<double> sizes, all, few;
     for (const int n : {50, 100, 200, 400, 800}) {
         sizes.push_back(n);
-        all.push_back(looks<AllPairs>(n));
-        few.push_back(looks<UniformGrid<>>(n));
-        std::cout << n << " bodies: " << all.back() << " looks a step, behind a broadphase " << few.back() << '\n';
+        all.push_back(tests<AllPairs>(n));
+        few.push_back(tests<UniformGrid<>>(n));
+        std::cout << n << " bodies: " << all.back() << " tests a step, behind a broadphase " << few.back() << '\n';
     }
     claim("all pairs are N (N - 1) / 2", all.back() == 800.0 * 799 / 2);
-    claim("twice the bodies are four times the looks", all[4] / all[3] > 3.9);
+    claim("twice the bodies are four times the tests", all[4] / all[3] > 3.9);
     claim("behind a broadphase they grow two and a half times at most from 400 to 800 bodies", few[4] / few[3] < 2.5);
     claim("the motion is the same, to the last bit", gas<AllPairs>(200) == gas<UniformGrid<>>(200));
 
-    workbook::Plot plot("2.1", "A broadphase leaves few pairs to look at");
-    plot.x("bodies").y("looks of the narrowphase in a step").log_x().log_y();
+    workbook::Plot plot("2.1", "A broadphase leaves few pairs to test");
+    plot.x("bodies").y("tests of the narrowphase in a step").log_x().log_y();
     plot.linked_points("all pairs", sizes, all).linked_points("UniformGrid", sizes, few).write();
     return claim.result();
 }

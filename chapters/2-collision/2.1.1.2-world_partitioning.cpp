@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// 2.1.1.2 World partitioning: many small n^2 in place of one large N^2, unless everybody is in one place
+// 2.1.1.2 World partitioning: many small n^2 in place of one large N^2, unless all bodies are in one place
 
 // The world is divided into cells, and only what shares a cell is compared. The notes name what goes wrong with it: an
 // entity on a boundary is in more than one partition, and where all are in the same one nothing is won. The first is
-// about being right: who sorts bodies by their centres and looks in each cell alone loses every pair across a wall. The
+// about being right: sorting bodies by their centres and searching each cell alone loses every pair across a wall. The
 // second is about time. (One of the four methods that the notes describe in 2.1.1 without numbers.)
 
 #include "broadphase_scenes.hpp"
@@ -24,7 +24,7 @@ using scenes::Work;
 
 namespace {
 
-/// The wrong form: each body in the cell of its centre, and no look beyond the walls.
+/// The wrong form: each body in the cell of its centre, and no search beyond the walls.
 std::size_t pairs_inside_cells(const scenes::Balls& balls, double cell) {
     std::size_t pairs = 0;
     auto cell_of = [&](std::size_t i) {
@@ -38,7 +38,7 @@ std::size_t pairs_inside_cells(const scenes::Balls& balls, double cell) {
     return pairs;
 }
 
-/// A slice of a world: which pairs a look into each cell alone finds, and which it loses at the walls.
+/// A slice of a world: which pairs a search of each cell alone finds, and which it loses at the walls.
 void draw_cells() {
     scenes::Dice dice(11);
     Boxes<Space<double, 2>> boxes;
@@ -57,7 +57,7 @@ void draw_cells() {
     for (const auto& [i, j] : find_pairs(UniformGrid{2.0 * metre}, boxes))
         (cell(centres[i]) == cell(centres[j]) ? found : lost).line(centres[i], centres[j]);
     workbook::Plot plot("2.1.1.2-cells",
-                        "Cells of 2 m: the pairs across walls are lost to a look into each cell alone");
+                        "Cells of 2 m: the pairs across walls are lost to a search of each cell alone");
     plot.x("x", "m").y("y", "m").equal_axes();
     balls.draw(plot, "balls");
     lost.draw(plot, "pairs across a wall");
@@ -80,7 +80,7 @@ int main() {
         find_pairs(UniformGrid{2.0 * metre}, boxes); // or UniformGrid{}, which chooses the width itself
     //! [grid]
     const std::size_t inside = pairs_inside_cells(balls, 2);
-    std::cout << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; looking in each cell alone finds "
+    std::cout << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; searching each cell alone finds "
               << inside << " of them\n";
     claim("without provision for boundaries more than half of the pairs are lost", 2 * inside < right.size());
     claim("the grid finds the very pairs that the box test finds", by_cells == right);

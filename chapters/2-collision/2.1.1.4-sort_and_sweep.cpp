@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // 2.1.1.4 Sort and sweep: on one axis only neighbours in the order can meet, and the order hardly changes
 
-// All boxes are projected onto one axis and sorted by where they begin. From each the sweep looks ahead to where it
-// ends; who begins later cannot touch it. Which axis matters: the one along which the bodies are spread. The notes
+// All boxes are projected onto one axis and sorted by where they begin. From each the pass goes on to where it
+// ends; what begins later cannot touch it. Which axis matters: the one along which the bodies are spread. The notes
 // recommend it "in conjunction with any other method", inside the cells of a partition. What makes it cheap in a
 // simulation they do not say: from one step to the next few bodies overtake each other, and an order that is nearly
 // right is repaired by insertion. (One of the four methods that the notes describe in 2.1.1 without numbers.)
@@ -21,7 +21,7 @@ using namespace ansatz;
 
 namespace {
 
-/// How many pairs overlap on one axis: what is left when a sweep has culled the others.
+/// How many pairs overlap on one axis: what is left when one pass along it has culled the others.
 std::size_t left_by_sweep(const Boxes<Space<>>& boxes, int axis) {
     //! [sweep]
     std::vector<std::size_t> order(boxes.size());
@@ -90,17 +90,17 @@ int main() {
     const auto boxes = tower.boxes();
     const auto right = find_pairs(BoundingBoxes{}, boxes);
     //! [library]
-    SortAndSweep::In<Space<>> sweep(SortAndSweep{}); // kept from step to step, it keeps the order
+    SortAndSweep::In<Space<>> broadphase(SortAndSweep{}); // kept from step to step, it keeps the order
     std::size_t pairs = 0;
-    sweep.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
+    broadphase.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
     //! [library]
     const std::size_t across = left_by_sweep(boxes, 0), along = left_by_sweep(boxes, 1);
     std::cout << "A tower of 1000 balls: of 499500 pairs, " << across << " overlap on the x axis, " << along
               << " on y, " << pairs << " on all three\n";
-    claim("the sweep finds the very pairs that the box test finds",
+    claim("sort and sweep finds the very pairs that the box test finds",
           pairs == right.size() && find_pairs(SortAndSweep{}, boxes) == right);
     claim("along the tower it leaves less than a twentieth of what it leaves across", along < across / 20);
-    claim("the library takes the axis along which the centres vary most", sweep.axis() == 1);
+    claim("the library takes the axis along which the centres vary most", broadphase.axis() == 1);
 
     // In conjunction with any other method.
     const auto heaps = scenes::heaps(2000).boxes();

@@ -55,7 +55,8 @@ int main() {
     //! [contact]
     const auto other = contact(ball, metres(0.6, 0, 0), ball, metres(0, 0, 0));
     claim("exchanged, the normal turns round", touch->normal == -other->normal);
-    claim("and point and depth are the same, to the bit", touch->point == other->point && touch->depth == other->depth);
+    claim("and point and depth are the same, bit for bit",
+          touch->point == other->point && touch->depth == other->depth);
     claim("spheres that only touch do not intersect", !contact(ball, metres(0, 0, 0), ball, metres(1, 0, 0)));
 
     // The contact point of the notes, S1 - N (r1 - p), from either side.

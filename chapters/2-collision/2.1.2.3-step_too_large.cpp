@@ -5,8 +5,8 @@
 // the correct side of both entities, otherwise the interface will be resolved in the opposite direction". A ball of
 // radius r that moves more than 2 r + w in a step is never seen in a wall of thickness w; one that ends beyond the
 // middle of the wall is pushed out behind it. Two answers besides a smaller step: a narrowphase that follows the motion
-// through the step and keeps the ball where it first touches (Swept), and a response that looks ahead for what may come
-// to touch within the step (SoftSubsteps). (A part of 2.1.2.)
+// through the step and keeps the ball where it first touches (Swept), and a response that finds in advance what may
+// come to touch within the step (SoftSubsteps). (A part of 2.1.2.)
 
 #include "claims.hpp"
 #include "film.hpp"
@@ -61,7 +61,7 @@ std::array<double, 3> side_by_side() {
     workbook::Film film(
         "2.1.2.3", "Three shots at a wall, step by step",
         "Three balls are shot at a thin wall. The first is before the wall in one step and behind it in "
-        "the next; those that look ahead stop where they touch it.",
+        "the next; those that detect it ahead stop where they touch it.",
         {.middle = metres(0, 0.1, 0), .width = 4.4 * metre, .height = 2.1 * metre});
     film.still(4);
     film.scenery().box(metres(0, 0, 0), metres(w / 2, 0.9, 0.01), workbook::paints::stone);
@@ -108,17 +108,17 @@ int main() {
     claim("beyond the middle a ball is resolved in the opposite direction, below the critical speed already",
           behind(16, now, Impulse<>{}, Projection{}) > 0);
     claim("above it some are never seen", plain.back() > 50);
-    claim("a response that looks ahead stops all of them", ahead.back() == 0);
+    claim("a response that detects ahead stops all of them", ahead.back() == 0);
     claim("Swept stops all of them, at 500 m/s, too", *std::max_element(swept.begin(), swept.end()) == 0 &&
                                                           behind(500, throughout, Impulse<>{}, Projection{}) == 0);
     claim("and keeps a ball where it touches the wall",
           std::abs(shot(500, 1, throughout, Impulse<>{}, Projection{}) + r + w / 2) < 1e-12);
 
-    const auto [never_seen, looked_ahead, followed] = side_by_side();
-    std::cout << "The shot of the film at 30 m/s ends at " << never_seen << " m, " << looked_ahead << " m and "
+    const auto [never_seen, detected_ahead, followed] = side_by_side();
+    std::cout << "The shot of the film at 30 m/s ends at " << never_seen << " m, " << detected_ahead << " m and "
               << followed << " m\n";
-    claim("what looks ahead stops it where it touches",
-          never_seen > 1 && std::abs(looked_ahead + r + w / 2) < 1e-3 && std::abs(followed + r + w / 2) < 1e-12);
+    claim("what detects ahead stops it where it touches",
+          never_seen > 1 && std::abs(detected_ahead + r + w / 2) < 1e-3 && std::abs(followed + r + w / 2) < 1e-12);
 
     workbook::Plot plot("2.1.2.3", "Fast balls come out behind the wall");
     plot.x("speed (m/s)").y("balls of 100 behind the wall").vertical(critical, "(2r + w) / dt");

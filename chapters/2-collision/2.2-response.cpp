@@ -46,7 +46,7 @@ template <class... Response> Fall drop(Response... response) {
     return fall;
 }
 
-/// Two heaps and a ball in the air: who touches, and what hangs together by that.
+/// Two heaps and a ball in the air: which bodies touch, and which hang together by that.
 /// \return the number of islands
 std::size_t draw_islands() {
     //! [islands]
@@ -68,7 +68,8 @@ std::size_t draw_islands() {
     //! [islands]
     std::map<std::uint32_t, scenes::Strokes> balls;
     for (std::uint32_t i = 0; i < centres.size(); ++i) balls[islands.of(i)].circle(centres[i], 0.49);
-    workbook::Plot plot("2.2-islands", "Contacts make a graph, and its parts are the islands; the ground joins nobody");
+    workbook::Plot plot("2.2-islands",
+                        "Contacts make a graph, and its components are the islands; the ground joins none");
     plot.x("x", "m").y("y", "m").equal_axes();
     int number = 0;
     for (const auto& [root, strokes] : balls) strokes.draw(plot, "island " + std::to_string(++number));

@@ -5,8 +5,8 @@
 // With a sum two bodies that fly side by side push each other, and gain energy from nowhere. They also say that an
 // elastic collision conserves all momentum and an inelastic one dissipates it: momentum is conserved by both, because
 // the impulses are opposite; what is lost is kinetic energy, mu (1 - e^2) v_N^2 / 2. Two conditions are missing. The
-// impulse is for bodies that approach: applied to two that part already, it holds them together. And restitution needs
-// a threshold, or a ball that lies on the ground keeps bouncing off what gravity gives it in a single step.
+// impulse is for bodies that approach: applied to two that separate already, it holds them together. And restitution
+// needs a threshold, or a ball that lies on the ground keeps bouncing off what gravity gives it in a single step.
 
 #include "claims.hpp"
 #include "film.hpp"
@@ -63,7 +63,7 @@ template <class Integrator> std::vector<double> heights() {
 }
 
 //! [formula alone]
-/// The impulse on a along N by the formula alone, whether they approach or part: N s, for two bodies of 1 kg.
+/// The impulse on a along N by the formula alone, whether they approach or separate: N s, for two bodies of 1 kg.
 double impulse_without_condition(double v_n, double e) { return -(1 + e) * v_n / (1.0 + 1.0); }
 //! [formula alone]
 
@@ -186,20 +186,20 @@ int main() {
               << " N s\n";
     claim("bodies that move together do not push each other", j.value() == 0);
 
-    // Two bodies of 1 kg that overlap by 0.1 m and part at 1 m/s each: v_N = 2 m/s.
-    //! [parting]
-    World parting{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Impulse<>{}};
-    const auto left = parting.add(Sphere{0.5 * metre}, velocity(metres_per_second(-1, 0, 0)), mass(1.0 * kilogram));
-    const auto right = parting.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)),
-                                   velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
-    for (int step = 0; step < 60; ++step) parting.step(1.0 / 60 * second);
-    const auto apart = x(parting.position(right)) - x(parting.position(left));
-    //! [parting]
+    // Two bodies of 1 kg that overlap by 0.1 m and separate at 1 m/s each: v_N = 2 m/s.
+    //! [separating]
+    World separating{SemiImplicitEuler{}, BoundingBoxes{}, Narrowphase<Sphere>{}, Impulse<>{}};
+    const auto left = separating.add(Sphere{0.5 * metre}, velocity(metres_per_second(-1, 0, 0)), mass(1.0 * kilogram));
+    const auto right = separating.add(Sphere{0.5 * metre}, position(metres(0.9, 0, 0)),
+                                      velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
+    for (int step = 0; step < 60; ++step) separating.step(1.0 / 60 * second);
+    const auto apart = x(separating.position(right)) - x(separating.position(left));
+    //! [separating]
     const double stopped = 2 + 2 * impulse_without_condition(2, 0), turned = 2 + 2 * impulse_without_condition(2, 1);
-    std::cout << "Two that part at 2 m/s are " << apart
+    std::cout << "Two that separate at 2 m/s are " << apart
               << " apart after 1 s; the formula alone would leave them v_N = " << stopped << " m/s (e = 0) or "
               << turned << " m/s (e = 1)\n";
-    claim("bodies that part get no impulse", std::abs(in(apart, metre) - 2.9) < 1e-12);
+    claim("bodies that separate get no impulse", std::abs(in(apart, metre) - 2.9) < 1e-12);
     claim("the formula alone would glue them together, or drive them back into each other",
           stopped == 0 && turned == -2);
 

@@ -4,8 +4,8 @@
 // The notes set F = -kp - c N.(v_a - v_b) on both bodies. With their own normal, from the second body to the first, it
 // must be +kp: the deeper, the stronger they are pushed apart. The second body gets -F, by Newton's third law, or two
 // bodies at rest push each other off with momentum from nowhere. And "a higher value [of c] gives a more bouncy
-// collision" is the other way round: they part with e = exp(-pi zeta / sqrt(1 - zeta^2)), zeta = c / (2 sqrt(k mu)),
-// which falls as c grows. k decides how deep and how long they touch.
+// collision" is the other way round: they separate with e = exp(-pi zeta / sqrt(1 - zeta^2)), with
+// zeta = c / (2 sqrt(k mu)), which falls as c grows. k decides how deep and how long they touch.
 
 #include "claims.hpp"
 #include "plot.hpp"
@@ -82,9 +82,9 @@ int main() {
               << " kg m/s\n"
               << "  kp without N: b - a = " << no_normal.distance << " m, momentum " << no_normal.momentum
               << " kg m/s\n";
-    claim("with +kp N and its opposite they part, and momentum stays zero",
+    claim("with +kp N and its opposite they separate, and momentum stays zero",
           apart.distance > 1 && std::abs(apart.momentum) < 1e-12);
-    claim("+F on both parts nobody and gives 2 k p t of momentum",
+    claim("+F on both separates nothing and adds 2 k p t of momentum",
           std::abs(std::abs(second_plus.momentum) - 2 * 1e4 * 0.1 * 0.1) < 1e-6 &&
               std::abs(second_plus.distance - 0.9) < 1e-9);
     claim("-kp N pulls them into each other and never lets go", std::abs(minus_kp.distance) < 0.9);
@@ -97,7 +97,7 @@ int main() {
         formula.push_back(std::exp(-M_PI * zeta / std::sqrt(1 - zeta * zeta)));
     }
     std::cout << "zeta 0, 0.1, 0.5: e = " << measured[0] << ", " << measured[2] << ", " << measured[10] << '\n';
-    claim("without damping they part as fast as they met", std::abs(measured[0] - 1) < 0.01);
+    claim("without damping they separate as fast as they met", std::abs(measured[0] - 1) < 0.01);
     claim("the more damping, the less they bounce", std::is_sorted(measured.rbegin(), measured.rend()));
     claim("a contact that never pulls gives back a little more than the formula",
           measured[10] > formula[10] && measured[2] - formula[2] < 0.03);

@@ -3,9 +3,9 @@
 
 // Errors there are none: each of them tells every pair of boxes that touch, once. What stands in the place of the error
 // is the waste: pairs of boxes that were compared, for one that touches. It is counted in an untimed run, in which each
-// comparison of two boxes goes through a counter, whoever makes it. The time is that of a step: the search in boxes
-// that have moved a little since the last one, and the narrowphase's look at each pair of balls that was told. AllPairs
-// compares no boxes, so that every pair is looked at; that is why the look is timed with all of them.
+// comparison of two boxes goes through a counter, in every method. The time is that of a step: the search in boxes
+// that have moved a little since the last one, and the narrowphase's test of each pair of balls that was told. AllPairs
+// compares no boxes, so that every pair is tested; that is why the test is timed with all of them.
 
 #include "what_it_costs.hpp"
 
@@ -176,7 +176,7 @@ template <class P> Outcome count(const Scene& scene, const P& policy, std::size_
     std::uint64_t told = 0;
     for (int f = 0; f < Scene::frames; ++f)
         bound.find(scene.boxes<Counted>(f), [&](std::size_t, std::size_t) { ++told; });
-    const bool blind = compared == 0; // it tells every pair, and the look is the comparison
+    const bool blind = compared == 0; // it tells every pair, and the test is the comparison
     const double all = double(blind ? told : compared);
     return {.error = all / double(touching),
             .work = std::round(all / Scene::frames),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// What rest costs: how far a world is from one in which nobody falls asleep, and what it saves
+// What rest costs: how far a world is from one in which no body falls asleep, and what it saves
 
-// The reference is the same world without Rest. A body that falls asleep stops where it is. As long as everybody who
-// sleeps would have lain still anyway, nothing differs; the first who is put to sleep although he would have rolled on
-// makes an error as large as his way. So the error is a step: almost nothing, and then all of it. Where the step is,
-// the threshold of the velocity says.
+// The reference is the same world without Rest. A body that falls asleep stops where it is. As long as every body that
+// sleeps would have lain still anyway, nothing differs; the first one that is put to sleep although it would have
+// rolled on makes an error as large as its way. So the error is a step: almost nothing, and then all of it. Where the
+// step is, the threshold of the velocity says.
 //
 // Towers and rollers: what stands, stands; what rolls does so for ever, without friction, from 1 mm/s to 1 m/s. A pile:
 // three hundred balls with friction that are dropped into a pit.
@@ -72,7 +72,7 @@ template <class World_> Places places(const World_& world) {
     for (const auto body : world.handles()) all.push_back(world.position(body).value());
     return all;
 }
-/// Where everybody is without Rest; found once.
+/// Where bodies are without Rest; found once.
 template <class Scene> const Places& reference() {
     static const Places places_ = [] {
         auto world = world_of<Scene>();

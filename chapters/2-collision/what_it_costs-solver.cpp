@@ -129,7 +129,7 @@ template <class Response> Response with(int parts, double hertz_) {
     return response;
 }
 constexpr double usual = 60; // 1/s, what SoftSubsteps has by itself
-/// As stiff as its parts can hold without a tremble: a contact that is to be right within eight of them.
+/// As stiff as its substeps can hold without a tremble: a contact that is to be right within eight of them.
 double stiffest(int parts) { return parts / h / 4; }
 
 struct Held {
@@ -239,7 +239,7 @@ template <class Measure> double supported(Measure&& measure) {
 }
 
 void summarise(std::ostream& out, const std::filesystem::path& folder) {
-    out << "\nThe largest R that is held within 1 cm for ten seconds, by the parts of a step of 1/60 s\n"
+    out << "\nThe largest R that is held within 1 cm for ten seconds, by the substeps of a step of 1/60 s\n"
         << "  " << std::left << std::setw(8) << "parts" << std::setw(44) << "frequency 60/s, what there is by itself"
         << "frequency parts/(4 dt)\n"
         << "  " << std::setw(8) << "" << std::setw(22) << "the light one moved" << std::setw(22) << "no contact deeper"
@@ -262,7 +262,7 @@ void summarise(std::ostream& out, const std::filesystem::path& folder) {
         out << '\n';
     }
     workbook::Plot plot("", "How heavy a body may lie on one of 1 kg, held within 1 cm");
-    plot.x("parts of a step").y("R").log_x().log_y();
+    plot.x("substeps of a step").y("R").log_x().log_y();
     const std::array<const char*, 4> names{"60/s: light one moved", "60/s: deepest contact",
                                            "parts/(4 dt): light one moved", "parts/(4 dt): deepest contact"};
     for (std::size_t which = 0; which < 4; ++which) plot.linked_points(names[which], parts, ratios[which]);

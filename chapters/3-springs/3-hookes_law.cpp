@@ -2,7 +2,7 @@
 // 3 Springs: a spring pulls back in proportion to its displacement, and a damper along its axis brings it to rest
 
 // "The force required to displace a spring by distance x is F = -kx", say the notes. -kx is what the spring does to
-// whoever displaces it; the force required is the opposite, +kx. A weight that hangs from a spring shows it: the spring
+// what displaces it; the force required is the opposite, +kx. A weight that hangs from a spring shows it: the spring
 // must carry it, so it is displaced *along* the weight, by m g / k.
 //
 // For a simulation the notes add a damping, F = -kx - cv, where v is the velocity "in the axis of the spring". What

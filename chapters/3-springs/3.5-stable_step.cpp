@@ -4,7 +4,7 @@
 // "A damping factor is added to ensure that objects eventually come to rest", say the notes. In a simulation it does so
 // only below a step that the spring itself decides: 2 / omega for semi-implicit Euler and Verlet, and with explicit
 // damping *less*: (sqrt(c^2 + 4 k m) - c) / k. `stable_step` asks the integrator itself; StepLimit holds every step to
-// it; ImplicitEuler has no such limit and pays with damping that nobody asked for. (A part of section 3, which the
+// it; ImplicitEuler has no such limit and pays with damping that was not asked for. (A part of section 3, which the
 // notes do not divide.)
 
 #include "claims.hpp"

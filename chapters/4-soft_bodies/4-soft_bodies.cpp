@@ -84,7 +84,7 @@ int main() {
     for (std::size_t v = 0; v < bodies.size(); ++v)
         alike = alike && built.position(parts.bodies[v]) == by_hand.position(bodies[v]) &&
                 built.velocity(parts.bodies[v]) == by_hand.velocity(bodies[v]);
-    claim("the same bodies and springs, added by hand, are in the same places to the bit", alike);
+    claim("the same bodies and springs, added by hand, are bit for bit in the same places", alike);
     claim("and nothing has gone wrong in either", built.status().ok() && by_hand.status().ok());
     return claim.result();
 }

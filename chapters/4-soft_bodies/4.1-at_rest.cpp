@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// 4.1 At rest: a sheet as built has no tension in any spring, and left alone it stays to the bit
+// 4.1 At rest: a sheet as built has no tension in any spring, and left alone it stays bit for bit
 
 // "A piece of cloth at rest will have no tension in all springs (i.e. all springs at their rest length)." A rest length
 // is not typed in: it is the distance of the two bodies as they were put, computed in the numbers in which the force
@@ -55,7 +55,7 @@ int main() {
     bool stays = true;
     for (const Handle body : parts.bodies) stays = stays && world.position(body) == as_built.position(body);
     //! [left alone]
-    claim("after ten seconds every body is where it was, to the bit", stays);
+    claim("after ten seconds every body is where it was, bit for bit", stays);
 
     // The same sheet with rest lengths of four digits, as one reads them off a drawing.
     //! [rounded]

@@ -52,7 +52,7 @@ int main() {
         for (std::size_t v = 0; v < n * n; ++v) {
             const std::size_t ring = std::max(v % n, v / n);
             const bool moves = norm(world.velocity(sheet.bodies[v])).value() != 0;
-            if (moves && ring > step) in_rings = false;                     // nobody moves before his turn
+            if (moves && ring > step) in_rings = false;                     // no body moves before its turn
             if (ring == step && v % n == v / n && !moves) in_rings = false; // nor later, along the diagonal
         }
     }
@@ -97,7 +97,7 @@ int main() {
     claim("as fast as the springs and masses say", abs(measured - c) < 0.1 * c);
     bool in_order = true;
     for (std::size_t v = 0; v < n * n; ++v)
-        for (std::size_t w = 0; w < n * n; ++w) // whoever is farther away by two cells is reached later
+        for (std::size_t w = 0; w < n * n; ++w) // a body farther away by two cells is reached later
             if (distances[v] + 2 * L.value() < distances[w] && !(arrivals[v] < arrivals[w])) in_order = false;
     claim("who is nearer is reached first, in every direction", in_order);
 

@@ -72,7 +72,7 @@ int main() {
         world.step(dt);
     }
     film.still(8).write();
-    claim("the pins are where they were, to the bit",
+    claim("the pins are where they were, bit for bit",
           world.position(sheet.bodies[0]) == pins[0] && world.position(sheet.bodies[n - 1]) == pins[1]);
 
     // What the springs at the pins pull with.

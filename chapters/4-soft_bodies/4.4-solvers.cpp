@@ -2,7 +2,7 @@
 // 4.4 Solvers: what is too stiff for forces is held by positions, and what that costs
 
 // The notes warn that a soft body whose damping is badly tuned explodes. The deeper reason is the step: springs that
-// are stiff enough to look like cloth want steps that nobody pays for. A solver does not ask what a spring pulls with
+// are stiff enough to look like cloth want steps too short to pay for. A solver does not ask what a spring pulls with
 // now, but where its ends must be: it never explodes. Its price is accuracy: a body is softer than its springs say, and
 // how much softer depends on how the work is spent. (A part of section 4, which the notes do not divide.)
 
@@ -56,10 +56,10 @@ int main() {
     claim("a stiff chain explodes at 60 steps a second, where its springs are forces", !(std::abs(as_force) < 1e3));
     claim("a solver holds it in the same step", stretch(held, stiff) < 10);
 
-    // Where the work goes: 32 looks at each spring a frame.
+    // Where the work goes: 32 passes over the springs a frame.
     std::cout << "   substeps x iterations   stretched, beside Hooke's law\n"
               << "                           k = 1000 N/m    k = 100000 N/m\n";
-    std::vector<double> parts, excess;
+    std::vector<double> counts, excess;
     double worst = 0;
     for (int substeps = 1; substeps <= 32; substeps *= 2) {
         //! [budget]
@@ -71,7 +71,7 @@ int main() {
                   << std::fixed << std::setprecision(3) << std::setw(18) << of_soft << std::setw(18) << of_stiff
                   << '\n';
         worst = std::max(worst, std::abs(of_soft - 1));
-        parts.push_back(substeps);
+        counts.push_back(substeps);
         excess.push_back(of_stiff - 1);
     }
     claim("a chain of 1000 N/m hangs as Hooke says, within 6 %, however the work is spent", worst < 0.06);
@@ -89,8 +89,8 @@ int main() {
     claim("block descent is Hooke's law after many iterations", std::abs(after_many - 1) < 1e-3);
     claim("and not after few", std::abs(after_few - 1) > 0.01);
 
-    workbook::Plot plot("4.4", "Where 32 looks at each spring of a stiff chain go");
+    workbook::Plot plot("4.4", "Where 32 passes over the springs of a stiff chain go");
     plot.x("substeps a frame").y("stretched too far, beside Hooke's law").log_x().log_y();
-    plot.line("20 links of 100000 N/m", parts, excess).write();
+    plot.line("20 links of 100000 N/m", counts, excess).write();
     return claim.result();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // 4.7 Wind: air acts on triangles, by how they stand in it
 
-// Wind that pulls at each body alike, wherever it looks, carries a flag away from its pole and holds it there, like a
-// board. Air acts on areas: on what stands across it, and not on what lies along it, and it lifts what is askew. So
-// where a flag bulges it is pushed on, and it never comes to rest. (A part of section 4, which the notes do not
+// Wind that pulls at each body alike, whichever way it faces, carries a flag away from its pole and holds it there,
+// like a board. Air acts on areas: on what stands across it, and not on what lies along it, and it lifts what is askew.
+// So where a flag bulges it is pushed on, and it never comes to rest. (A part of section 4, which the notes do not
 // divide.)
 
 #include "claims.hpp"

@@ -3,7 +3,7 @@
 
 // Springs go on giving way, so that cloth of springs hangs from its pins like rubber: the two at a corner carry all of
 // it. Stiffer springs want shorter steps. A limit asks for none: what is too long behind the step is shortened. Provot
-// found in 1995 that this is what makes a sheet of springs look like cloth. Its price is that one look at each spring
+// found in 1995 that this is what makes a sheet of springs look like cloth. Its price is that one pass over the springs
 // is not enough. (A part of section 4, which the notes do not divide.)
 
 #include "claims.hpp"
@@ -70,7 +70,7 @@ int main() {
               << drops(limited, same) / metre << " m below the pins\n";
     claim("the limit changes how far the sheet hangs", drops(limited, same) < drops(springs, cloth) - 0.05 * metre);
 
-    // How often it must look, at two steps.
+    // How many passes it needs, at two steps.
     std::cout << "   passes      on the way, at 500 and at 120 steps a second\n";
     const auto into_the_pins = 0.3 * second;
     std::vector<double> passes, fine, coarse;

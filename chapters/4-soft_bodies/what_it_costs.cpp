@@ -4,10 +4,10 @@
 
 // Read the rows like this: the error is how far the vertices are, at half a second, from where a fine Runge-Kutta run
 // has them; the time is that of a frame of 1/60 s. The second table has what an eye sees of the same runs: the largest
-// strain on the way, and how much energy there is at the end beside the fine run's, in parts of what the sheet's weight
-// does in half a metre. Explicit steps are the most exact, soft or stiff, as soon as they are short enough for there to
-// be a row at all: 16 a frame of the soft sheet, 128 to 256 of the stiff one. What is cheaper is Xpbd, whose sheet is
-// longer than its springs say, the more the fewer its substeps; what takes long steps without stretching is
+// strain on the way, and how much energy there is at the end beside the fine run's, as a fraction of what the sheet's
+// weight does in half a metre. Explicit steps are the most exact, soft or stiff, as soon as they are short enough for
+// there to be a row at all: 16 a frame of the soft sheet, 128 to 256 of the stiff one. What is cheaper is Xpbd, whose
+// sheet is longer than its springs say, the more the fewer its substeps; what takes long steps without stretching is
 // ImplicitEuler, which pays with energy.
 
 #include "costs.hpp"
@@ -99,14 +99,14 @@ struct Seen {
 
 /// \param world with a solver or without
 /// \param steps that it takes in a frame
-/// \param work  and how often it looks at all springs in them
+/// \param work  and its passes over all springs in them
 template <class World_>
 void add_row(Costs& costs, const Axis& axis, const std::shared_ptr<std::vector<Seen>>& seen, const std::string& choice,
-             const Sheet& sheet, const World_& world, int steps, int looks) {
+             const Sheet& sheet, const World_& world, int steps, int passes) {
     costs.add(axis,
               {.choice = choice,
                .problem = sheet.name,
-               .parameter = {"dt", 1.0 / 60 / looks * second},
+               .parameter = {"dt", 1.0 / 60 / passes * second},
                .n = double(side * side),
                .known_order = {},
                .error_run =
@@ -117,9 +117,9 @@ void add_row(Costs& costs, const Axis& axis, const std::shared_ptr<std::vector<S
                        for (std::size_t i = 0; i < truth.places.size(); ++i)
                            sum += (run.places[i] - truth.places[i]).squaredNorm();
                        const double weight = mass_per_area * 9.81 * 0.5;
-                       seen->push_back({choice, sheet.name, looks, run.strain, (run.energy - truth.energy) / weight});
+                       seen->push_back({choice, sheet.name, passes, run.strain, (run.energy - truth.energy) / weight});
                        const double error = std::sqrt(sum / double(truth.places.size()));
-                       return Outcome{.error = error, .work = double(looks), .diverged = !(error < 2)};
+                       return Outcome{.error = error, .work = double(passes), .diverged = !(error < 2)};
                    },
                .timed_run =
                    [=] {
@@ -150,14 +150,15 @@ void add_sheet(Costs& costs, const Axis& axis, const std::shared_ptr<std::vector
     for (const int steps : {1, 2, 4, 8, 16})
         add_row(costs, axis, seen, "ImplicitEuler", sheet,
                 World{ImplicitEuler{.tolerance = 0.01, .most_iterations = 10}, Gravity{}, Springs{}}, steps, steps);
-    for (const int parts : {5, 10, 20, 40, 80})
+    for (const int substeps : {5, 10, 20, 40, 80})
         add_row(costs, axis, seen, "Xpbd, 1 iteration", sheet,
-                World{SemiImplicitEuler{}, Gravity{}, Springs{}, Xpbd{.substeps = parts, .iterations = 1}}, 1, parts);
-    for (const int parts : {5, 10, 20, 40, 80})
+                World{SemiImplicitEuler{}, Gravity{}, Springs{}, Xpbd{.substeps = substeps, .iterations = 1}}, 1,
+                substeps);
+    for (const int substeps : {5, 10, 20, 40, 80})
         add_row(
             costs, axis, seen, "VertexBlockDescent, 1 iteration", sheet,
-            World{SemiImplicitEuler{}, Gravity{}, Springs{}, VertexBlockDescent{.substeps = parts, .iterations = 1}}, 1,
-            parts);
+            World{SemiImplicitEuler{}, Gravity{}, Springs{}, VertexBlockDescent{.substeps = substeps, .iterations = 1}},
+            1, substeps);
     for (const int times : {5, 20})
         add_row(
             costs, axis, seen, "VertexBlockDescent, " + std::to_string(times) + " iterations", sheet,
@@ -178,8 +179,8 @@ int main(int argc, char** argv) {
     const std::vector<Sheet> sheets{{"soft, 200 N/m", 200}, {"stiff, 20,000 N/m", 20000}};
     for (const Sheet& sheet : sheets) add_sheet(costs, cloth, seen, sheet);
     costs.add_below([=](std::ostream& out) {
-        out << "\nWhat an eye sees: the largest strain, and energy beside the fine run's, in parts of the weight times "
-               "0.5 m\n";
+        out << "\nWhat an eye sees: the largest strain, and energy beside the fine run's, as a fraction of the weight "
+               "times 0.5 m\n";
         for (const Sheet& sheet : sheets) {
             const auto& truth = fine(sheet);
             out << "  " << sheet.name << "; the fine run: largest strain " << std::setprecision(3) << truth.strain

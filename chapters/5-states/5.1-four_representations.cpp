@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "graphviz.hpp"
+#include "guard_film.hpp"
 #include "guard_npc.hpp"
 
 #include <iostream>
@@ -53,6 +54,7 @@ int main() {
     //! [value]
     claim("a copy is a snapshot: it heard nothing of the noise that came later",
           snapshot.is_in("patrol") && by_switch.is_in("search") && of_snapshot.place == one.place);
+    draw_evening();
     workbook::draw_graph("5.1", to_dot(outline_of<GuardNpc>(), by_switch.active_names()));
     return claim.result();
 }

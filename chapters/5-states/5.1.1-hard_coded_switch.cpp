@@ -83,7 +83,7 @@ int main() {
     claim("and did the same", of_hand.place == of_library.place && of_hand.blows == of_library.blows &&
                                   of_hand.shouts == of_library.shouts);
 
-    // Look at the shout: by hand it stands at every door to chase, three times. In the description it is said once, in
+    // Take the shout: by hand it stands at every door to chase, three times. In the description it is said once, in
     // chase.
     claim("every chase began with a shout, by hand too",
           of_hand.shouts ==

@@ -2,7 +2,7 @@
 // 6.1 A*: the workflow of the notes, turn by turn, with its two lists and with f, g, h and parent of each node
 
 // The most promising node first: that is the one of the least f = g + h, where g is what the way to it costs and h what
-// the rest is estimated to cost. The program stops a search after every turn of the notes' loop and looks at what the
+// the rest is estimated to cost. The program stops a search after every turn of the notes' loop and reads what the
 // notes name: the open list by ascending f, the closed list, the values of each node, and in the end the parents from
 // the goal back to the start. Nothing is made for the purpose: the library's search has these by name.
 
@@ -117,7 +117,7 @@ int main() {
     for (const Cell c : search.path()) closed = closed && search.is_closed(c);
     claim("every node of the path is on the closed list, but not every closed node on the path",
           closed && search.closed_list().size() > search.path().size());
-    std::cout << search.expanded() << " nodes were looked at, " << search.generated()
+    std::cout << search.expanded() << " nodes were expanded, " << search.generated()
               << " were ever on the open list, of " << map.size() << "; the path is " << map.length(search.path())
               << " long\n";
     claim("and is as long as its cheapest way: the steps of Dijkstra's search find no shorter one", [&] {
@@ -126,7 +126,7 @@ int main() {
                dijkstra.expanded() > search.expanded();
     }());
 
-    workbook::Plot plot("6.1", "What A* looked at, and the path that it found");
+    workbook::Plot plot("6.1", "What A* expanded, and the path that it found");
     drawing::with_walls(plot, map);
     drawing::fill(plot, map, "closed list", search.closed_list());
     drawing::fill(plot, map, "open list", search.open_list());

@@ -47,13 +47,13 @@ int main() {
     auto drawn = [&](const auto& search) {
         auto rows = drawing::with_path(drawing::lists_of(country, search, farm, town), search.path());
         for (char& letter : rows[0])
-            if (letter == '.') letter = '='; // the road, where nobody looked at it
+            if (letter == '.') letter = '='; // the road, where it was not expanded
         return rows;
     };
     std::cout << "From farm to town; = a road of weight 0.5, x closed list, o open list, * path:\n";
     drawing::print_beside({"h counts tiles", "h counts the cheapest tiles"}, {drawn(by_tiles), drawn(by_road)});
     std::cout << "The first path costs " << straight_on << ", the second " << on_the_road << "; " << by_tiles.expanded()
-              << " and " << by_road.expanded() << " nodes were looked at\n";
+              << " and " << by_road.expanded() << " nodes were expanded\n";
     AStar dijkstra{country, ZeroHeuristic{}};
     dijkstra.find(farm, town);
     claim("the overestimate found a path that is not the best", straight_on > on_the_road);

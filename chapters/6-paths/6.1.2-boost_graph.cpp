@@ -4,7 +4,7 @@
 // "Operates over a graph described by nodes and edges connecting them", say the notes. The graph is Boost.Graph's: the
 // search asks for its concepts and property maps (out_edges, target, edge_weight, vertex_index) and not for a class of
 // ours. So it runs on a graph that you have, and what Boost.Graph has runs on our grid. Boost's own boost::astar_search
-// is one of the engines; the default one stops without an exception, looks at no node that the search does not come to,
+// is one of the engines; the default one stops without an exception, reads no node that the search does not come to,
 // and can be left and resumed. (A part of section 6.1, which the notes do not divide.)
 
 #include "claims.hpp"
@@ -30,7 +30,7 @@ using namespace ansatz::paths;
 
 namespace {
 
-/// What a call of boost::astar_search looked at, and the exception that ends it.
+/// What a call of boost::astar_search expanded, and the exception that ends it.
 struct Count {
     std::size_t prepared = 0, expanded = 0;
 };
@@ -111,8 +111,7 @@ int main() {
                           {drawing::with_path(drawing::lists_of(map, ours, start, goal), ours.path()),
                            drawing::with_path(drawing::lists_of(map, boosts, start, goal), boosts.path())});
     claim("boost::astar_search as the engine finds a path of the same cost", ours.cost() == boosts.cost());
-    claim("and its lists and values can be looked at in the same way",
-          boosts.is_closed(start) && boosts.node(goal)->h == 0);
+    claim("and its lists and values can be read in the same way", boosts.is_closed(start) && boosts.node(goal)->h == 0);
 
     // A near path on a large map: boost::astar_search called by itself, with a visitor that counts and that ends it.
     Grid plain(1000, 1000);

@@ -3,7 +3,7 @@
 
 // "Each possible state is a node on a graph and state changes are edges", say the notes, each with a cost, and "the
 // optimal series of state changes can be determined by performing A*". A state is which facts hold, one bit each. A
-// node's edges are the actions that are possible in it; nobody draws that graph, it is made while A* looks at it. And
+// node's edges are the actions that are possible in it; nobody draws that graph, it is made while A* expands it. And
 // "the way states are encoded allows a similarity comparison": h is made of the number of the goal's facts that are
 // still wrong.
 //
@@ -122,7 +122,7 @@ int main() {
         never_too_much = never_too_much && node.h <= planner.cost() - node.g + 1e-12;
         step.push_back(double(i)), g.push_back(node.g), f.push_back(node.f());
     }
-    std::cout << planner.expanded() << " states looked at, of " << (1 << woods.facts()) << '\n';
+    std::cout << planner.expanded() << " states expanded, of " << (1 << woods.facts()) << '\n';
     goap::Planner dijkstra{woods, paths::ZeroHeuristic{}};
     dijkstra.plan(now, goal);
     claim("it is the cheapest there is: a search without an estimate finds none that is cheaper",

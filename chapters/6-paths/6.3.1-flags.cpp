@@ -3,7 +3,7 @@
 
 // "Nodes or edges that are not traversable can be marked with a boolean flag to prevent them from being considered by
 // the A* algorithm (as opposed to assigning an infinite weight)", say the notes. A search that skips a flagged node
-// never comes to what lies behind it. One that is given an infinite weight instead looks at the weight each time, and
+// never comes to what lies behind it. One that is given an infinite weight instead reads the weight each time, and
 // boost::astar_search even puts the node behind it on its list, with an infinite g: where there is no way it goes
 // through the whole map. A large weight is worse: it is an answer. And in whole numbers infinity plus one is zero. (A
 // part of section 6.3.)
@@ -76,9 +76,9 @@ int main() {
     //! [weight]
     const std::size_t by_weight_expanded = by_weight.expanded(), by_weight_asked = asked;
     std::cout << "flags:             " << name_of(by_flag.outcome()) << ", " << by_flag.expanded()
-              << " nodes looked at, of " << flagged.size() << '\n'
+              << " nodes expanded, of " << flagged.size() << '\n'
               << "infinite weights:  " << name_of(by_weight.outcome()) << ", " << by_weight_expanded
-              << " nodes looked at, and " << by_weight_asked << " weights\n";
+              << " nodes expanded, and " << by_weight_asked << " weights\n";
     claim("with flags there is no path, and no tile of the room was seen",
           by_flag.outcome() == Outcome::no_path && !by_flag.node(inside));
     claim("the library takes an infinite weight as no way too",
@@ -96,7 +96,7 @@ int main() {
             .visitor(Expansions{{}, &examined}));
     //! [boost]
     std::cout << "boost::astar_search with infinite weights: " << examined
-              << " nodes looked at; the goal has g = " << g[index[inside]] << '\n';
+              << " nodes expanded; the goal has g = " << g[index[inside]] << '\n';
     claim("it goes through every tile of the map, walls and room too",
           examined == open.size() && g[index[inside]] == infinite);
 
@@ -135,8 +135,7 @@ int main() {
     claim("a flag on an edge holds in one direction", down == Outcome::found && up == Outcome::no_path);
     claim("and the next search sees it changed", by_ladder == Outcome::found && cliff.tiles(climber.path()) == 5);
 
-    workbook::Plot plot("6.3.1",
-                        "A room without a door: a flag is not looked behind, a large weight is walked through");
+    workbook::Plot plot("6.3.1", "A room without a door: a search stops at a flag, a large weight is walked through");
     drawing::with_walls(plot, flagged);
     drawing::fill(plot, flagged, "closed list, with flags", by_flag.closed_list());
     drawing::way(plot, open, "path, with walls of weight 1000", by_weight.path());

@@ -2,7 +2,7 @@
 // 6.3.10 One after the other: plans for many in space and time, and what the order does
 
 // All at once is too much (6.3.4). The usual way out gives everybody a rank: the first plans for itself, and reserves
-// its tiles, each for the step in which it is there; the second plans around that, and so on. A search then looks for a
+// its tiles, each for the step in which it is there; the second plans around that, and so on. A search then runs for a
 // tile and a step, and waiting is something that one can do. It takes as long as so many single searches. What it
 // cannot do is have the first make way for the second: there are crowds that it has no plan for, though there is one,
 // and others for which it depends on the order. (A part of section 6.3, beyond the notes.)

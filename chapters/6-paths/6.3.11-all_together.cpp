@@ -2,13 +2,13 @@
 // 6.3.11 All together: the best plans for several, what they cost to find, and a crowd that plans a window ahead
 
 // Ranks are quick and sometimes find nothing (6.3.10). Conflict-based search has no ranks: it plans everybody alone,
-// looks for two who meet, and tries both, the one giving way or the other. What it finds first costs the least that is
+// finds two that meet, and tries both, the one giving way or the other. What it finds first costs the least that is
 // possible for all together. Its price grows with the number of meetings, exponentially; so it is what a few are
 // planned with, and what other methods are held against. The other way out is to plan less: a few steps ahead, and
 // again before they are walked. (A part of section 6.3, beyond the notes.)
 
 #include "claims.hpp"
-#include "drawing.hpp"
+#include "crowd_film.hpp"
 
 #include <ansatz/paths.hpp>
 
@@ -43,6 +43,31 @@ std::vector<Errand> crowd(Grid<>& square, std::mt19937& random, std::size_t n) {
     return errands;
 }
 
+/// A film of the crowd below: each by its own best path, and by plans of 16 steps.
+void draw(const Grid<>& square, const std::vector<Errand>& errands) {
+    drawing::Crowd alone{"each for itself", {}}, planned{"16 steps ahead", {}};
+    Windowed team{square, 16};
+    team.begin(errands);
+    for (const Errand& errand : errands) {
+        AStar search{square};
+        search.find(errand.start, errand.goal);
+        alone.agents.emplace_back(search.path().begin(), search.path().end());
+        planned.agents.push_back({errand.start});
+    }
+    while (!team.all_arrived()) {
+        team.step();
+        for (std::size_t i = 0; i < errands.size(); ++i) planned.agents[i].push_back(team.at(i));
+    }
+    workbook::Film film(
+        "6.3.11", "Sixteen agents, each to the small dot of its colour",
+        "Sixteen agents walk over a map of 8 x 8 tiles to their goals. On the left each takes its own "
+        "best path, and again and again two are in one tile. On the right they are planned together: "
+        "some wait or make way, nobody meets anybody, and all arrive.",
+        {.middle = metres(0, 0.5, 0), .width = workbook::Film::wide / 60.0 * metre, .height = 9.6 * metre});
+    drawing::walk_side_by_side(film.rate(12).hold(24), square, {alone, planned});
+    film.write();
+}
+
 } // namespace
 
 int main() {
@@ -67,14 +92,14 @@ int main() {
     bool never_cheaper = true;
     for (const std::size_t n : {2, 4, 6, 8, 10, 12}) {
         std::mt19937 random(11);
-        std::size_t solved = 0, ranked = 0, tree = 0, looked_at = 0;
+        std::size_t solved = 0, ranked = 0, tree = 0, expanded = 0;
         double dearer = 0;
         for (int i = 0; i < 20; ++i) {
             Grid<> square(8, 8);
             const auto all = crowd(square, random, n);
             ConflictBased together{square};
             const bool found = together.find(all, 2000) == Outcome::found;
-            solved += std::size_t(found), tree += together.tree(), looked_at += together.expanded();
+            solved += std::size_t(found), tree += together.tree(), expanded += together.expanded();
             Prioritised one_by_one{square};
             if (!one_by_one.find(all) || !found) continue;
             double tiles = 0;
@@ -94,7 +119,7 @@ int main() {
                   << std::fixed << std::setprecision(1) << double(tree) / 20 << "; " << std::setw(2) << ranked << ", "
                   << (ranked > 0 ? 100 * dearer / double(ranked) : 0.0) << " %\n"
                   << std::defaultfloat << std::setprecision(6);
-        agents.push_back(double(n)), nodes.push_back(double(tree) / 20), searches.push_back(double(looked_at) / 20);
+        agents.push_back(double(n)), nodes.push_back(double(tree) / 20), searches.push_back(double(expanded) / 20);
     }
     claim("what ranks find is never cheaper than the best", never_cheaper);
     claim("the tree grows faster than the number of agents, to more than 20 times with 6 times as many",
@@ -102,7 +127,7 @@ int main() {
     claim("with two agents all are solved, with twelve not all", first_solved == 20 && last_solved < 20);
     workbook::Plot{"6.3.11", "The best plan for all costs more and more to find"}
         .x("agents")
-        .y("nodes looked at")
+        .y("nodes expanded")
         .log_y()
         .linked_points("of the tree", agents, nodes)
         .linked_points("in space and time", agents, searches)
@@ -119,6 +144,11 @@ int main() {
     std::cout << "A crowd of 16 on 64 tiles, 16 steps ahead: all there after " << team.steps() << " steps, "
               << team.expanded() / 16 << " nodes an agent\n";
     claim("all have arrived", team.all_arrived());
+
+    std::mt19937 again(5);
+    Grid<> same(8, 8);
+    const auto sixteen = crowd(same, again, 16);
+    draw(same, sixteen);
 
     Windowed two{corridor, 16};
     two.begin(errands);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // 6.3.12 From gate to gate: long paths on large maps
 
-// The time of a search grows with what it looks at, and on a map of a quarter of a million tiles that is a lot. HPA*
+// The time of a search grows with what it expands, and on a map of a quarter of a million tiles that is a lot. HPA*
 // cuts the map into squares and keeps, for each, the ways between the gates through which one enters and leaves it. A
 // search then goes from gate to gate, and what it finds is filled in from what is known. The path is not the best, but
 // near it; and a change of the map concerns the squares that it lies in. (A part of section 6.3, beyond the notes.)
@@ -28,7 +28,7 @@ int main() {
     std::mt19937 random(7);
 
     // From corner to corner of larger and larger maps.
-    std::cout << "nodes looked at: A*, from gate to gate; how much longer that path is\n";
+    std::cout << "nodes expanded: A*, from gate to gate; how much longer that path is\n";
     bool near_it = true;
     double saved = 0;
     for (const std::size_t side : {96, 192, 384, 768}) {
@@ -72,6 +72,6 @@ int main() {
         }());
     }
     claim("the paths are less than 5 % longer than the best", near_it);
-    claim("on the largest map a tenth is looked at, or less", saved > 10);
+    claim("on the largest map a tenth is expanded, or less", saved > 10);
     return claim.result();
 }

@@ -46,9 +46,9 @@ int main() {
     const std::size_t locked = search.expanded();
     AStar all{map, ZeroHeuristic{}};
     all.find(start, goal);
-    std::cout << "with the door open: " << open_door << " nodes looked at; locked: " << locked
+    std::cout << "with the door open: " << open_door << " nodes expanded; locked: " << locked
               << "; without any heuristic: " << all.expanded() << '\n';
-    claim("no path: everything that can be reached was looked at, and a heuristic does not help",
+    claim("no path: everything that can be reached was expanded, and a heuristic does not help",
           search.outcome() == Outcome::no_path && locked == all.expanded());
     claim("but only that: the inside of the castle was not", !search.node(goal));
 
@@ -77,14 +77,14 @@ int main() {
           outcome == Outcome::gave_up && search.path().front() == start && search.expanded() == 1000);
     std::size_t nearer = 0;
     for (const Cell c : search.closed_list()) nearer += search.node(c)->h < search.node(nearest)->h;
-    claim("no node that it looked at is estimated to be nearer", nearer == 0);
+    claim("no node that it expanded is estimated to be nearer", nearer == 0);
 
     // Not the best.
     map.set_passable(door, true);
     std::vector<double> weights, expansions;
     std::vector<double> lengths;
     bool within = true;
-    std::cout << "w, nodes looked at, length over the best\n";
+    std::cout << "w, nodes expanded, length over the best\n";
     //! [weighted]
     for (const double w : {1.0, 1.2, 1.5, 2.0, 5.0}) {
         AStar hasty{map, Weighted{Octile{}, w}, NoReopening{}};
@@ -103,9 +103,9 @@ int main() {
     AStar hasty{map, Weighted{Octile{}, 1.5}, NoReopening{}};
     hasty.find(start, goal);
     workbook::Plot plot("6.3.3",
-                        "Through the castle's door: what is looked at for the best path, and with a weight of 1.5");
+                        "Through the castle's door: what is expanded for the best path, and with a weight of 1.5");
     drawing::with_walls(plot, map);
-    drawing::fill(plot, map, "looked at for the best", at_once.closed_list());
+    drawing::fill(plot, map, "expanded for the best", at_once.closed_list());
     drawing::fill(plot, map, "with w = 1.5", hasty.closed_list());
     drawing::way(plot, map, "its path", hasty.path());
     drawing::with_ends(plot, map, start, goal).write();

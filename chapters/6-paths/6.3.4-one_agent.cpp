@@ -131,7 +131,7 @@ int main() {
     AStar both{together.graph, farther, CostIn<double>{}};
     both.find(together.node(a_start, b_start), together.node(a_goal, b_goal));
     //! [plan]
-    std::cout << "Planned together: " << both.cost() << " steps, " << both.expanded() << " nodes looked at, of "
+    std::cout << "Planned together: " << both.cost() << " steps, " << both.expanded() << " nodes expanded, of "
               << num_vertices(together.graph) << '\n';
     std::vector<std::string> titles;
     std::vector<drawing::Rows> pictures;

@@ -113,7 +113,7 @@ int main() {
                                   walked.way);
     };
     drawing::print_beside({"when touched", "also when cheaper"}, {drawn(touched), drawn(cheaper)});
-    std::cout << "rule, searches, nodes looked at, length of the walk in tiles\n"
+    std::cout << "rule, searches, nodes expanded, length of the walk in tiles\n"
               << "  when touched, " << touched.searches << ", " << touched.expanded << ", " << touched.tiles << '\n'
               << "  also when cheaper, " << cheaper.searches << ", " << cheaper.expanded << ", " << cheaper.tiles
               << '\n'
@@ -123,7 +123,7 @@ int main() {
           always.tiles < touched.tiles - 1);
     claim("the second rule sees it, and searches once in vain, for the cart", cheaper.searches == 4);
     claim("and walks no farther than one who searches before each step", std::abs(cheaper.tiles - always.tiles) < 1e-9);
-    claim("with far fewer nodes looked at", 2 * cheaper.expanded < always.expanded);
+    claim("with far fewer nodes expanded", 2 * cheaper.expanded < always.expanded);
 
     workbook::Plot plot("6.3.5", "Two walks: the bridge is closed, then the ford falls dry");
     drawing::with_walls(plot, map, "river");

@@ -49,7 +49,7 @@ int main() {
     AStar single{map};
     std::size_t each = 0;
     auto best = nearest.cost() + 1;
-    std::cout << "Single searches: tiles, nodes looked at\n";
+    std::cout << "Single searches: tiles, nodes expanded\n";
     for (const Cell goal : medkits) {
         single.find(hero, goal);
         each += single.expanded();
@@ -61,7 +61,7 @@ int main() {
     claim("one search finds what the best of three finds", nearest.cost() == best);
     claim("the medkit that is nearest as the crow flies is behind the wall: it is not the one",
           !(medkit == medkits[0]));
-    claim("and it looks at fewer nodes than the three together", nearest.expanded() < each);
+    claim("and it expands fewer nodes than the three together", nearest.expanded() < each);
 
     //! [starts]
     const std::vector<Cell> medics{{0, 0}, {8, 3}, {19, 7}};
@@ -76,7 +76,7 @@ int main() {
     exit.find(hero); // to the eastern border, wherever that is nearest
     //! [condition]
     std::cout << "To the eastern border: " << map.tiles(exit.path()) << " tiles, " << exit.expanded()
-              << " nodes looked at\n";
+              << " nodes expanded\n";
     AStar guided{map, GoalWhere{[&](Cell c) { return c.x + 1u == map.width(); }},
                  By{[&](Cell c) { return Tile<std::uint32_t>::straight * (map.width() - 1u - c.x); }}};
     guided.find(hero);

@@ -3,10 +3,10 @@
 
 // A squad that moves along one path needs one search (6.3.2). A horde comes from everywhere: no two have the same
 // start, and what they share is the goal. So the search begins there and goes backwards along the edges, until every
-// tile from which there is a way knows what it costs and where the next step leads. Each walker then looks at the tile
+// tile from which there is a way knows what it costs and where the next step leads. Each walker then reads the tile
 // it stands on, and no path is kept for anybody. What it costs does not depend on how many there are; for a few it is
-// a waste, since it looks at tiles on which nobody stands. From how many on it pays is counted here. (A part of section
-// 6.3, beyond the notes.)
+// a waste, since it expands tiles on which no walker stands. From how many on it pays is counted here. (A part of
+// section 6.3, beyond the notes.)
 
 #include "claims.hpp"
 #include "drawing.hpp"
@@ -68,7 +68,7 @@ int main() {
     }
     claim("everybody's way costs what a search of its own would find", the_best);
 
-    // From how many on? Nodes looked at on a map of 64 x 64 tiles, a fifth blocked, the goblins anywhere.
+    // From how many on? Nodes expanded on a map of 64 x 64 tiles, a fifth blocked, the goblins anywhere.
     std::mt19937 random(7);
     Grid<> moor(64, 64);
     for (int i = 0; i < 64 * 64 / 5; ++i)
@@ -85,9 +85,9 @@ int main() {
         each.find(goblin, cave);
         alone += each.expanded(), ++goblins;
     }
-    std::cout << "The field looks at " << to_the_cave.expanded() << " nodes; single searches have looked at more with "
+    std::cout << "The field expands " << to_the_cave.expanded() << " nodes; single searches have expanded more with "
               << goblins << " goblins\n";
-    claim("for a handful single searches look at less", goblins > 5);
+    claim("for a handful single searches expand fewer", goblins > 5);
     claim("for a hundred the field does", goblins < 100);
 
     //! [change]

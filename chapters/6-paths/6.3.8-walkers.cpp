@@ -10,6 +10,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "film.hpp"
 
 #include <ansatz/paths.hpp>
 #include <ansatz/paths/walking.hpp>
@@ -92,6 +93,31 @@ int main() {
     std::cout << "The way has " << planned.way_points << " way points and is " << std::fixed << std::setprecision(1)
               << planned.left.value() << " m long; it takes " << planned.time_left.value() << " s\n";
 
+    workbook::Film film(
+        "6.3.8", "There and back, and a tree falls across the way",
+        "A fox walks through gaps of walls to its goal, slower round the corners, and stands there. On "
+        "its way back a tree falls across its path; it finds another one, and comes home.",
+        {.middle = metres(10, -3.3, 0), .width = workbook::Film::wide / 60.0 * metre, .height = 8.4 * metre});
+    film.may_change();
+    film.scenery().tiles(drawing::in_film(map, drawing::cells(map, true)), map.tile(), {0xeef0f1, 0});
+    film.scenery().tiles(drawing::in_film(map, drawing::cells(map, false)), map.tile(), workbook::paints::stone);
+    std::vector<VectorQuantity<unit::Length>> trail;
+    std::vector<Cell> fallen; // trees
+    int step = 0;
+    // After each step; each twelfth is a frame, until the fox is home again. A film has y upwards, the map downwards.
+    auto draw_step = [&] {
+        const auto place = world.position(fox);
+        trail.push_back(metres(place.value()[0], -place.value()[1], 0));
+        if (step++ % 12 != 0 || (!fallen.empty() && traveller.arrived(world))) return;
+        auto& frame = film.frame(world.time());
+        if (!fallen.empty()) frame.tiles(drawing::in_film(map, fallen), map.tile(), workbook::paints::wood);
+        auto ahead = drawing::in_film(map, traveller.route().ahead());
+        ahead.insert(ahead.begin(), trail.back());
+        if (ahead.size() > 1) frame.line(ahead, workbook::paints::water);
+        if (trail.size() > 1) frame.line(trail, workbook::paints::ball);
+        frame.ball(trail.back(), 0.45 * metre, workbook::paints::ball);
+    };
+
     std::vector<Quantity<unit::Length>> east, north;
     std::vector<Quantity<unit::Time>> times;
     std::vector<Quantity<unit::Velocity>> speeds;
@@ -102,6 +128,7 @@ int main() {
         world.step(0.02 * second);
         traveller.update(world); // polls the walker and the map
         //! [loop]
+        draw_step();
         time += 0.02;
         const auto place = world.position(fox);
         const auto now = world.velocity(fox);
@@ -131,22 +158,26 @@ int main() {
     workbook::Plot plot("6.3.8", "Corners are cut as far as the walls allow");
     drawing::with_walls(plot, map).line("fox", east, north);
     traveller.go(world, Cell{0, 0});
+    trail.clear();
     const auto searches = traveller.route().searches();
     auto go_on = [&](double seconds) {
-        for (double t = 0; t < seconds; t += 0.02) world.step(0.02 * second), traveller.update(world);
+        for (double t = 0; t < seconds; t += 0.02) world.step(0.02 * second), traveller.update(world), draw_step();
     };
     go_on(1);
     map.set_passable(Cell{19, 0}, false); // far from the way
+    fallen.push_back(Cell{19, 0});
     go_on(0.1);
     claim("a tree far from its way makes it search no more", traveller.route().searches() == searches);
     //! [falls]
     const auto ahead = traveller.route().ahead();
     map.set_passable(ahead[ahead.size() / 2], false); // a tree falls across the way
     //! [falls]
+    fallen.push_back(ahead[ahead.size() / 2]);
     go_on(60);
     claim("one across its way makes it search once more, and it arrives",
           traveller.route().searches() == searches + 1 && traveller.arrived(world));
 
+    film.write();
     plot.write();
     workbook::Plot profile("6.3.8-speed", "It slows down for corners, and for the end");
     profile.x("time").y("speed").line("fox", times, speeds);

@@ -47,7 +47,7 @@ int main() {
     AStar theta{map, LazyTheta{}};
     theta.find(start, goal);
     //! [alone]
-    std::cout << "LazyTheta looked at " << theta.expanded() << " nodes, A* at " << search.a_star().expanded() << '\n';
+    std::cout << "LazyTheta expanded " << theta.expanded() << " nodes, A* " << search.a_star().expanded() << '\n';
 
     // How often is which the shorter? Maps of 48 x 48 tiles, a share of them blocked.
     bool both = true, never_longer = true, sees = true;

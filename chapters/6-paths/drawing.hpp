@@ -92,11 +92,12 @@ template <class Map, class Cells> Places places(const Map& map, const Cells& cel
     for (const Cell c : cells) all.add(map, c);
     return all;
 }
-template <class Map> Places walls(const Map& map) {
-    Places all;
+/// The tiles on which one may walk, or the walls.
+template <class Map> std::vector<Cell> cells(const Map& map, bool free) {
+    std::vector<Cell> all;
     for (std::uint16_t y = 0; y < map.height(); ++y)
         for (std::uint16_t x = 0; x < map.width(); ++x)
-            if (!map.passable(Cell{x, y})) all.add(map, Cell{x, y});
+            if (map.passable(Cell{x, y}) == free) all.push_back(Cell{x, y});
     return all;
 }
 /// The axes of a picture of a map.
@@ -117,7 +118,7 @@ ansatz::workbook::Plot& fill(ansatz::workbook::Plot& plot, const Map& map, std::
 /// A map as a map: its walls are filled.
 template <class Map>
 ansatz::workbook::Plot& with_walls(ansatz::workbook::Plot& plot, const Map& map, std::string name = "wall") {
-    const auto all = walls(map);
+    const auto all = places(map, cells(map, false));
     return on_map(plot, map).tiles(std::move(name), all.east, all.north, map.tile());
 }
 /// A line from tile to tile.
@@ -125,6 +126,14 @@ template <class Map, class Cells>
 ansatz::workbook::Plot& way(ansatz::workbook::Plot& plot, const Map& map, std::string name, const Cells& cells) {
     const auto all = places(map, cells);
     return plot.line(std::move(name), all.east, all.north);
+}
+/// Middles of tiles in a film, of a map whose upper left corner lies there.
+template <class Map, class Cells>
+auto in_film(const Map& map, const Cells& cells,
+             const ansatz::VectorQuantity<ansatz::unit::Length>& corner = ansatz::metres(0, 0, 0)) {
+    std::vector<ansatz::VectorQuantity<ansatz::unit::Length>> all;
+    for (const Cell c : cells) all.push_back(corner + map.tile() * ansatz::Vector<double, 3>(c.x + 0.5, -c.y - 0.5, 0));
+    return all;
 }
 /// Where somebody sets out, and where it wants to be.
 template <class Map>

@@ -3,10 +3,10 @@
 // planner estimates with
 
 // Read the rows like this. In "heuristic" an error of zero is the best path, and the rows that have it differ only in
-// what they look at; Weighted gives a little of the path's length away for most of the work, up to a weight of 1.5 or
-// 2, and nothing more beyond. In "cost number" all paths are equally good; the error is how far the cost that the
+// the nodes they expand; Weighted gives a little of the path's length away for most of the work, up to a weight of 1.5
+// or 2, and nothing more beyond. In "cost number" all paths are equally good; the error is how far the cost that the
 // search reports is off the length of its path, and the work shows what ties do: sums in floating point differ in the
-// last digit for paths of one length, so that a search looks at both. In "planner" the error is what a plan costs too
+// last digit for paths of one length, so that a search follows both. In "planner" the error is what a plan costs too
 // much.
 //
 // Every row is the mean of the same queries. Each search is warm: what it allocates it allocated before.
@@ -139,7 +139,7 @@ void add_successors(Costs& costs, const ScenePointer& scene) {
     add_row(costs, axis, scene, "JumpPoints, Buckets", {}, longer, Octile{}, JumpPoints{}, Buckets{});
 }
 
-/// A workshop of several chairs: most actions settle one fact, one settles three at once.
+/// A workshop of several chairs: most actions satisfy one fact, one satisfies three at once.
 struct Workshop {
     goap::Domain<> domain;
     goap::State<> start;
@@ -152,7 +152,7 @@ std::shared_ptr<const Workshop> workshop(int chairs) {
     std::vector<goap::Fact> wanted{clean};
     d.action("fetch tools", 2).makes(tools);
     d.action("fetch wood", 3).makes(wood, !clean);
-    d.action("sweep", 0.5).makes(clean);
+    d.action("clean", 0.5).makes(clean);
     for (int i = 0; i < chairs; ++i) {
         const std::string n = " " + std::to_string(i);
         const auto seat = d.fact("seat" + n), legs = d.fact("legs" + n), chair = d.fact("chair" + n),

@@ -46,11 +46,11 @@ void add_any_angle(Costs& costs, const ScenePointer& scene);   ///< paths that d
 void add_hierarchy(Costs& costs, std::size_t side);            ///< from gate to gate of a large map
 void add_agents(Costs& costs, std::size_t agents, int crowds); ///< several who must not meet
 
-/// An answer: what is wrong with it, and what was looked at.
+/// An answer: what is wrong with it, and what was expanded.
 struct Judged {
     double error = 0, work = 0;
 };
-/// The mean of what is wrong with the answers to all queries of a scene, and of what was looked at.
+/// The mean of what is wrong with the answers to all queries of a scene, and of what was expanded.
 /// \param answer makes the search: answer(query) -> {error, work}
 template <class Answer> workbook::Outcome mean_of(const Scene& scene, Answer&& answer) {
     Judged sum;

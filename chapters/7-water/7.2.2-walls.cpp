@@ -22,7 +22,7 @@ using namespace ansatz;
 using Length = Quantity<unit::Length>;
 
 namespace {
-/// A hump of 10 cm in the middle of a channel of 20 m, 15 s later. It parts in two, and each half meets one wall.
+/// A hump of 10 cm in the middle of a channel of 20 m, 15 s later. It divides in two, and each half meets one wall.
 //! [channel]
 template <class Seen> Surface<WaterColumns> channel_after(Wall wall, Seen&& seen) {
     Surface water{WaterColumns{.wave_speed = 1.0 * metre_per_second, .walls = Walls::all(wall)},
@@ -44,7 +44,7 @@ double rounded(double x) { return std::round(1e6 * x) / 1e6 + 0.0; }
 
 int main() {
     workbook::Claims claim;
-    workbook::Plot plot("7.2.2", "A hump of 10 cm has parted, and each half has met a wall");
+    workbook::Plot plot("7.2.2", "A hump of 10 cm has divided, and each half has met a wall");
     plot.x("x").y("height above the still level");
     double high[3], low[3];
     const Wall walls[] = {Wall::reflects, Wall::holds, Wall::absorbs};
@@ -74,7 +74,7 @@ int main() {
     plot.write();
     workbook::Film film(
         "7.2.2", "Waves against three kinds of walls (heights 25 times as large)",
-        "A hump parts in two. At walls that reflect both halves come back upright, at walls that hold the level "
+        "A hump divides in two. At walls that reflect both halves come back upright, at walls that hold the level "
         "upside down, and at walls that absorb they leave.",
         {.middle = metres(10, -4.5, 0), .width = 21.0 * metre, .height = 15.0 * metre});
     for (int k = 0; k < 3; ++k)

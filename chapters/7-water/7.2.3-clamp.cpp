@@ -53,9 +53,9 @@ Driven rocked(const Policy& policy, int minutes, const std::function<void(std::v
         }
         if (after) after(heights);
         water.set_heights(heights);
-        const double parts =
-            std::ceil(dt * second / water.longest_step()); // waves in pipes are faster the deeper it is
-        for (double part = 0; part < parts; ++part) water.step(dt / parts * second);
+        // Waves in pipes are faster the deeper it is.
+        const double substeps = std::ceil(dt * second / water.longest_step());
+        for (double substep = 0; substep < substeps; ++substep) water.step(dt / substeps * second);
         //! [driven]
         const auto now = water.heights();
         all.times.push_back(n * dt);

@@ -4,8 +4,8 @@
 
 // No column is stored and no step is made: the height at a place and a time is a formula, a few cosines on top of each
 // other. A wave's length is free; its period is not, omega^2 = g k tanh(k d), and a sea that ignores it looks like
-// cloth. Sharp crests move the points of the surface towards each other, and then the height "at x" has to be looked
-// for: who takes the height of the point that rests at x floats beside the water.
+// cloth. Sharp crests move the points of the surface towards each other, and then the height "at x" has to be solved
+// for: with the height of the point that rests at x a boat floats beside the water.
 
 #include "claims.hpp"
 #include "film.hpp"
@@ -98,7 +98,7 @@ int main() {
     const auto found = sharp.position(x(sharp.rest(place, zero, 0.0 * second)), zero, 0.0 * second);
     claim("the height at x is that of the point that is at x",
           abs(x(found) - place) < 1e-9 * metre && abs(y(found) - right) < 1e-9 * metre);
-    claim("who does not look for it is more than half of the amplitude off", abs(naive - right) > 0.25 * metre);
+    claim("not solving for it is more than half of the amplitude off", abs(naive - right) > 0.25 * metre);
 
     //! [drift]
     // Something that floats goes with the water: to and fro below a crest and a trough.

@@ -4,8 +4,8 @@
 // "The simplest is to apply a fixed acceleration in the y axis to counteract the fixed acceleration due to gravity.
 // Depending on the value relative to gravity this can either slow (for entities denser than the fluid) or reverse (for
 // entities less dense than the fluid) the rate of submersion." With g rho_water / rho it is exactly what Archimedes
-// says of a body deep under water. It does not know how deep the body is, so that at the surface the two part: what is
-// light is thrown out as fast as it fell in, and never floats.
+// says of a body deep under water. It does not know how deep the body is, so that at the surface the two differ: what
+// is light is thrown out as fast as it fell in, and never floats.
 
 #include "claims.hpp"
 #include "plot.hpp"

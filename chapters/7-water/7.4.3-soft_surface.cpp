@@ -5,7 +5,7 @@
 // addressed in the handling of multiple sustained collisions when objects either sink, float on or bounce off the
 // surface of the fluid." The surface is a net of bodies and springs, of chapters 3 and 4. A body meets the mean of what
 // is under it: one contact, however many columns carry it, with the notes' spring that is slack above the surface. With
-// damping a body comes to float, without it is thrown back, and who is too heavy for the spring sinks, and the surface
+// damping a body comes to float, without it is thrown back, and one too heavy for the spring sinks, and the surface
 // closes. (A part of 7.4.)
 
 #include "claims.hpp"

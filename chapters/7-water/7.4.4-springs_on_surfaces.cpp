@@ -73,7 +73,7 @@ Run over_ripples() {
         auto ring = [&](Length amplitude) {
             pond.begin({.x = middle, .z = middle, .begun = now, .amplitude = amplitude, .damping = 1.0 / second});
         };
-        if (depth > 0.0 * metre && !entered) ring(0.05 * metre); // somebody enters
+        if (depth > 0.0 * metre && !entered) ring(0.05 * metre); // the stone enters
         entered = entered || depth > 0.0 * metre;
         if (depth > spring.breaks_at && !broken) {
             ring(0.1 * metre); // and the surface is free again

@@ -74,9 +74,9 @@ Problem dam(double low) {
             }};
 }
 
-/// Steps that are a part of the longest one, and what is looked at behind each: `look(water, s)`.
+/// Steps that are a fraction of the longest one, and what is measured behind each: `measure(water, s)`.
 template <class Policy, class F>
-Surface<Policy> run(const Policy& policy, const Problem& problem, std::size_t count, int& steps, F&& look) {
+Surface<Policy> run(const Policy& policy, const Problem& problem, std::size_t count, int& steps, F&& measure) {
     Surface<Policy> water(policy, ColumnGrid(count, 1, 10.0 / double(count) * metre, 1.0 * metre), 0.0 * metre);
     for (std::size_t i = 0; i < count; ++i)
         water.set_height(i, 0, problem.start(water.grid().centre_x(i).value()) * metre);
@@ -88,7 +88,7 @@ Surface<Policy> run(const Policy& policy, const Problem& problem, std::size_t co
         const double dt = std::min(part * water.longest_step().value(), problem.seconds - time);
         water.step(dt * second);
         time = dt < problem.seconds - time ? time + dt : problem.seconds;
-        look(water, time);
+        measure(water, time);
     }
     return water;
 }
@@ -162,7 +162,7 @@ void add_frame(Costs& costs, const Axis& axis, const char* choice, const Policy&
     auto water = std::make_shared<Surface<Policy, float>>(
         policy, ColumnGrid(count, count, 10.0 / double(count) * metre), 1.0 * metre);
     water->set_height(count / 2, count / 3, Quantity<unit::Length, float>::from_value(1.1F));
-    const double parts = std::ceil(1.0 / 60 / (0.95 * water->longest_step().value()));
+    const double substeps = std::ceil(1.0 / 60 / (0.95 * water->longest_step().value()));
     costs.add(axis, {.choice = choice,
                      .problem = "a map for a frame of 1/60 s",
                      .parameter = {"dx", 10.0 / double(count) * metre},
@@ -171,12 +171,12 @@ void add_frame(Costs& costs, const Axis& axis, const char* choice, const Policy&
                      .error_run =
                          [=] {
                              auto all = swings(policy, seiche(), count, real_swing());
-                             all.work = parts * double(count) * double(count);
+                             all.work = substeps * double(count) * double(count);
                              return all;
                          },
                      .timed_run =
                          [=] {
-                             for (int part = 0; part < int(parts); ++part) water->step(1 / (60 * parts) * second);
+                             for (int part = 0; part < int(substeps); ++part) water->step(1 / (60 * substeps) * second);
                              return water->heights()[count + 1];
                          }});
 }

@@ -31,7 +31,7 @@ auto of_filter() {
     return use(world);
 }
 
-// Models: the library's, and one that looks at what bodies do.
+// Models: the library's, and one that reads what bodies do.
 struct Approaching {
     using role = roles::Filter;
     using reads = Columns<Position, Velocity>;

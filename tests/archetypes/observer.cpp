@@ -13,7 +13,7 @@ struct Looks : NothingMore {
     using reads = Columns<Position>;
     void observe(const ObserverView<S, Looks>&) {}
 };
-/// An observer need not look: Keep and Datum only declare.
+/// An observer need not read: Keep and Datum only declare.
 struct Declares : NothingMore {
     using NothingMore::NothingMore;
     using role = roles::Observer;

@@ -77,7 +77,7 @@ static_assert(ResponseIn<Presses, S> && ForceResponseIn<Presses, S> && CouplingI
 auto of_accelerations() { return respond_with(Presses(1)); }
 
 // ---------------------------------------------------------------- the whole step
-/// What a world looks at of a contact that is solved between the parts of a step.
+/// What a world reads of a contact that is solved between substeps.
 struct Solved : Kept {
     struct One {
         std::uint32_t a, b;

@@ -20,7 +20,7 @@ auto of_control() { return use(World{SemiImplicitEuler{}, Decides(1)}); }
 static_assert(StepControlFor<StepLimit<Refuse>, W> &&
               StepControlFor<StepLimit<Divide>, World<RungeKutta4, Space<float, 2>>>);
 
-// Near misses: nothing to keep, an answer that is no number of parts, one that changes itself, one without a role.
+// Near misses: nothing to keep, an answer that is no number of substeps, one that changes itself, one without a role.
 struct KeepsNothing {
     using role = roles::StepControl;
     int parts(const auto&, const Quantity<unit::Time>&, auto&) const;

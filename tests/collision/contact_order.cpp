@@ -32,14 +32,85 @@ TEST_CASE("contacts are put in order, however many one body has", "[collision][c
             return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id);
         };
         auto contacts = any(dice.below(std::size_t(300)));
+        if (dice.one_in(4)) std::stable_sort(contacts.begin(), contacts.end(), before); // as kept pairs come
         auto ordered = any(dice.one_in(2) ? 0 : dice.below(std::size_t(300)));
         std::stable_sort(ordered.begin(), ordered.end(), before);
         contacts.insert(contacts.end(), ordered.begin(), ordered.end());
-        for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].steps = std::uint32_t(i); // who is who
+        for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].steps = std::uint32_t(i); // which is which
         auto expected = contacts;
         std::stable_sort(expected.begin(), expected.end(), before);
         order.sort(contacts, ids, ordered.size());
         REQUIRE(contacts.size() == expected.size());
         for (std::size_t i = 0; i < contacts.size(); ++i) REQUIRE(contacts[i].steps == expected[i].steps);
     }
+}
+
+TEST_CASE("a list that is in order stays where it is, and one that is not is put in order behind it",
+          "[collision][contacts]") {
+    using S = Space<>;
+    ContactOrder<S> order;
+    std::vector<Contact<S>> contacts(100);
+    for (std::uint32_t n = 0; n < 100; ++n) {
+        contacts[n].first = {n / 2, 0};
+        contacts[n].second = {100 + n % 2, 0};
+    }
+    const auto* const place = contacts.data();
+    order.sort(contacts, 200);
+    CHECK(contacts.data() == place);
+    std::swap(contacts.front(), contacts.back());
+    order.sort(contacts, 200);
+    for (std::uint32_t n = 0; n < 100; ++n) {
+        CHECK(contacts[n].first.id == n / 2);
+        CHECK(contacts[n].second.id == 100 + n % 2);
+    }
+}
+
+namespace {
+struct Acting {
+    struct One {
+        std::uint32_t a, b;
+        double impulse;
+    };
+    std::vector<One> all;
+};
+} // namespace
+
+TEST_CASE("of the contacts that were found those stay that touch or press", "[collision][contacts]") {
+    using S = Space<>;
+    Dice dice(11);
+    int stayed = 0, pressed = 0;
+    for (int round = 0; round < 300; ++round) {
+        std::vector<Contact<S>> found;
+        Acting acting;
+        std::vector<std::uint32_t> touch, touch_or_press;
+        for (std::uint32_t a = 0; a < 10; ++a)
+            for (std::uint32_t b = a + 1; b < 10; ++b) {
+                const bool is_found = dice.one_in(2), acts = dice.one_in(2), presses = dice.one_in(2);
+                if (acts) acting.all.push_back({a, b, presses ? 1.0 : 0.0});
+                if (!is_found) continue;
+                Contact<S> contact;
+                contact.first = {a, 0};
+                contact.second = {b, 0};
+                contact.depth = (dice.one_in(3) ? 0.0 : dice.one_in(2) ? 0.1 : -0.1) * metre;
+                contact.steps = a * 10 + b;
+                found.push_back(contact);
+                const bool deep = contact.depth > 0.0 * metre;
+                if (deep) touch.push_back(contact.steps);
+                if (deep || (acts && presses)) touch_or_press.push_back(contact.steps);
+                pressed += !deep && acts && presses;
+            }
+        const auto steps = [](const std::vector<Contact<S>>& all) {
+            std::vector<std::uint32_t> made;
+            for (const auto& c : all) made.push_back(std::uint32_t(c.steps));
+            return made;
+        };
+        auto both = found;
+        detail::keep_those_that_touch<false>(found, acting);
+        REQUIRE(steps(found) == touch);
+        detail::keep_those_that_touch<true>(both, acting);
+        REQUIRE(steps(both) == touch_or_press);
+        stayed += int(found.size());
+    }
+    CHECK(stayed > 1000);
+    CHECK(pressed > 1000);
 }

@@ -15,7 +15,7 @@
 using namespace collision_tests;
 
 TEST_CASE("a contact begins, lasts and ends", "[collision][contacts]") {
-    auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Projection{10.0 * metre}); // it moves nobody
+    auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Projection{10.0 * metre}); // it moves no body
     const auto a = world.add(Sphere{0.5 * metre}, position(metres(0, 0)), mass(1.0 * kilogram));
     const auto b = world.add(Sphere{0.5 * metre}, position(metres(-1.25, 0)), velocity(metres_per_second(1, 0)),
                              mass(1.0 * kilogram));
@@ -54,6 +54,34 @@ TEST_CASE("a body that is removed ends its contacts in the next step", "[collisi
     CHECK(world.contacts_ended()[0] == ContactEnd{a, b});
 }
 
+TEST_CASE("I19: a contact of a body that is removed ends once, too, where the world was saved before the next step",
+          "[collision][contacts]") {
+    for (const bool smaller : {true, false})
+        for (const bool taken : {false, true}) {
+            auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Rest{}, Impulse<>{});
+            const auto [a, b] = two_spheres(world, 0, 0);
+            world.step(0.01 * second);
+            REQUIRE(world.contacts().size() == 1);
+            world.remove(smaller ? a : b);
+            if (taken) world.add(Sphere{0.5 * metre}, mass(1.0 * kilogram)); // has the id of the one that is gone
+            std::stringstream file;
+            save(world, file);
+            auto loaded = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Rest{}, Impulse<>{});
+            load(loaded, file);
+            CHECK(loaded.hash() == world.hash());
+            for (auto* one : {&world, &loaded}) {
+                REQUIRE(one->contacts().size() == 1);
+                CHECK((one->contacts()[0].first == a && one->contacts()[0].second == b));
+                one->step(0.01 * second);
+                REQUIRE(one->contacts_ended().size() == 1);
+                CHECK(one->contacts_ended()[0] == ContactEnd{a, b});
+                CHECK(one->contacts().size() == std::size_t(taken));
+                one->step(0.01 * second);
+                CHECK(one->contacts_ended().empty());
+            }
+        }
+}
+
 TEST_CASE("contacts stand in the order of ids, whatever the broadphase and the order in which bodies sleep",
           "[collision][contacts]") {
     auto look = [](auto broadphase) {
@@ -80,7 +108,7 @@ TEST_CASE("contacts stand in the order of ids, whatever the broadphase and the o
     check(look(UniformGrid<SortAndSweep>{}));
 }
 
-TEST_CASE("a sensor notices and pushes nobody", "[collision][contacts]") {
+TEST_CASE("a sensor notices and pushes no body", "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<double, 2>{}, Impulse<>{}, Projection{});
     const auto gate = world.add(Box{metres(1, 1)}, fixed, sensor);
     const auto ball = world.add(Sphere{0.1 * metre}, position(metres(-2, 0)), velocity(metres_per_second(1, 0)),
@@ -95,7 +123,7 @@ TEST_CASE("a sensor notices and pushes nobody", "[collision][contacts]") {
     CHECK(std::abs(x_of(world, ball) - 2) <= 1e-12);
 }
 
-TEST_CASE("layers: who ignores whom", "[collision][contacts]") {
+TEST_CASE("layers: which bodies ignore each other", "[collision][contacts]") {
     auto contacts = [](auto ma, auto ia, auto mb, auto ib) {
         auto world = World{SemiImplicitEuler{},   Space<double, 2>{},      BoundingBoxes{}, Layers{},
                            Narrowphase<Sphere>{}, Projection{10.0 * metre}};
@@ -113,7 +141,7 @@ TEST_CASE("layers: who ignores whom", "[collision][contacts]") {
     CHECK(refusal([] { member_of(1u << 24); }).find("layers is 16777216") != std::string::npos);
 }
 
-TEST_CASE("a body without a shape meets nobody, and one with an infinite position is told of",
+TEST_CASE("a body without a shape meets no body, and one with an infinite position is told of",
           "[collision][contacts]") {
     auto world = world_of(SemiImplicitEuler{}, Space<float, 2>{}, Impulse<>{}, Projection{});
     world.add(shapeless, mass(1.0 * kilogram));
@@ -128,7 +156,7 @@ template <class S, class... P> void check_shapeless(const P&... policies) {
     World world{S{},           policies...,        Gravity{}, Springs{}, Narrowphase<Sphere, Plane>{},
                 UniformGrid{}, SemiImplicitEuler{}};
     using W = decltype(world);
-    // The same particles where nobody collides: what they meet must make no difference.
+    // The same particles where no body collides: what they meet must make no difference.
     World alone{S{}, Gravity{}, Springs{}, SemiImplicitEuler{}};
     std::mt19937_64 engine(7);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -177,7 +205,7 @@ template <class S, class... P> void check_shapeless(const P&... policies) {
 }
 } // namespace
 
-TEST_CASE("a shapeless body meets nobody and feels all else", "[collision][contacts]") {
+TEST_CASE("a shapeless body meets no body and feels all else", "[collision][contacts]") {
     check_shapeless<Space<double, 3>>(Impulse<>{}, Projection{});
     check_shapeless<Space<float, 2>>(Impulse<Friction>{}, Projection{});
     check_shapeless<Space<double, 2>>(Penalty{});
@@ -245,7 +273,7 @@ TEST_CASE("files with shapes or contacts that mean nothing are refused with thei
     says(refused("\"parts\": 4", "\"parts\": 0"), "a whole number of at least 1");
 }
 
-TEST_CASE("a body that is pushed or moved between two steps is looked at again before the next one",
+TEST_CASE("a body that is pushed or moved between two steps is tested again before the next one",
           "[collision][contacts]") {
     auto stopped = [](auto change) {
         auto world = world_of(SemiImplicitEuler{}, SoftSubsteps<>{});

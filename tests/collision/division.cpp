@@ -15,7 +15,7 @@
 using namespace ansatz;
 
 namespace {
-/// Who was one with whom, as sets.
+/// Which bodies were one, as sets.
 struct Sets {
     std::map<std::uint32_t, int> group;
     int next = 1;
@@ -57,7 +57,7 @@ TEST_CASE("Siblings are those that were one and have not been apart, as sets say
         const auto any = [&] { return *std::next(there.begin(), std::ptrdiff_t(random() % there.size())); };
         const auto one = any();
         if (random() % 3 > 0 && there.size() < most) {
-            std::uint32_t part = 0; // the smallest free id, which is often below that of whom it comes from
+            std::uint32_t part = 0; // the smallest free id, which is often below that of the body it comes from
             while (there.count(part) > 0) ++part;
             siblings.divided(one, part);
             sets.divided(one, part);
@@ -76,7 +76,7 @@ TEST_CASE("Siblings are those that were one and have not been apart, as sets say
                 }
     }
     CHECK(compared > 1000);
-    // Those that nobody meets leave; the others stay together.
+    // Those that no body meets leave; the others stay together.
     const auto before = sets;
     siblings.part([](std::uint32_t a, std::uint32_t b) { return a % 2 == b % 2; });
     for (const auto a : there)

@@ -274,6 +274,9 @@ TEST_CASE("V10: a failed allocation leaves the world as it was: SoftSubsteps wit
           "[collision][world][V10]") {
     laws(heap(Verlet{}, SoftSubsteps<Friction>{}));
 }
+TEST_CASE("V10: a failed allocation leaves the world as it was: SoftSubsteps by colours", "[collision][world][V10]") {
+    laws(heap(SemiImplicitEuler{}, SoftSubsteps<Coloured>{}));
+}
 TEST_CASE("V10: a failed allocation leaves the world as it was: Penalty and damped springs, of a history",
           "[collision][world][V10]") {
     laws(heap(Verlet{}, Penalty{2e3 * newton_per_metre, 5.0 * newton_second_per_metre}, Springs<>{}));

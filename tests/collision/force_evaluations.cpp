@@ -30,7 +30,7 @@ template <class Reads> struct Counted {
 using OfPlace = Counted<Columns<Position>>;
 using OfVelocity = Counted<Columns<Velocity>>;
 
-/// Does nothing, but says that it changes where bodies are: whoever asked the forces before must ask again.
+/// Does nothing, but says that it changes where bodies are: whatever asked the forces before must ask again.
 struct Nudge {
     using role = roles::Effect;
     static constexpr Place place = Place::before_forces;
@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("a force of places that is asked once answers what it would h
         auto twice = pile(TestType{}, OfPlace{}, SoftSubsteps<>{}, policies..., Nudge{});
         STATIC_REQUIRE(decltype(once)::composition::asked != decltype(twice)::composition::asked);
         for (int i = 0; i < 200; ++i) {
-            if (i == 60) { // somebody falls on them, and wakes who sleeps
+            if (i == 60) { // some body falls on them, and wakes bodies that sleep
                 once.add(Sphere{0.5 * metre}, position(metres(0.3, 9, 0)), mass(2.0 * kilogram));
                 twice.add(Sphere{0.5 * metre}, position(metres(0.3, 9, 0)), mass(2.0 * kilogram));
             }
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("a force of places that is asked once answers what it would h
             }
         }
     };
-    // Springs couple bodies, and who falls asleep wakes; for an integrator that keeps velocities and one that keeps a
+    // Springs couple bodies, and what falls asleep wakes; for an integrator that keeps velocities and one that keeps a
     // history without that, too: each world takes seconds to compile.
     equal(Springs{}, Rest{});
     if constexpr (std::same_as<TestType, SemiImplicitEuler> || std::same_as<TestType, Verlet>) equal();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Bodies that travel along straight lines, without a world: who meets whom, when, and in which order (notes 2.1.2).
+// Bodies that travel along straight lines, without a world: which bodies meet, when, and in which order (notes 2.1.2).
 
 #include "tests/collision/support.hpp"
 #include "tests/dice.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("a fast one takes the nearest of many, whatever their order, and what 
     CHECK(several > 50);
 }
 
-TEST_CASE("a row that is run into stops at the first, and sensors stop nobody", "[collision]") {
+TEST_CASE("a row that is run into stops at the first, and sensors stop no body", "[collision]") {
     using S = Space<>;
     Balls<S> balls;
     balls.add(along<S>(-10), along<S>(12));
@@ -124,7 +124,7 @@ TEST_CASE("a row that is run into stops at the first, and sensors stop nobody", 
     CHECK(std::abs(balls.end(0)[0] + 2) <= 1e-14);
     CHECK(balls.end(2)[0] == 0); // the response moves it, not this
     CHECK(balls.end(3)[0] == 3);
-    // Nobody is fast: nothing to look for.
+    // No body is fast: nothing to search for.
     Balls<S> slow;
     slow.add(along<S>(0), along<S>(0.2));
     slow.add(along<S>(2.1), along<S>(-0.2));

@@ -14,7 +14,7 @@ using namespace collision_tests;
 namespace {
 constexpr double dt = 1.0 / 60;
 
-/// Whoever comes to x = 4 m goes on at -4 m.
+/// Whatever comes to x = 4 m goes on at -4 m.
 template <Place At> struct Wrap {
     using role = roles::Effect;
     using writes = Columns<Position>;
@@ -28,7 +28,7 @@ template <Place At> struct Wrap {
         }
     };
 };
-/// Nobody is faster than this.
+/// No body is faster than this.
 template <Place At> struct Limit {
     using role = roles::Effect;
     using writes = Columns<Velocity>;

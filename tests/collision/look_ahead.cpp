@@ -7,7 +7,7 @@
 
 using namespace collision_tests;
 
-TEST_CASE("how far bodies come in a step, and who meets whom", "[collision]") {
+TEST_CASE("how far bodies come in a step, and which bodies meet", "[collision]") {
     using S = Space<double, 2>;
     Bodies bodies;
     const auto swap = [](std::size_t, std::size_t) {};

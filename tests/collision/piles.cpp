@@ -238,7 +238,7 @@ TEST_CASE("R16: lengths a thousand times smaller or larger, and everything else 
     check(0, SoftSubsteps<>{}, 1e-3, 1e-9, 4 * 180);
 }
 
-TEST_CASE("C21: what was put into each other parts slowly, and does not jump", "[collision][piles]") {
+TEST_CASE("C21: what was put into each other separates slowly, and does not jump", "[collision][piles]") {
     auto world = world_of(SemiImplicitEuler{}, Gravity{}, SoftSubsteps<Friction>{});
     world.add(Plane::ground(), fixed, friction(0.5));
     std::vector<Handle> boxes;
@@ -286,6 +286,30 @@ TEST_CASE("C25: on a ramp friction holds what is not too steep, and slows what s
         // Impulse stops a body behind its step: one that sticks creeps by what gravity moved it in each, g sin(slope)
         // h^2.
         CHECK(std::abs(hard.way - a * t * t / 2) <= 0.01 * t * t / 2 + a * t * dt + g * std::sin(slope) * dt * t);
+    }
+}
+
+TEST_CASE("C25: friction that is taken away while a body hangs on it holds no longer", "[collision][piles]") {
+    constexpr double slope = 0.25, t = 1;
+    const auto check = [](double less, auto... policies) {
+        auto world = world_of(SemiImplicitEuler{}, Gravity{}, policies...);
+        const Eigen::Vector3d up(-std::sin(slope), std::cos(slope), 0), down(-std::cos(slope), -std::sin(slope), 0);
+        world.add(Plane{up, 0.0 * metre}, fixed, friction(0.8));
+        const auto ball = world.add(Sphere{0.5 * metre}, position(Eigen::Vector3d(0.5 * up) * metre),
+                                    mass(3.0 * kilogram), friction(0.8));
+        run(world, 120, dt);
+        CHECK(std::abs(down.dot(world.velocity(ball).value())) <= 0.01);
+        world.template write<Friction>(ball, Quantity<unit::Dimensionless>(less));
+        run(world, int(std::lround(t / dt)), dt);
+        const double mu = std::sqrt(0.8 * less), a = g * (std::sin(slope) - mu * std::cos(slope));
+        INFO("mu = " << mu);
+        CHECK(std::abs(down.dot(world.velocity(ball).value()) - a * t) <= 0.01 * t);
+    };
+    for (const double less : {0.0, 0.01}) {
+        check(less, SoftSubsteps<Friction>{});
+        check(less, SoftSubsteps<Friction>{}, Rest{});
+        check(less, SoftSubsteps<Friction, Coloured>{});
+        check(less, Impulse<Friction>{}, Projection{});
     }
 }
 

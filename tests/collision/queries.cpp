@@ -140,6 +140,30 @@ TEST_CASE("a ray that begins inside hits at once, one that grazes or points away
         check(Plane{Eigen::Vector3d(1, 0, 0)}, -0.25, 0);
         CHECK_FALSE(cast(Ray{metres(-2, 0.5), Eigen::Vector3d(1, 0, 0)}, Sphere{0.5 * metre}, here));
         CHECK_FALSE(cast(Ray{metres(-2, 0), Eigen::Vector3d(1, 0, 0)}, Plane::ground(), here)); // along the surface
+        for (const double from : {-2.0, 0.0})                                                   // along a face of a box
+            CHECK_FALSE(cast(Ray{metres(from, 0.5), Eigen::Vector3d(1, 0, 0)}, box<S>(0.5, 0.5, 0.5), here));
+    });
+}
+
+TEST_CASE("a ray meets what is before it, however thin and however far away", "[collision][queries]") {
+    for_each_type(AllSpaces{}, []<class S>() {
+        const auto here = vector_in<S, unit::Length>(0);
+        const double last =
+            double(std::numeric_limits<typename S::Scalar>::epsilon()); // the places of a coordinate of 1 m
+        for (const double far : {1.0, 1e3, 0.5 / (last * last)}) {
+            const Ray ray{metres(-far, 0), Eigen::Vector3d(1, 0, 0)};
+            const double thin = far * last / 8;
+            const auto wall = cast(ray, box<S>(thin, 5, 5), here);
+            REQUIRE(wall);
+            CHECK(std::abs(double(wall->distance.value()) - far) <= rounding<S>(2 * far));
+            CHECK(wall->normal[0] == -1);
+            const auto ball = cast(ray, Sphere{thin * metre}, here);
+            REQUIRE(ball);
+            CHECK(std::abs(double(ball->distance.value()) - far) <= rounding<S>(2 * far));
+            CHECK(ball->normal[0] == -1);
+            CHECK_FALSE(
+                cast(Ray{metres(-far, 0), Eigen::Vector3d(1, 0, 0), 0.5 * far * metre}, box<S>(thin, 5, 5), here));
+        }
     });
 }
 
@@ -249,7 +273,7 @@ TEST_CASE("what is no ray and no shape is refused with a sentence, and nothing i
           }).find("Ray::direction") != std::string::npos);
 }
 
-TEST_CASE("what the page shows: what is below, what a ray goes through, who is near", "[collision][queries]") {
+TEST_CASE("what the page shows: what is below, what a ray goes through, what is near", "[collision][queries]") {
     auto world = world_of(SemiImplicitEuler{}, Gravity{}, Impulse<>{});
     const auto ground = world.add(Plane::ground(), fixed);
     const auto ball = world.add(Sphere{0.5 * metre}, position(metres(0, 1, 0)), mass(1.0 * kilogram));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // What a world in which bodies collide refuses at its doors: each bad number by its name, value, unit and what would be
-// right, and the world goes on as if nobody had asked.
+// right, and the world goes on as if nothing had been asked.
 
 #include <ansatz/world/column_range.hpp>
 #include <ansatz/world/save.hpp>
@@ -266,7 +266,7 @@ TEST_CASE("responses: thresholds, stiffnesses, shares and parts", "[collision][r
     }
 }
 
-TEST_CASE("what a policy is set to acts from the next step on, and wakes who lies on it", "[collision][set]") {
+TEST_CASE("what a policy is set to acts from the next step on, and wakes bodies that lie on it", "[collision][set]") {
     // A ball that lies asleep on a soft floor wakes when the floor becomes stiffer, and comes up: m g / k.
     World world{SemiImplicitEuler{},
                 Gravity{},

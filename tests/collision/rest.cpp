@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Who sleeps and who wakes where bodies collide: hard cases R5, R9 to R12, and removed loads (R7).
+// What sleeps and what wakes where bodies collide: hard cases R5, R9 to R12, and removed loads (R7).
 
 #include "tests/collision/support.hpp"
 
@@ -65,7 +65,7 @@ TEST_CASE("R9: nothing falls asleep in the air, however weak gravity is", "[coll
         for (const double thrown : {0.0, 0.04}) {
             auto world = with_rest(Impulse<>{}, Projection{1e-3 * metre});
             world.set(Gravity{metres_per_second_squared(0, -g, 0)});
-            // Two that touch each other, side by side and one upon the other, hold nobody.
+            // Two that touch each other, side by side and one upon the other, hold no body.
             const auto a =
                 world.add(Sphere{0.5 * metre}, at<Space<>>(0, 100), going<Space<>>(0, thrown), mass(1.0 * kilogram));
             const auto b = world.add(Sphere{0.5 * metre}, at<Space<>>(0.9999, 100), going<Space<>>(0, thrown),
@@ -82,7 +82,7 @@ TEST_CASE("R9: nothing falls asleep in the air, however weak gravity is", "[coll
         }
 }
 
-TEST_CASE("R10: asleep is exactly still, and nobody else notices", "[collision][rest]") {
+TEST_CASE("R10: asleep is exactly still, and no other body notices", "[collision][rest]") {
     auto sleepy = with_rest(SoftSubsteps<>{});
     auto awake = world_of(SemiImplicitEuler{}, Space<>{}, Gravity{}, SoftSubsteps<>{});
     auto fill = [](auto& world) {
@@ -150,7 +150,7 @@ TEST_CASE("R11: a hit, a force, a change of gravity, and a support that is taken
     }
 }
 
-TEST_CASE("a platform that begins to move wakes who sleeps on it, and carries them", "[collision][rest]") {
+TEST_CASE("a platform that begins to move wakes bodies that sleep on it, and carries them", "[collision][rest]") {
     auto world = with_rest(SoftSubsteps<>{});
     const auto lift = world.add(Box{metres(2, 0.5, 2)}, position(metres(0, 0, 0)), moving);
     const auto crate = world.add(Sphere{0.5 * metre}, position(metres(0, 1, 0)), mass(1.0 * kilogram));
@@ -226,8 +226,8 @@ TEST_CASE("R7: a heavy load that is taken away does not throw up what it lay on"
     CHECK(speed <= 0.05);
 }
 
-TEST_CASE("what lies in each other is parted before it falls asleep, however deep it is", "[collision][rest]") {
-    const auto parted = [](const auto& start, double radius, double depth, bool sleep = true) {
+TEST_CASE("what lies in each other is separated before it falls asleep, however deep it is", "[collision][rest]") {
+    const auto separated = [](const auto& start, double radius, double depth, bool sleep = true) {
         using S = typename std::remove_cvref_t<decltype(start)>::S;
         auto world = start;
         world.add(Plane::ground(), fixed);
@@ -243,14 +243,14 @@ TEST_CASE("what lies in each other is parted before it falls asleep, however dee
     };
     for (const double radius : {0.5, 1.0, 2.0})
         for (const double share : {0.1, 0.8, 1.9}) {
-            parted(with_rest(SoftSubsteps<>{}), radius, share * radius);
-            parted(with_rest<Space<float, 2>>(SoftSubsteps<Friction>{}), radius, share * radius);
-            parted(world_of(Verlet{}, Gravity{}, Rest{}, SoftSubsteps<>{}), radius, share * radius);
-            parted(with_rest(Impulse{}, Projection{}), radius, share * radius, false); // columns may stay awake
+            separated(with_rest(SoftSubsteps<>{}), radius, share * radius);
+            separated(with_rest<Space<float, 2>>(SoftSubsteps<Friction>{}), radius, share * radius);
+            separated(world_of(Verlet{}, Gravity{}, Rest{}, SoftSubsteps<>{}), radius, share * radius);
+            separated(with_rest(Impulse{}, Projection{}), radius, share * radius, false); // columns may stay awake
         }
 }
 
-TEST_CASE("who sleeps wakes when what it lies on lets it through, or when something is put into it",
+TEST_CASE("what sleeps wakes when what it lies on lets it through, or when something is put into it",
           "[collision][rest]") {
     auto asleep = [](auto& world, const auto&... more) {
         const auto ground = world.add(Plane::ground(), fixed);
@@ -291,17 +291,17 @@ TEST_CASE("who sleeps wakes when what it lies on lets it through, or when someth
 TEST_CASE("a body that is put to rest in the air falls, also with the id of one that slept on the ground",
           "[collision][rest]") {
     for (const bool with_an_old_id : {false, true}) {
-        auto world = with_rest(
-            Springs{}, SoftSubsteps<>{}); // where bodies pull at each other, who sleeps is looked at in every step
+        // Where bodies pull at each other, sleepers are tested in every step.
+        auto world = with_rest(Springs{}, SoftSubsteps<>{});
         const auto slept = column(world, {1.0}).front();
-        world.add(Sphere{0.5 * metre}, position(metres(5, 1e3, 0)), mass(1.0 * kilogram)); // somebody is awake
+        world.add(Sphere{0.5 * metre}, position(metres(5, 1e3, 0)), mass(1.0 * kilogram)); // some body is awake
         run(world, 120, dt);
         REQUIRE(world.motion(slept) == Motion::resting);
         if (with_an_old_id) world.remove(slept);
         const auto body = world.add(Sphere{0.5 * metre}, position(metres(0, 10, 0)), mass(1.0 * kilogram), resting);
         CHECK((body.id == slept.id) == with_an_old_id);
         run(world, 30, dt);
-        const double n = 30 * 4, h = dt / 4; // SoftSubsteps takes a step in four parts
+        const double n = 30 * 4, h = dt / 4; // SoftSubsteps takes a step in four substeps
         CHECK(std::abs(height_of(world, body) - (10 - 0.5 * 9.81 * n * (n + 1) * h * h)) <= 1e-9);
     }
 }

@@ -256,6 +256,10 @@ TEST_CASE("a world whose sleeping contacts are kept apart goes on as if they wer
     SECTION("SoftSubsteps, float, a history") {
         goes_on_as_if_all_acted(World{S{}, Verlet{}, Gravity{}, UniformGrid{}, narrow, SoftSubsteps<Friction>{}, rest});
     }
+    SECTION("SoftSubsteps by colours") {
+        goes_on_as_if_all_acted(World{S{}, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, narrow,
+                                      SoftSubsteps<Friction, Coloured>{}, rest});
+    }
     SECTION("Impulse and Projection") {
         goes_on_as_if_all_acted(
             World{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, narrow, Impulse{}, Projection{}, rest});
@@ -266,7 +270,7 @@ TEST_CASE("a world whose sleeping contacts are kept apart goes on as if they wer
     }
 }
 
-TEST_CASE("who takes the place of one that slept is pushed by nothing of what held it", "[collision][contacts]") {
+TEST_CASE("what takes the place of one that slept is pushed by nothing of what held it", "[collision][contacts]") {
     const auto hash_after = [](bool apart) {
         World world{SemiImplicitEuler{},          Gravity{},        UniformGrid{},
                     Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}, Rest{0.3 * metre_per_second, 0.15 * second}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Bodies that stand still: who of them is near to one that moves, after whatever was done to them; and worlds in which
-// most do, which go on as a copy does that has looked at nobody yet.
+// Bodies that stand still: which of them are near to one that moves, after whatever was done to them; and worlds in
+// which most do, which go on as a copy does that has tested no body yet.
 
 #include "tests/collision/support.hpp"
 #include "tests/dice.hpp"
@@ -69,7 +69,7 @@ public:
                       [&](std::size_t slot, Corner& lower, Corner& upper) { return box(slot, lower, upper); });
         still_.begin_asking();
     }
-    /// What is near to a box of any size: by what is tested, and by looking at everybody.
+    /// What is near to a box of any size: by what is tested, and by testing every body.
     std::pair<std::vector<std::uint32_t>, std::set<std::uint32_t>> near() {
         typename StillBoxes<S>::Raw lower, upper;
         for (int k = 0; k < S::dimension; ++k) {
@@ -138,7 +138,7 @@ private:
 
 } // namespace
 
-TEMPLATE_TEST_CASE("who stands still is found where he is near, whatever was done before", "[collision][rest]",
+TEMPLATE_TEST_CASE("what stands still is found where it is near, whatever was done before", "[collision][rest]",
                    (Space<float, 3>), (Space<double, 3>), (Space<float, 2>), (Space<double, 2>)) {
     for (const double scale : {1.0, 1e-7, 1e6})
         for (const double far : {0.0, 1e5}) {
@@ -149,7 +149,7 @@ TEMPLATE_TEST_CASE("who stands still is found where he is near, whatever was don
                 if (round < 50)
                     for (int i = 0; i < 3; ++i) crowd.add();
                 crowd.follow();
-                std::set<std::uint32_t> told; // nobody is told of twice, however many ask
+                std::set<std::uint32_t> told; // no body is told of twice, however many ask
                 for (int query = 0; query < 6; ++query) {
                     const auto [tested, all] = crowd.near();
                     std::set<std::uint32_t> missing = all;
@@ -217,7 +217,7 @@ template <class World_> void goes_on_as_a_copy_does(World_ world) {
     for (int step = 0; step < 500; ++step) {
         if (step > 200 && dice.one_in(4)) meddle(world, dice);
         if (step == 350) world = another;
-        auto copy = world; // it has seen nobody
+        auto copy = world; // it has seen no body
         world.step(1.0 / 60 * second);
         copy.step(1.0 / 60 * second);
         REQUIRE(world.hash() == copy.hash());
@@ -237,7 +237,7 @@ template <class World_> void goes_on_as_a_copy_does(World_ world) {
 
 } // namespace
 
-TEST_CASE("a world in which most stand still goes on as a copy that has looked at nobody", "[collision][rest]") {
+TEST_CASE("a world in which most stand still goes on as a copy that has tested no body", "[collision][rest]") {
     SECTION("soft substeps") {
         goes_on_as_a_copy_does(hall(12, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{},
                                     SoftSubsteps<>{}, Rest{}));
@@ -288,14 +288,14 @@ template <class World_> double radius_of(const World_& world, Handle body) {
 } // namespace
 
 TEST_CASE("where most stand still, contacts of bodies that are awake are those of all pairs", "[collision][rest]") {
-    // Impulses alone move nobody behind the search, so that the places after a step are those that were looked at.
+    // Impulses alone move no body behind the search, so that the places after a step are those that were tested.
     World world = hall(12, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, Impulse{},
                        Rest{1.0 * metre_per_second, 0.1 * second, 20.0 * metre_per_second_squared});
     Dice dice(8);
     std::size_t touching = 0, asleep = 0;
     for (int step = 0; step < 400; ++step) {
         if (dice.one_in(3)) meddle(world, dice);
-        std::set<std::uint32_t> awake; // before the step and behind it: no matter who wakes or falls asleep meanwhile
+        std::set<std::uint32_t> awake; // before the step and behind it: no matter what wakes or falls asleep meanwhile
         for (const auto body : world.handles())
             if (world.motion(body) == Motion::awake) awake.insert(body.id);
         world.step(1.0 / 60 * second);

@@ -120,7 +120,7 @@ template <class S, class... P> void check_throws(const P&... policies) {
         CHECK(refused(refusal([&] { now.remove(balls[1]); })));
         std::ostringstream out;
         CHECK(refused(refusal([&] { save(now, out); })));
-        (void)told(now); // looking does no harm
+        (void)told(now); // reading does no harm
         W copy = now;
         CHECK(copy.status().lost);
         copy = world;
@@ -143,4 +143,5 @@ TEST_CASE("V10: a policy that throws at any call of a step leaves the world as i
     check_throws<Plain>(Verlet{}, SoftSubsteps<Friction>{});
     check_throws<Space<float, 2>>(VelocityVerlet{}, Impulse<Friction>{}, Projection{});
     check_throws<Plain>(SemiImplicitEuler{}, SoftSubsteps<>{}, StepLimit<Divide>{});
+    check_throws<Plain>(SemiImplicitEuler{}, SoftSubsteps<Coloured, Friction>{});
 }

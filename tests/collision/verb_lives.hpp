@@ -72,7 +72,7 @@ public:
         if (quiet_) compare();
     }
 
-    int on_sleepers = 0; ///< verbs while somebody slept
+    int on_sleepers = 0; ///< verbs while some body slept
     int compared = 0;    ///< places that were held against the other world's
     double farthest = 0; ///< m, apart
 
@@ -165,7 +165,7 @@ private:
         case 9:
             both([&](W& world) {
                 if constexpr (W::composition::template stores<Friction>)
-                    world.template write<Friction>(h, Number(0.6)); // wakes who lies on it
+                    world.template write<Friction>(h, Number(0.6)); // wakes bodies that lie on it
                 else if constexpr (W::composition::template stores<AppliedForce>)
                     world.apply_force(h, vector_in<S, unit::Force>(0, 30));
                 else world.wake(h);
@@ -176,7 +176,7 @@ private:
             both([&](W& world) { world.wake(h), world.datum(h) = body.datum; });
         }
     }
-    /// Against the model, and against the world before the verb: who is not meant is where he was.
+    /// Against the model, and against the world before the verb: a body that is not meant is where it was.
     void check(const W& before, Handle meant) const {
         for (const Known& body : known_) {
             INFO("body " << body.handle.id << " of generation " << body.handle.generation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// V2, R11: no support, no sleep. Whoever sleeps wakes in the step in which what holds it goes, whatever the response,
+// V2, R11: no support, no sleep. Whatever sleeps wakes in the step in which what holds it goes, whatever the response,
 // the support and the way to go, and from there on falls as a body that nothing holds.
 
 #include "tests/collision/support.hpp"
@@ -119,7 +119,8 @@ template <class... P> void check_all(Pile pile, P... policies) {
 
 } // namespace
 
-TEST_CASE("V2: no support, no sleep: a support that goes wakes who sleeps on it, which falls", "[collision][V2][R11]") {
+TEST_CASE("V2: no support, no sleep: a support that goes wakes bodies that sleep on it, which fall",
+          "[collision][V2][R11]") {
     SECTION("Impulse") { check_all(Pile::not_held, Impulse<>{}); }
     SECTION("Impulse with friction, and Projection") {
         check_all(Pile::perhaps_asleep, Impulse<Friction>{}, Projection{});
@@ -148,7 +149,7 @@ auto between_walls(double gap, double gravity, double mu) {
 }
 } // namespace
 
-TEST_CASE("R12: who is held by friction alone falls asleep, and wakes when what presses it goes",
+TEST_CASE("R12: what is held by friction alone falls asleep, and wakes when what presses it goes",
           "[collision][rest][R12]") {
     for (const double mu : {0.3, 0.9})
         for (const int n : {1, 3}) {

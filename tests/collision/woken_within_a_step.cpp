@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Who is woken within a step, by a hit or a pull, goes on as if it had never slept; and who is divided asleep.
+// What is woken within a step, by a hit or a pull, goes on as if it had never slept; and what is divided asleep.
 
 #include "tests/collision/support.hpp"
 
@@ -17,7 +17,7 @@ using namespace collision_tests;
 
 namespace {
 constexpr double dt = 1.0 / 60;
-constexpr double never = 1e6; // s, so long that nobody falls asleep
+constexpr double never = 1e6; // s, so long that no body falls asleep
 
 /// Rows of balls on smooth ground, which sleep or do not, are hit by another one.
 template <class S> void hit_in_a_row(int in_row, double gap, double speed, double e, double hitting) {
@@ -61,7 +61,7 @@ TEST_CASE("a sleeper that is struck into another one is not struck against a wal
 namespace {
 /// A ball that sleeps before a wall, or does not, is hit by another one, which may be hit itself.
 /// \return how far it comes, m; the middle of the wall is at 0.11 + gap
-double shot_at_a_wall(double gap, double speed, double e, int in_row, double slow_for, bool parted) {
+double shot_at_a_wall(double gap, double speed, double e, int in_row, double slow_for, bool separated) {
     using S = Space<double, 2>;
     auto world = world_of(S{}, SemiImplicitEuler{}, Gravity{}, Rest{0.05 * metre_per_second, slow_for * second},
                           SoftSubsteps<>{});
@@ -71,7 +71,7 @@ double shot_at_a_wall(double gap, double speed, double e, int in_row, double slo
         return world.add(Sphere{0.1 * metre}, at<S>(x, 0.1), going<S>(v), mass(1.0 * kilogram), restitution(e));
     };
     std::vector<Handle> row;
-    for (int i = 0; i < in_row; ++i) row.push_back(add(-i * (0.2 + (parted ? gap : 0)), 0));
+    for (int i = 0; i < in_row; ++i) row.push_back(add(-i * (0.2 + (separated ? gap : 0)), 0));
     run(world, 60, dt);
     REQUIRE(world.count(Motion::resting) == (slow_for == never ? 0u : std::size_t(in_row)));
     add(-in_row * 0.21 - 0.1, speed);
@@ -115,7 +115,7 @@ TEST_CASE("a body that was added asleep is hit in that step as if it were awake"
     }
 }
 
-TEST_CASE("who is woken by a pull within a step is held by its contacts in it", "[collision][rest][R11]") {
+TEST_CASE("what is woken by a pull within a step is held by its contacts in it", "[collision][rest][R11]") {
     for (const double slow_for : {0.5, never})
         for (const double hz : {60.0, 20.0}) {
             using S = Space<>;
@@ -161,7 +161,7 @@ struct Division_ {
 };
 } // namespace
 
-TEST_CASE("both parts of a sleeper that is divided lie on what it lay on, and fall when that goes",
+TEST_CASE("both halves of a sleeper that is divided lie on what it lay on, and fall when that goes",
           "[collision][rest][division]") {
     for (const bool remove : {false, true}) {
         auto world = world_of(SemiImplicitEuler{}, Gravity{}, Rest{}, SoftSubsteps<>{}, Division_{});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// ensemble: results in the order of the parameters, whoever runs them; what ends early goes on from its file.
+// ensemble: results in the order of the parameters, whatever runs them; what ends early goes on from its file.
 
 #include <ansatz/execution/ensemble.hpp>
 #include <ansatz/execution/kept_results.hpp>
@@ -10,14 +10,18 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 using namespace ansatz;
@@ -68,6 +72,9 @@ TEST_CASE("The results stand in the order of the parameters, to the bit on any n
         CHECK(ensemble(slow_sine, parameters) == expected);
         for (const int threads : {1, 2, 4}) CHECK(ensemble(slow_sine, parameters, OnThreads{threads}) == expected);
     }
+    // Any number of threads may be asked for; there are no more than runs.
+    CHECK(ensemble(slow_sine, numbers(5), OnThreads{std::numeric_limits<int>::max()}) ==
+          ensemble(slow_sine, numbers(5)));
     CHECK(refusal([] { OnThreads{0}; }) == "OnThreads: threads is 0; it is 1 or more; OnThreads{} takes every core");
 }
 
@@ -168,6 +175,27 @@ TEST_CASE("The file of another ensemble is refused, and left as it is", "[execut
           }).find("ensemble: /nowhere/at/all cannot be written: No such file or directory") == 0);
 }
 
+TEST_CASE("What cannot be a file of results is refused as such, whatever stands at the path", "[execution]") {
+    const auto refused = [](const fs::path& path) {
+        return refusal(
+            [&] { ensemble(slow_sine, numbers(3), OneByOne{}, {.kept = path, .name = "sines", .progress = {}}); });
+    };
+    const std::string long_name(400, 'a');
+    CHECK(refused(long_name) == "ensemble: " + long_name + " cannot be written: File name too long");
+    const Scratch file;
+    fs::create_symlink(file.path.filename(), file.path);
+    CHECK(refused(file.path) ==
+          "ensemble: " + file.path.string() + " cannot be written: Too many levels of symbolic links");
+    const auto folder = fs::temp_directory_path().string();
+    CHECK(refused(folder) == "ensemble: " + folder + " cannot be written: Is a directory");
+    CHECK(refused("/dev/null").find("ensemble: /dev/null cannot be read: ") == 0);
+    // Bytes that no terminal shows; a sentence would end at a zero.
+    fs::remove(file.path);
+    file.write(std::string("PNG\0\1\2", 6) + std::string(200, '\0'));
+    CHECK(refused(file.path).find(" is no file of results; it begins 'PNG'; this one is 'ansatz-ensemble 1") !=
+          std::string::npos);
+}
+
 TEST_CASE("Vectors, text and small structs are kept; what cannot be kept is a sentence", "[execution]") {
     struct Point {
         double x, y;
@@ -193,6 +221,33 @@ TEST_CASE("Vectors, text and small structs are kept; what cannot be kept is a se
               ensemble(maps, parameters, OneByOne{}, {.kept = file.path, .name = {}, .progress = {}});
           }).find("ensemble: results of this type cannot be kept in a file; give back numbers") == 0);
     CHECK_FALSE(fs::exists(file.path));
+    // A view is where a text is, which is nothing that a file could keep.
+    static_assert(!detail::BytesOf<std::string_view>::known && !detail::BytesOf<std::span<const double>>::known);
+    static_assert(!detail::BytesOf<std::vector<std::string_view>>::known && !detail::BytesOf<const char*>::known);
+    static_assert(detail::BytesOf<std::array<double, 3>>::known && detail::BytesOf<long double>::known);
+}
+
+/// Leaves a byte all over the stack, on which a long double then has bytes that are no part of it.
+[[gnu::noinline]] void litter(int byte) {
+    volatile char all[4096];
+    for (auto& one : all) one = char(byte);
+}
+[[gnu::noinline]] std::uint64_t fingerprint_of(const std::vector<long double>& parameters) {
+    return detail::fingerprint(parameters);
+}
+TEST_CASE("Parameters are told apart by their numbers, not by what lies beside them in memory", "[execution]") {
+    const std::vector<long double> thirds{0, 1 / 3.L, 2 / 3.L};
+    litter(0);
+    const auto once = fingerprint_of(thirds);
+    litter(0x5a);
+    CHECK(fingerprint_of(thirds) == once);
+    const std::vector<long double> others{0, 1 / 3.L, std::nextafter(2 / 3.L, 1.L)};
+    CHECK(fingerprint_of(others) != once);
+}
+
+TEST_CASE("A run may be anything that can be called with a parameter", "[execution]") {
+    const std::vector<std::string> words{"rigid", "body"};
+    CHECK(ensemble(&std::string::size, words) == std::vector<std::size_t>{5, 4});
 }
 
 TEST_CASE("Progress is told after each run", "[execution]") {
@@ -206,4 +261,15 @@ TEST_CASE("Progress is told after each run", "[execution]") {
     std::ostringstream line;
     ensemble(slow_sine, numbers(2), OneByOne{}, {.kept = {}, .name = {}, .progress = ProgressLine{line}});
     CHECK(line.str() == "\r1 of 2 runs\r2 of 2 runs\n");
+    // What it throws ends the ensemble as what a run throws does.
+    for (const bool sentence : {false, true}) {
+        const auto told_of = failure([&] {
+            ensemble(slow_sine, numbers(2), OnThreads{2}, {.kept = {}, .name = {}, .progress = [&](auto, auto) {
+                                                               if (sentence) throw std::runtime_error("no terminal");
+                                                               throw 7;
+                                                           }});
+        });
+        CHECK(told_of.find(sentence ? "ensemble: no terminal; "
+                                    : "ensemble: EnsembleOptions::progress threw what is no std::exception; ") == 0);
+    }
 }

@@ -28,7 +28,7 @@ compile "$compiler" "$project/tests/execution/programs/ranks.cpp" ranks.o -O1 -c
 # More ranks than cores, as root in a container too; they may lie on one machine only.
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_plm_rsh_agent=false
-# on <number of ranks> <stem> [<file> [throw | die]]: rank 0 writes <stem>.0, rank 1 <stem>.1, ...
+# on <number of ranks> <stem> [<file> [throw | die | tell]]: rank 0 writes <stem>.0, rank 1 <stem>.1, ...
 on() { timeout 120 mpirun -n "$1" ./ranks "$2" "${@:3}" > "$2.log" 2>&1; }
 fail() { echo "$*"; cat ./*.log; exit 1; }
 same() {    # same <number of ranks> <stem> <sentence>: every rank came to the results of one alone
@@ -54,6 +54,10 @@ if on 2 throw thrown.results throw; then fail "a run threw, and nothing was said
 on 4 after_throw thrown.results || fail "it did not go on after a run that threw"
 same 4 after_throw "it came to other results when it went on"
 [ "$(awk '/^rank [1-3]: / { runs += $3 } END { print runs }' after_throw.log)" -eq 20 ] || fail "it ran again what was kept"
+
+told="ensemble: EnsembleOptions::progress threw what is no std::exception; 20 results are lost"
+if on 3 tell - tell; then fail "what told of the progress threw, and nothing was said"; fi
+[ "$(grep -c "was told: $told" tell.log)" -eq 3 ] || fail "not every rank was told of what threw on rank 0"
 
 if on 2 die dead.results die; then fail "a rank was killed, and mpirun did not notice"; fi
 grep -q "ensemble: a rank has died, or the program was told to end, after 20 of 40 runs" die.log || fail "nobody said that a rank has died"

@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -109,4 +110,12 @@ TEST_CASE("A number of threads below one is refused", "[execution]") {
             Threads{none}, std::invalid_argument,
             Message("Threads: threads is " + std::to_string(none) + "; it is 1 or more; Threads{} takes every core"));
     CHECK(Threads{}.threads() >= 1);
+}
+
+TEST_CASE("Any number of threads may be asked for", "[execution]") {
+    const Threads many(std::numeric_limits<int>::max());
+    CHECK(many.threads() == std::numeric_limits<int>::max());
+    std::atomic<std::size_t> rows = 0;
+    many.execute(1000, 64, [&](std::size_t begin, std::size_t end) { rows += end - begin; });
+    CHECK(rows == 1000);
 }

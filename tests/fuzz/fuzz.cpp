@@ -24,8 +24,8 @@ double asked(const char* name, double otherwise) {
 
 TEST_CASE("random scenes keep every law in every composition", "[fuzz]") {
     const auto& all = fuzz::compositions();
-    if (all.empty()) SKIP("no compositions were drawn: -DANSATZ_FUZZ_COMPOSITIONS=4");
-    const double seconds = asked("ANSATZ_FUZZ_SECONDS", 15) / double(all.size());
+    if (all.empty()) SKIP("no compositions were drawn: -DANSATZ_FUZZ_COMPOSITIONS=24");
+    const double seconds = asked("ANSATZ_FUZZ_SECONDS", 60) / double(all.size());
     const auto seed = std::uint64_t(asked("ANSATZ_FUZZ_SEED", 1));
     const int only = int(asked("ANSATZ_FUZZ_COMPOSITION", -1));
     for (const auto& [number, subject] : all) {

@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// The plain model that a world is held against: who is there, by name, how it was added, and which springs hold it.
+/// The plain model that a world is held against: which bodies exist, by name, how each was added, and which springs
+/// hold it.
 
 #include "tests/fuzz/geometry.hpp"
 #include "tests/fuzz/subject.hpp"
@@ -143,7 +144,7 @@ private:
     std::set<int> all_springs_;
 };
 
-/// What is looked at of a body.
+/// What is compared of a body.
 struct Seen {
     Numbers place{}, velocity{};
     double mass = 0, restitution = 0;
@@ -156,7 +157,7 @@ struct Sight {
     Numbers momentum{};    ///< kg m/s
     double energy = 0;     ///< J, kinetic
     double fastest = 0;    ///< m/s
-    bool sleepers = false; ///< somebody rests
+    bool sleepers = false; ///< some body rests
 
     Sight(const Subject& world, const Model& model) {
         for (const auto& [body, known] : model.bodies()) {

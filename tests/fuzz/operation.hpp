@@ -32,15 +32,15 @@ enum class Shape { sphere, box, plane, none };
 enum class Kind { awake, fixed, moving, resting };
 using Numbers = std::array<double, 3>;
 
-/// One line of a scene. Bodies and springs have numbers of their own, so that what is left out renames nobody.
+/// One line of a scene. Bodies and springs have numbers of their own, so that what is left out renames no body.
 struct Operation {
     Verb verb = Verb::step;
-    int body = -1;             ///< whom it is done to; of `add` its name
+    int body = -1;             ///< the body that it is done to; of `add` its name
     int second = -1;           ///< the other end of a spring; -1 is the point `place`
     int spring = -1;           ///< the name of a spring
     Shape shape = Shape::none; ///< of `add`
     Kind kind = Kind::awake;   ///< of `add`
-    int axis = 1;              ///< which way the plane of an `add` looks
+    int axis = 1;              ///< which way the plane of an `add` faces
     Numbers place{};           ///< m
     Numbers vector{};          ///< m/s, N or N s
     double mass = 1;           ///< kg
@@ -53,7 +53,7 @@ struct Operation {
 };
 using Scene = std::vector<Operation>;
 
-/// The numbers of an operation that mean something, for whoever makes them rounder, or one of them bad.
+/// The numbers of an operation that mean something, for code that makes them rounder, or one of them bad.
 inline std::vector<double*> numbers_of(Operation& o, int dimension) {
     std::vector<double*> all;
     const auto vector = [&](Numbers& v) {

@@ -101,7 +101,7 @@ TEST_CASE("without a fault nothing is found in the world of the faults", "[fuzz]
 
 // What was printed, pasted and laid out, with the fault beside it: each compiles, and what its last line says does not
 // hold.
-TEST_CASE("a verb touches nobody else (seed 9)", "[fuzz]") {
+TEST_CASE("a verb touches no other body (seed 9)", "[fuzz]") {
     const Planted now(fuzz::Plant::stale_slot);
     fuzz::Faulty world{SemiImplicitEuler{},
                        Gravity{metres_per_second_squared(0, 0, 0)},

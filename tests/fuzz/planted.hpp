@@ -29,7 +29,7 @@ enum class Plant {
     poor_copy,        ///< a copy leaves a column out
     lasting_garbage,  ///< each bounce takes memory from the heap
     little_room,      ///< a copy has the note how much room there is, and not the room
-    early_sleep       ///< who is slow for a step falls asleep, as a ball does then at the top of its flight
+    early_sleep       ///< what is slow for a step falls asleep, as a ball does then at the top of its flight
 };
 inline Plant planted = Plant::nothing; // what is wrong now
 

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// A scene, played and judged: by a plain model of who is there, and by laws that hold whatever happens.
+/// A scene, played and judged: by a plain model of which bodies exist, and by laws that hold whatever happens.
 
 #include "tests/fuzz/allocations.hpp"
 #include "tests/fuzz/model.hpp"
@@ -23,7 +23,7 @@ namespace fuzz {
 
 /// A law that was broken.
 struct Fault {
-    std::string law;   ///< which one: the shrinker looks for the same
+    std::string law;   ///< which one: the shrinker searches for the same
     std::string check; ///< the line of C++ that fails
 };
 /// How often each law was judged: one that never was has held nothing.
@@ -231,7 +231,7 @@ private:
         }
     }
 
-    /// A verb changes whom it is done to, and nobody else; what it changes shows in the hash.
+    /// A verb changes the body that it is done to, and no other; what it changes shows in the hash.
     void judge_verb(const Operation& o, const Sight& before, std::uint64_t hash) {
         const Sight now(*world_, model_);
         for (const auto& [body, was] : before.bodies) {
@@ -277,8 +277,8 @@ private:
         if (facts_.closed && alone && !model_.is_anchored() && !pushed && !before.sleepers && !now.sleepers)
             judge_momentum(o, before, now);
         const bool platforms = !model_.all_of([](const Model::Known& known) { return known.kind != Kind::moving; });
-        const bool parted = !facts_.soft || !put_into_another_;
-        if (facts_.keeps_energy && model_.springs().empty() && !pushed && !platforms && parted)
+        const bool separated = !facts_.soft || !put_into_another_;
+        if (facts_.keeps_energy && model_.springs().empty() && !pushed && !platforms && separated)
             judge_energy(o, before, now);
     }
     void judge_who_stays(const Sight& before, const Sight& now) {
@@ -313,7 +313,7 @@ private:
             found("V3: no energy from nothing",
                   "CHECK(kinetic_energy(world).value() <= kinetic_energy(before).value() + " + text_of(margin) + ");");
     }
-    /// Nobody sleeps in the air.
+    /// No body sleeps in the air.
     void judge_sleepers(const Sight& now, const Pairs& touching) {
         for (const auto& [body, is] : now.bodies) {
             if (is.motion != ansatz::Motion::resting || model_.bodies().at(body).laid) continue;
@@ -327,7 +327,7 @@ private:
         }
     }
     /// The contacts that a loop over all pairs finds, but for those that a rounding decides. A sleeper that is woken in
-    /// the step itself is looked at in the next.
+    /// the step itself is tested in the next.
     void judge_contacts(const Sight& before, const Sight& now, const Pairs& touching) {
         const auto awake = [&](int body) {
             return before.bodies.at(body).motion == ansatz::Motion::awake &&

@@ -118,7 +118,7 @@ private:
         }
         return o;
     }
-    /// Makes one of its numbers such that nobody could accept it.
+    /// Makes one of its numbers such that no world could accept it.
     void spoil(Operation& o) {
         const auto all = numbers_of(o, facts_.dimension);
         if (all.empty()) return;

@@ -90,7 +90,7 @@ private:
         }
         return sum;
     }
-    /// Equal steps, one after another, are one line; the last stays alone, because something is looked at before it.
+    /// Equal steps, one after another, are one line; the last stays alone, because something is tested before it.
     static Scene joined(const Scene& scene) {
         Scene all;
         for (std::size_t i = 0; i < scene.size(); ++i) {

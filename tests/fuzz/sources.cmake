@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSL-1.0
-# The compositions of the fuzzer are drawn when the build is configured: a source each, about 15 s of the compiler. A few are always
-# played in, for 15 s together, and under the sanitizers by `.ci/run solids-sanitize`; more, others and for longer are asked for. The
-# test of the planted faults has a composition of its own.
-set(ANSATZ_FUZZ_COMPOSITIONS 4 CACHE STRING "How many compositions the fuzzer of worlds plays scenes in")
+# The compositions of the fuzzer are drawn when the build is configured, those of one space in one source: about 6 s of the compiler
+# each. Two dozen are always played in, for a minute together, and under the sanitizers by `.ci/run solids-sanitize`; others and for
+# longer are asked for. The test of the planted faults has a composition of its own.
+set(ANSATZ_FUZZ_COMPOSITIONS 24 CACHE STRING "How many compositions the fuzzer of worlds plays scenes in")
 set(ANSATZ_FUZZ_DRAW 1 CACHE STRING "Which ones: the seed that draws them")
 set(compositions ${PROJECT_SOURCE_DIR}/tools/workshop/compositions.py)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${compositions})

@@ -10,6 +10,7 @@
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/elements.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -40,7 +41,7 @@ struct Facts {
     bool settles = false;       ///< what falls on something may come to rest there: contacts take its velocity
     bool stays = false;         ///< contacts are where the step left the bodies: nothing moves them apart afterwards
     bool keeps_energy = false;  ///< V3: no step has more kinetic energy than the one before
-    bool soft = false;          ///< and that only as long as nobody was put into another body
+    bool soft = false;          ///< and that only as long as no body was put into another body
     bool bounded = false;       ///< nothing that is too stiff for a step can make its numbers grow without end
 };
 
@@ -84,10 +85,12 @@ inline std::vector<std::pair<int, std::unique_ptr<Subject>>>& compositions() {
     static std::vector<std::pair<int, std::unique_ptr<Subject>>> all;
     return all;
 }
-/// Puts one there.
+/// Puts one there, in the order of the numbers.
 struct Registered {
     Registered(int number, std::unique_ptr<Subject> subject) {
-        compositions().emplace_back(number, std::move(subject));
+        auto& all = compositions();
+        const auto later = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first > number; });
+        all.emplace(later, number, std::move(subject));
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Events are polled: who slept and who woke, in the last step and since the one before it.
+// Events are polled: what slept and what woke, in the last step and since the one before it.
 
 #include <ansatz/motion/events.hpp>
 
@@ -18,7 +18,7 @@ template <class W> std::vector<Event> events_of(const W& world) {
 using List = std::vector<Event>;
 } // namespace
 
-TEMPLATE_TEST_CASE("falling asleep and waking are told once, with who did", "[world][events]", SemiImplicitEuler,
+TEMPLATE_TEST_CASE("falling asleep and waking are told once, with the body", "[world][events]", SemiImplicitEuler,
                    Verlet, ImplicitEuler) {
     World world{TestType{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.5 / 64 * second}};
     const auto other = world.add(velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
@@ -62,7 +62,8 @@ TEST_CASE("a body that a later force wakes within the step is told", "[world][ev
     CHECK(world.motion(ground) == Motion::fixed);
 }
 
-TEST_CASE("events are kept by a step of zero, copied with the world, and empty where nobody rests", "[world][events]") {
+TEST_CASE("events are kept by a step of zero, copied with the world, and empty where no body rests",
+          "[world][events]") {
     World world{SemiImplicitEuler{}, Rest{0.05 * metre_per_second, 0.0 * second}};
     const auto body = world.add();
     world.step(1.0 / 64 * second);

@@ -17,7 +17,7 @@ using namespace ansatz;
 
 namespace {
 
-/// Part by part on this thread, the last one first: what depends on the order of the parts differs.
+/// Range by range on this thread, the last one first: what depends on the order of the ranges differs.
 struct LastFirst {
     using role = roles::Execution;
     std::size_t lines = 1; ///< in a part

@@ -26,7 +26,7 @@ TEST_CASE("one effect at a time, in float and in the plane, is as good as none, 
     CHECK(same_motion(plain, World{S{}, I{}, spring, FrameDrag{1.0}}));
     CHECK(same_motion(plain, World{S{}, I{}, spring, StopBelow{0.0 * metre_per_second}}));
     CHECK(same_motion(plain, World{S{}, I{}, spring, QuadraticDrag{0.0 * kilogram_per_metre}}));
-    CHECK(same_motion(plain, World{S{}, I{}, spring, Rest{}})); // nobody rests while a spring pulls
+    CHECK(same_motion(plain, World{S{}, I{}, spring, Rest{}})); // no body rests while a spring pulls
     CHECK(same_motion(plain, World{S{}, I{}, spring, Gravity{metres_per_second_squared(0, 0, 0)}}));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 
-// Momentum, notes 1.4. Two laws fix a collision along a line: momentum is conserved, and the bodies part with e times
-// the speed at which they met. Both are tested for random pairs; everything else is a symmetry or a limit.
+// Momentum, notes 1.4. Two laws fix a collision along a line: momentum is conserved, and the bodies separate with e
+// times the speed at which they met. Both are tested for random pairs; everything else is a symmetry or a limit.
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
@@ -97,8 +97,8 @@ TEST_CASE("Momentum: an empty list has none, and no centre of mass", "[motion][m
           "mechanics::centre_of_mass_velocity: the sum of the masses is 0 kg; it must be finite and greater than zero");
 }
 
-// Measured, in epsilon: momentum 0.44 of the sum of m (|u| + |v|), the speed of parting 3.2 of |u1| + |u2|, energy 2.5
-// of the sum of all energies; alike in double and float. Bounds 1, 4 and 4.
+// Measured, in epsilon: momentum 0.44 of the sum of m (|u| + |v|), the speed of separation 3.2 of |u1| + |u2|,
+// energy 2.5 of the sum of all energies; alike in double and float. Bounds 1, 4 and 4.
 TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a milliard apart", "[motion][momentum]",
                    double, float) {
     using S = TestType;
@@ -128,9 +128,9 @@ TEMPLATE_TEST_CASE("Momentum: conserved at every restitution, with masses a mill
         }
         const double momentum_error = in(abs(p) / momentum_scale, unit::Dimensionless{}) / epsilon;
         const auto met = wide(before[0].velocity) - wide(before[1].velocity),
-                   parted = wide(one.velocity) - wide(other.velocity);
+                   separated = wide(one.velocity) - wide(other.velocity);
         const auto speed_scale = abs(wide(before[0].velocity)) + abs(wide(before[1].velocity));
-        const double speed_error = in(abs(parted + double(e) * met) / speed_scale, unit::Dimensionless{}) / epsilon;
+        const double speed_error = in(abs(separated + double(e) * met) / speed_scale, unit::Dimensionless{}) / epsilon;
         const double energy_error =
             in(abs(change + wide(energy_lost(before[0], before[1], e))) / (energy_before + energy_after),
                unit::Dimensionless{}) /
@@ -157,7 +157,7 @@ TEST_CASE("Momentum: a collision is the same seen from a moving train", "[motion
         const auto there = collide(PointMass{a.mass, a.velocity + train}, PointMass{b.mass, b.velocity + train}, e);
         CHECK(norm(there.first.velocity - train - here.first.velocity) <= 1e-13 * metre_per_second);
         CHECK(norm(there.second.velocity - train - here.second.velocity) <= 1e-13 * metre_per_second);
-        // What is lost does not depend on who looks; the energies themselves do.
+        // What is lost does not depend on the frame of reference; the energies themselves do.
         CHECK(in(energy_lost(PointMass{a.mass, a.velocity + train}, PointMass{b.mass, b.velocity + train}, e), joule) ==
               Catch::Approx(in(energy_lost(a, b, e), joule)).epsilon(1e-12));
     }
@@ -172,7 +172,7 @@ TEST_CASE("Momentum: bodies that move together are not touched", "[motion][momen
     CHECK(energy_lost(a, b, 0) == 0 * joule);
 }
 
-TEST_CASE("Momentum: which of them is called the first, and from which side one looks, changes no bit",
+TEST_CASE("Momentum: which of them is called the first, and from which side one counts, changes no bit",
           "[motion][momentum]") {
     Numbers numbers;
     for (int i = 0; i < 500; ++i) {

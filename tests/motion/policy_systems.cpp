@@ -13,7 +13,7 @@ using namespace ansatz;
 
 namespace {
 
-/// Divides a step into equal parts, and keeps when each began and how long it was.
+/// Divides a step into equal substeps, and keeps when each began and how long it was.
 template <int Parts> struct Divides {
     using role = roles::System;
     static constexpr std::string_view name = "Divides";
@@ -35,7 +35,7 @@ template <int Parts> struct Divides {
     };
     template <class S> using systems = Types<Drive<S>>;
 };
-/// A force that depends on time, so that wrong times of parts are seen: a = t in the first direction.
+/// A force that depends on time, so that wrong times of substeps are seen: a = t in the first direction.
 struct Ramp {
     using role = roles::Force;
     using reads = Columns<Clock>;
@@ -81,7 +81,7 @@ struct Brakes {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("A driver takes the step in parts: as many short steps, to the bit", "[systems]", ExplicitEuler,
+TEMPLATE_TEST_CASE("A driver takes the step in substeps: as many short steps, to the bit", "[systems]", ExplicitEuler,
                    SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4) {
     World whole{TestType{}, Ramp{}, Gravity{}};
     World divided{TestType{}, Ramp{}, Gravity{}, Divides<4>{}};
@@ -93,7 +93,7 @@ TEMPLATE_TEST_CASE("A driver takes the step in parts: as many short steps, to th
     CHECK(divided.tick() == 16);
     CHECK(divided.time() == whole.time());
 }
-TEMPLATE_TEST_CASE("A force from outside acts through all parts of a step and then is gone", "[systems]",
+TEMPLATE_TEST_CASE("A force from outside acts through all substeps of a step and then is gone", "[systems]",
                    SemiImplicitEuler, Verlet, VelocityVerlet, RungeKutta4) {
     World world{TestType{}, AppliedForces{}, Divides<5>{}};
     const auto body = world.add(mass(2.0 * kilogram));

@@ -113,6 +113,34 @@ TEST_CASE("a query is that of the world as it will go on", "[motion][coupling]")
         CHECK(world.acceleration(world.body_at(i)) == fresh.acceleration(fresh.body_at(i)));
 }
 
+TEMPLATE_TEST_CASE("a query sees what was changed since the last one, also what no force between bodies reads",
+                   "[motion][coupling]", Verlet, SemiImplicitEuler, RungeKutta4) {
+    World world{TestType{}, Gravity{}, AppliedForces{}, QuadraticDrag{}, Chain<false>{}, Rest{}};
+    std::vector<Handle> all;
+    for (int i = 0; i < 7; ++i)
+        all.push_back(i % 3 == 2 ? world.add(position(metres(i, 0.1 * i * i, 0)), mass(1.0 * kilogram), resting)
+                                 : world.add(position(metres(i, 0.1 * i * i, 0)), mass((1 + 0.1 * i) * kilogram)));
+    const auto sees = [&](auto&& change) {
+        world.set_position(all[6], metres(7, 6, 5));
+        for (const auto body : all) CHECK(is_finite(world.acceleration(body)));
+        change();
+        const auto copy = world; // which has answered nothing yet
+        for (const auto body : all) {
+            CHECK(world.acceleration(body) == copy.acceleration(body));
+            CHECK(world.velocity(body) == copy.velocity(body));
+        }
+    };
+    for (int step = 0; step < 3; ++step) {
+        sees([&] { world.apply_force(all[3], newtons(1, 2, 3)); });
+        sees([&] { world.set_mass(all[3], 5.0 * kilogram); });
+        sees([&] { world.set_velocity(all[3], metres_per_second(4, 5, 6)); });
+        sees([&] { world.apply_impulse(all[1], newton_seconds(4, 5, 6)); });
+        sees([&] { world.wake(all[5]); });
+        sees([&] { world.remove(world.add(position(metres(1, 2, 3)), mass(1.0 * kilogram))); });
+        world.step(1.0 / 60 * second);
+    }
+}
+
 TEMPLATE_TEST_CASE("whatever is changed, and however often, no other body is pushed by it", "[motion][coupling]",
                    Verlet, SemiImplicitEuler) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {

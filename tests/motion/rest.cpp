@@ -27,6 +27,16 @@ TEST_CASE("rest: a slow body sleeps after its time and not before, exactly at ze
     });
 }
 
+TEMPLATE_TEST_CASE("rest: what stands still sleeps, however small the threshold is", "[motion][rest]", float, double) {
+    // Its square is no number of the scalar any more.
+    const double least = double(std::numeric_limits<TestType>::min());
+    World world{Space<TestType, 3>{}, SemiImplicitEuler{}, Rest{least * metre_per_second, 0.5 * second}};
+    const auto still = world.add(), slow = world.add(velocity(metres_per_second(1e-3, 0, 0)));
+    run(world, 30, 1.0 / 60);
+    CHECK(world.motion(still) == Motion::resting);
+    CHECK(world.motion(slow) == Motion::awake);
+}
+
 TEST_CASE("R9 rest: a thrown body never sleeps unsupported, on whatever moon", "[motion][R9][rest]") {
     for_each_type(Types<SemiImplicitEuler, Verlet>{}, []<class I> {
         for (const double g : {0.01, 0.1, 1.62, 9.81}) {
@@ -126,7 +136,7 @@ TEST_CASE("rest: what remains of all that pulls may be as much as it says, and z
 }
 
 TEST_CASE("rest: the order of the list means nothing, also among effects of one place", "[motion][rest]") {
-    // Damping first, then what stops, then the look at the velocity that is left, however they are listed.
+    // Damping first, then what stops, then the test of the velocity that is left, however they are listed.
     const FrameDrag half{0.5};
     const StopBelow stop{0.03 * metre_per_second};
     const Rest rest{0.05 * metre_per_second, 0.0 * second};

@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("a history keeps the velocity, or the step is refused with on
                         CAPTURE(platform, second_step, x, v, dt, sentence.value_or("taken"));
                         if (!sentence) {
                             REQUIRE(world.status().ok());
-                            // What is lost in each of three steps; steps longer than those that are looked at have
+                            // What is lost in each of three steps; steps longer than those that are tested have
                             // their own rounding.
                             const double rounding = 100 * dt * dt < epsilon ? 0 : epsilon * x / dt;
                             REQUIRE(std::abs(along_x(world, body) - before) <= 3e-3 * v + 3 * rounding + 1e-5 * v);
@@ -95,8 +95,8 @@ template <class W> void takes_no_harm(const W& empty) {
             continue;
         }
         REQUIRE(world.status().ok());
-        // Steps that are not looked at have their own rounding.
-        const bool history_of_old = W::composition::history && 100 * dt * dt >= 16 * epsilon; // in four parts
+        // Steps that are not tested have their own rounding.
+        const bool history_of_old = W::composition::history && 100 * dt * dt >= 16 * epsilon; // in four substeps
         REQUIRE(std::abs(along_x(world, flying) - 1) <= 4e-3 + (history_of_old ? 300 * epsilon / dt : 0));
         REQUIRE(std::abs(along_x(world, last)) < 10);
     }

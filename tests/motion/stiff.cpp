@@ -123,8 +123,9 @@ TEST_CASE("I17 stiff and soft: explicit schemes say that they diverged, and hold
     });
 }
 
-TEST_CASE("I18 implicit that is not: sweeps diverge, the solve does not", "[motion][I18]") {
-    // omega h = 1.67: a sweep multiplies the error by 2.78. The exact solution shrinks by sqrt(1 + omega^2 h^2) a step.
+TEST_CASE("I18 implicit that is not: fixed-point iterations diverge, the solve does not", "[motion][I18]") {
+    // omega h = 1.67: an iteration multiplies the error by 2.78. The exact solution shrinks by sqrt(1 + omega^2 h^2) a
+    // step.
     CHECK_FALSE(size_after_60<FixedPointEuler<2>>() <= 1e30); // negative controls
     CHECK_FALSE(size_after_60<FixedPointEuler<5>>() <= 1e30);
     CHECK_FALSE(size_after_60<FixedPointEuler<20>>() <= 1e30);

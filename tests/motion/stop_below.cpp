@@ -53,5 +53,9 @@ TEST_CASE("stop below: a threshold of zero stops nothing, a negative one is refu
     const auto body = world.add(velocity(metres_per_second(1e-150, 0, 0)));
     run(world, 3, 1.0);
     CHECK(world.velocity(body).value()[0] == 1e-150);
+    world.set(StopBelow{1e-200 * metre_per_second}); // whose square is zero
+    world.set_velocity(body, metres_per_second(1e-201, 0, 0));
+    run(world, 1, 1.0);
+    CHECK(world.velocity(body).value()[0] == 0);
     CHECK_THROWS_AS((World{SemiImplicitEuler{}, StopBelow{-1.0 * metre_per_second}}), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// WorldRadius: status() tells who is outside of the radius within which motion is resolved (hard case V7).
+// WorldRadius: status() tells which bodies are outside of the radius within which motion is resolved (hard case V7).
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion/integrators/compensated.hpp>
@@ -32,12 +32,12 @@ struct Crowd {
 };
 } // namespace
 
-TEST_CASE("V7: outside of the radius a status says who, where, and what would be right", "[motion][far]") {
+TEST_CASE("V7: outside of the radius a status says which, where, and what would be right", "[motion][far]") {
     auto world = world_of<SemiImplicitEuler>();
     const auto inside = world.add(at<S>(0, 31.9)), outside = world.add(at<S>(-32, 0)),
                farther = world.add(at<S>(0, 4096), going<S>(0.05));
     world.add(at<S>(1e9), fixed); // it moves nowhere
-    CHECK(world.status().ok());   // no step has been taken, so that nobody knows how long it is
+    CHECK(world.status().ok());   // no step has been taken, so that its length is unknown
     const auto before = world.hash();
     CHECK(world.status().ok());
     CHECK(world.hash() == before);

@@ -1,6 +1,6 @@
 // expect: Coherent of something that is no broadphase of boxes; write e.g. Coherent<UniformGrid<>>
 // SPDX-License-Identifier: BSL-1.0
-// Pairs are kept of a broadphase that looks at no box.
+// Pairs are kept of a broadphase that tests no box.
 
 #include <ansatz/collision.hpp>
 

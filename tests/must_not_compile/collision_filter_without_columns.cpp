@@ -1,4 +1,4 @@
-// expect: a collision filter without columns; declare what it looks at
+// expect: a collision filter without columns; declare what it reads
 // SPDX-License-Identifier: BSL-1.0
 // A filter that does not say what it reads of a body.
 

@@ -1,6 +1,6 @@
-// expect: this world has no filter that looks at layers; add Layers{} to its policies
+// expect: this world has no filter that reads layers; add Layers{} to its policies
 // SPDX-License-Identifier: BSL-1.0
-// Layers, where no filter looks at them.
+// Layers, where no filter reads them.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

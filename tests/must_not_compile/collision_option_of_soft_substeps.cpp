@@ -1,4 +1,4 @@
-// expect: the option of SoftSubsteps is Friction, e.g. SoftSubsteps<Friction>{}
+// expect: the options of SoftSubsteps are Friction and Coloured, each once, e.g. SoftSubsteps<Friction>{}
 // SPDX-License-Identifier: BSL-1.0
 // An option that soft substeps do not have.
 

@@ -1,4 +1,4 @@
-// expect: query: an option that means nothing here; it is with_sensors, or something that the world's filter looks at
+// expect: query: an option that means nothing here; it is with_sensors, or something that the world's filter reads
 // SPDX-License-Identifier: BSL-1.0
 // A ray of some layer, in a world without layers.
 

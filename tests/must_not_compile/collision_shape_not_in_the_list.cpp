@@ -1,6 +1,6 @@
 // expect: add: a shape that this world's narrowphase does not know; name it there
 // SPDX-License-Identifier: BSL-1.0
-// A box, where only spheres and planes are looked at.
+// A box, where only spheres and planes are tested.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

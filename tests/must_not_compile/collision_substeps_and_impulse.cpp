@@ -1,4 +1,4 @@
-// expect: World has a response that takes a step in parts (SoftSubsteps) and one that changes velocities at its end (Impulse)
+// expect: World has a response that takes a step in substeps (SoftSubsteps) and one that changes velocities at its end (Impulse)
 // SPDX-License-Identifier: BSL-1.0
 // Either answers a contact by itself; both would answer it twice.
 

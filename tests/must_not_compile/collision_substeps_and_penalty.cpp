@@ -1,4 +1,4 @@
-// expect: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are forces of the next step (Penalty)
+// expect: World has a response that takes a step in substeps (SoftSubsteps) and one whose contacts are forces of the next step (Penalty)
 // SPDX-License-Identifier: BSL-1.0
 // Either holds bodies apart by itself; both would hold them twice.
 

@@ -1,6 +1,6 @@
 // expect: a response at Level::substeps with a wrong signature; its In<S> needs parts(), solve(contacts, h)
 // SPDX-License-Identifier: BSL-1.0
-// How many parts is a whole number.
+// The number of substeps is a whole number.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

@@ -1,6 +1,6 @@
-// expect: World has more than one response that takes a step in parts; keep one
+// expect: World has more than one response that takes a step in substeps; keep one
 // SPDX-License-Identifier: BSL-1.0
-// Two that take the step in parts.
+// Two that take the step in substeps.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

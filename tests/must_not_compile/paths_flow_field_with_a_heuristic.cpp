@@ -1,6 +1,6 @@
 // expect: FlowField takes a queue (Heap{}, Buckets{}), CostIn<Number>{} and WeightsOf{map}
 // SPDX-License-Identifier: BSL-1.0
-// An estimate for what looks at everything.
+// An estimate for what visits everything.
 
 #include <ansatz/paths.hpp>
 

@@ -1,4 +1,4 @@
-// expect: BoostAStar looks at every edge; with JumpPoints take OwnLoop, the default engine
+// expect: BoostAStar visits every edge; with JumpPoints take OwnLoop, the default engine
 // SPDX-License-Identifier: BSL-1.0
 // Jump points asked of boost::astar_search.
 

@@ -1,6 +1,6 @@
 // expect: the edges of this graph carry a structure of yours, and nothing says which member is the weight
 // SPDX-License-Identifier: BSL-1.0
-// The same where landmarks, checks and true costs look at the whole graph, here through a view.
+// The same where landmarks, checks and true costs visit the whole graph, here through a view.
 
 #include <ansatz/paths.hpp>
 

@@ -15,6 +15,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/compiler.cmake)
 
 file(REMOVE_RECURSE ${PRECOMPILED}/mended)    # it was found with an older library
 file(GLOB umbrellas RELATIVE ${LIBRARY}/ansatz ${LIBRARY}/ansatz/*.hpp)
+list(REMOVE_ITEM umbrellas execution.hpp)    # it needs oneTBB, which a machine may not have; no mistake is about it
 list(REMOVE_ITEM flags -fsyntax-only)
 set(groups bodies paths soft_bodies states water)
 set(suffix gch)

@@ -1,4 +1,4 @@
-// expect: Unjoined names the springs that it looks at; write e.g. Unjoined<Springs<>>{}
+// expect: Unjoined names the springs that it reads; write e.g. Unjoined<Springs<>>{}
 // SPDX-License-Identifier: BSL-1.0
 // A filter that reads springs says which.
 

@@ -9,9 +9,11 @@ using namespace ansatz;
 
 int main() {
 #ifdef ANSATZ_MISTAKE
-    suvat::solve(5.0 * metre_per_second, 2.0 * metre_per_second, 1.0 * second);
+    const auto motion = suvat::solve(5.0 * metre_per_second, 2.0 * metre_per_second, 1.0 * second).front();
 #else
-    suvat::solve(suvat::initial_velocity(5.0 * metre_per_second), suvat::final_velocity(2.0 * metre_per_second),
-                 suvat::time(1.0 * second));
+    const auto motion = suvat::solve(suvat::initial_velocity(5.0 * metre_per_second),
+                                     suvat::final_velocity(2.0 * metre_per_second), suvat::time(1.0 * second))
+                            .front();
 #endif
+    static_cast<void>(motion);
 }

@@ -1,6 +1,6 @@
-// expect: World has a broadphase but no narrowphase to look at its pairs; add one
+// expect: World has a broadphase but no narrowphase to test its pairs; add one
 // SPDX-License-Identifier: BSL-1.0
-// Pairs that nobody looks at.
+// Pairs that no narrowphase tests.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

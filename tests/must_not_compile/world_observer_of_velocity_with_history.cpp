@@ -1,6 +1,6 @@
 // expect: an observer reads Velocity, but this integrator keeps the history of positions
 // SPDX-License-Identifier: BSL-1.0
-// Position Verlet has no velocity that could be looked at within a step.
+// Position Verlet has no velocity that could be read within a step.
 
 #include <ansatz/world.hpp>
 

@@ -1,6 +1,6 @@
-// expect: a policy looks at a table without saying so; add it to its `using sees = Types<...>;`
+// expect: a policy reads a table without saying so; add it to its `using sees = Types<...>;`
 // SPDX-License-Identifier: BSL-1.0
-// What an observer looks at, it declares.
+// What an observer reads, it declares.
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>

@@ -1,6 +1,6 @@
 // expect: a policy that decides how a step is taken, with a wrong signature
 // SPDX-License-Identifier: BSL-1.0
-// A step control that answers with a length of time instead of a number of parts.
+// A step control that answers with a length of time instead of a number of substeps.
 
 #include <ansatz/world.hpp>
 

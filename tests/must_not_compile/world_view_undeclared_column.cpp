@@ -1,6 +1,6 @@
 // expect: a policy touches a column that it did not declare; add it to its `reads`
 // SPDX-License-Identifier: BSL-1.0
-// A force between bodies that looks at a column it did not declare.
+// A force between bodies that reads a column it did not declare.
 
 #include <ansatz/world.hpp>
 

@@ -8,7 +8,7 @@ int main() {
     auto ball = sky.add(position(metres(0, 10, 0)), velocity(metres_per_second(3, 0, 0)), mass(0.5 * kilogram));
 
     FixedStep clock{1.0 / 60 * second};
-    for (int frame = 0; frame < 72; ++frame) { // a screen of 72 pictures a second
+    for (int frame = 0; frame < 72; ++frame) { // a display of 72 Hz
         clock.advance(sky, 1.0 / 72 * second);
         if (frame % 12 == 0) std::cout << interpolated_position(sky, ball, clock.alpha()) << '\n';
     }

@@ -7,9 +7,9 @@ using namespace ansatz;
 int main() {
     World pool{SemiImplicitEuler{}, // how bodies move
                Gravity{},
-               Rest{},                       // who lies still falls asleep
-               SortAndSweep{},               // who may touch
-               Narrowphase<Sphere, Plane>{}, // who does, and where
+               Rest{},                       // bodies that lie still fall asleep
+               SortAndSweep{},               // which pairs may touch
+               Narrowphase<Sphere, Plane>{}, // which do, and where
                Impulse{},                    // what it does to velocities
                Projection{}};                // and to positions
     pool.add(Plane::ground(), fixed);

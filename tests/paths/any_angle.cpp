@@ -46,7 +46,7 @@ template <class Map> double shortest_of_any_angle(const Map& map, Cell start, Ce
         }
     }
 }
-/// Whether a walk along these corners is outside of all walls, looked at place by place.
+/// Whether a walk along these corners is outside of all walls, tested place by place.
 template <class Map> bool keeps_out_of_walls(const Map& map, std::span<const Cell> corners) {
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const double dx = double(corners[i].x) - corners[i - 1].x, dy = double(corners[i].y) - corners[i - 1].y;

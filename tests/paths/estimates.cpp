@@ -173,8 +173,8 @@ TEST_CASE("where a cost is more than its number holds nobody claims that there i
 
 TEST_CASE("Buckets open a node again far less often than a heap where an estimate is not consistent", "[paths][P1]") {
     // After A. Martelli (1977): vertex j leads to every i < j, and each way through one more vertex is cheaper by one.
-    // The estimates make vertex 1 the first to look at, then 2, then 1 again, then 3, and so on: a search by f counts
-    // in binary.
+    // The estimates make vertex 1 the first to be expanded, then 2, then 1 again, then 3, and so on: a search by f
+    // counts in binary.
     const int n = 14;
     Roads g(n + 1);
     for (int j = 2; j <= n; ++j)

@@ -187,7 +187,7 @@ TEST_CASE("goals: what is refused, and what is said where there is no way", "[pa
     for (std::uint16_t y = 0; y < 8; ++y) map.set_passable(Cell{4, y}, false);
     CHECK(any.find(std::vector<Cell>{{0, 0}, {1, 1}}, two) == Outcome::no_path);
     CHECK(any.why() == "there is no path from any of 2 starts to any of 2 goals: all 31 nodes that can be reached were "
-                       "looked at");
+                       "expanded");
     AStar where{map, GoalWhere{[](Cell c) { return c.x == 6; }}};
     CHECK(where.find(Cell{0, 0}) == Outcome::no_path);
     CHECK_THAT(where.why(), ContainsSubstring("no path from (0, 0) to a node that meets the condition"));

@@ -346,7 +346,10 @@ TEST_CASE("what a domain is given wrongly it refuses, and a budget ends a plan",
     auto x = domain.action("x", 1);
     CHECK_THAT(test::refusal([&] { domain.action("x", 1); }), ContainsSubstring("\"x\" is there already"));
     CHECK_THAT(test::refusal([&] { x.needs(a, !a); }), ContainsSubstring("\"a\" is given both ways"));
-    CHECK_THAT(test::refusal([&] { x.makes(Fact{9, true}); }), ContainsSubstring("the fact is 9"));
+    CHECK_THAT(test::refusal([&] { x.makes(a, Fact{9, true}); }), ContainsSubstring("the fact is 9"));
+    CHECK(domain.rules()[x].needs == goap::Condition<>{}); // nor what stood before it
+    CHECK(domain.rules()[x].makes == goap::Condition<>{});
+    x.needs(!a).makes(a); // so that it can be said again, the right way
     CHECK_THAT(test::refusal([&] { domain.condition({a, !a}); }), ContainsSubstring("\"a\" is wanted both ways"));
     CHECK_THAT(test::refusal([&] { domain.set_cost(7, 1); }), ContainsSubstring("the action is 7"));
     CHECK_THAT(test::refusal([&] { domain.fact(""); }), ContainsSubstring("a fact has a name"));

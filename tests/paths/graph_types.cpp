@@ -6,6 +6,7 @@
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
+#include <ansatz/paths/flow_field.hpp>
 #include <ansatz/paths/true_costs.hpp>
 
 #include <boost/graph/adjacency_matrix.hpp>
@@ -17,6 +18,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -260,4 +262,49 @@ TEST_CASE("flags and names of a graph hold in a view of it", "[paths]") {
     CHECK_THAT(test::refusal([&] { search.find(Cell{9, 9}, Cell{0, 0}); }), ContainsSubstring("start is (9, 9)"));
     CHECK(search.find(Cell{1, 1}, Cell{3, 3}) == Outcome::found);
     CHECK(search.cost() == 4);
+}
+
+TEMPLATE_TEST_CASE("a weight that is more than the search's number holds is no way, and none that begins again at 0",
+                   "[paths]", std::int64_t, std::uint64_t) {
+    using Wide = List<vecS, vecS, directedS, boost::property<boost::edge_weight_t, TestType>>;
+    constexpr auto first_beyond = TestType(1) << 32;
+    for (const TestType heavy : {first_beyond - 1, first_beyond, first_beyond + 1, 7 * first_beyond + 3}) {
+        CAPTURE(heavy);
+        Wide g(3);
+        add_edge(0, 1, heavy, g);
+        AStar direct{g, CostIn<std::uint32_t>{}};
+        CHECK(direct.find(0, 1) == Outcome::too_far);
+        AStar by_boost{g, CostIn<std::uint32_t>{}, BoostAStar{}};
+        CHECK(by_boost.find(0, 1) == Outcome::too_far);
+        FlowField field{g, CostIn<std::uint32_t>{}};
+        CHECK(field.aim(1) == Outcome::too_far);
+        CHECK(true_costs<std::uint32_t>(g, 1)[0] == std::numeric_limits<std::uint32_t>::max());
+        AStar whole{g};
+        CHECK(whole.find(0, 1) == Outcome::found);
+        CHECK(whole.cost() == heavy);
+        add_edge(0, 2, TestType(10), g); // and the way round is found
+        add_edge(2, 1, TestType(10), g);
+        CHECK(direct.find(0, 1) == Outcome::found);
+        CHECK(direct.cost() == 20);
+        CHECK(by_boost.find(0, 1) == Outcome::found);
+        CHECK(by_boost.cost() == 20);
+        CHECK(field.aim(1) == Outcome::found);
+        CHECK(field.cost(0) == 20);
+    }
+}
+
+TEST_CASE("before a search is begun there is no vertex to name, where vertices are pointers too", "[paths]") {
+    using Pointed =
+        boost::adjacency_list<vecS, listS, directedS, boost::property<boost::vertex_index_t, std::size_t>, Weighed>;
+    Pointed g;
+    const auto a = add_vertex(0, g), b = add_vertex(1, g);
+    add_edge(a, b, 3, g);
+    AStar search{g};
+    AStar any{g, AnyGoal{}};
+    for (const auto& said : {search.why(), any.why()}) CHECK(said == "no search was begun");
+    const std::array<Pointed::vertex_descriptor, 0> nobody{};
+    CHECK_THAT(test::refusal([&] { any.find(a, nobody); }), ContainsSubstring("the number of goals is 0"));
+    CHECK(any.why() == "no search was begun");
+    CHECK(search.find(a, b) == Outcome::found);
+    CHECK(search.why() == "the path from 0 to 1 costs 3");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Graphs whose edges are made while one looks are what Boost.Graph calls incidence graphs.
+// Graphs whose edges are made on demand are what Boost.Graph calls incidence graphs.
 
 #include <ansatz/paths/implicit_graph.hpp>
 

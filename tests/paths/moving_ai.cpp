@@ -95,6 +95,11 @@ TEST_CASE("MovingAI's files: what is wrong is said with file, line and what was 
                ContainsSubstring("small.map:5: column 3 is 'x'"));
     CHECK_THAT(refused("type octile\nheight 1\nwidth 3\nmap\n...\n...\n"),
                ContainsSubstring("small.map:6: there are more rows; expected 1"));
+    using namespace std::string_literals; // a file of bytes: the sentence goes on behind a zero
+    CHECK(refused("type\0octile\n"s) == "dir/small.map:1: \"type?octile\"; expected \"type octile\"");
+    CHECK(refused("type octile\nheight 1\nwidth 3\nmap\n.\0.\n"s) ==
+          "dir/small.map:5: column 2 is '?'; expected one of . G S @ O T W");
+    CHECK_THAT(refused("type octile\nheight \x1b[2J\n"), ContainsSubstring("\"height ?[2J\"; expected height"));
     CHECK_THAT(test::refusal([] { read_moving_ai_map("/nowhere/x.map"); }),
                ContainsSubstring("/nowhere/x.map: cannot be opened"));
 

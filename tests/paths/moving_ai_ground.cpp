@@ -66,7 +66,7 @@ TEST_CASE("MovingAI's ground: land alone, or water and swamp by their kinds, on 
     AStar boat{lake};
     CHECK(boat.find(Cell{3, 0}, Cell{6, 1}) == Outcome::found);
     CHECK(boat.find(Cell{3, 0}, Cell{3, 3}) == Outcome::no_path);
-    CHECK(lake.blocked_edges() == 0); // no byte for edges where no pair of kinds is parted
+    CHECK(lake.blocked_edges() == 0); // no byte for edges where no pair of kinds is separated
     CHECK(land.blocked_edges() == 0);
 }
 

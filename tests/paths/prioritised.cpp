@@ -22,7 +22,7 @@ using namespace ansatz::test;
 
 namespace {
 
-/// The least cost from start to goal around the plans of others, by looking at every tile in every step.
+/// The least cost from start to goal around the plans of others, by testing every tile in every step.
 template <class Map> std::uint64_t least(const Map& map, const Plans& others, const Errand& errand, std::size_t steps) {
     constexpr auto none = std::numeric_limits<std::uint64_t>::max();
     const std::size_t n = map.size(), w = map.width();

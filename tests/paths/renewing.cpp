@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What is under way is kept where nothing has changed: a route that is looked at every frame, an action that a new plan
+// What is under way is kept where nothing has changed: a route that is checked every frame, an action that a new plan
 // begins with as well, a plan that nobody can carry out.
 
 #include "tests/paths/support.hpp"
@@ -17,7 +17,7 @@ namespace renewing {
 
 using namespace paths_tests;
 
-/// A graph of streets that counts how often it is looked at.
+/// A graph of streets that counts how often it is read.
 /// \tparam Tells whether it also says when something became cheaper
 template <bool Tells> struct Net {
     struct Street {
@@ -27,7 +27,7 @@ template <bool Tells> struct Net {
     };
     std::vector<std::vector<Street>> streets;
     std::size_t changes = 0, cheaper = 0;
-    mutable std::size_t looks = 0;
+    mutable std::size_t reads = 0;
 
     explicit Net(std::size_t n) : streets(n) {}
     std::size_t version() const { return changes; }
@@ -43,7 +43,7 @@ template <bool Tells> struct Net {
     }
 };
 template <bool T> auto out_edges(std::size_t v, const Net<T>& g) {
-    ++g.looks;
+    ++g.reads;
     return std::pair(g.streets[v].begin(), g.streets[v].end());
 }
 template <bool T> std::size_t target(const typename Net<T>::Street& s, const Net<T>&) { return s.to; }
@@ -93,7 +93,7 @@ template <bool T> struct graph_traits<renewing::Net<T>> {
 
 namespace renewing {
 
-TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at nothing else", "[paths]",
+TEMPLATE_TEST_CASE_SIG("a route reads its path once for each change, and nothing else", "[paths]",
                        ((bool Tells), Tells), true, false) {
     std::mt19937 random(71);
     int kept = 0, renewed = 0, opened = 0;
@@ -136,22 +136,22 @@ TEMPLATE_TEST_CASE_SIG("a route looks at its path once for each change, and at n
                 if (k % 2 == 1) due = due || (Tells ? net.cheaper != cheaper : true);
             }
             const bool opens = route.outcome() == Outcome::no_path;
-            net.looks = 0;
+            net.reads = 0;
             REQUIRE(route.needs_new_path() == due);
-            const std::size_t looks = net.looks;
-            REQUIRE(looks <= route.ahead().size());
+            const std::size_t reads = net.reads;
+            REQUIRE(reads <= route.ahead().size());
             REQUIRE(route.renew() == due);
             if (!due) {
-                REQUIRE(net.looks == looks); // known already
-                kept += looks > 0;
+                REQUIRE(net.reads == reads); // known already
+                kept += reads > 0;
             } else {
                 take();
                 cheaper = net.cheaper, changes = net.changes;
                 renewed += 1, opened += opens;
             }
-            net.looks = 0;
+            net.reads = 0;
             for (int again = 0; again < 3; ++again) REQUIRE_FALSE(route.renew());
-            REQUIRE(net.looks == 0); // nothing has changed since
+            REQUIRE(net.reads == 0); // nothing has changed since
             if (frame % 7 == 6 && route.outcome() == Outcome::found && !route.arrived()) {
                 route.step();
                 costs.erase(costs.begin());

@@ -177,7 +177,7 @@ template <class World> void roll_both(World alone) {
     add_balls(alone, 200, 0, velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
     World both = alone;
     add_balls(both, 10'000, 200, fixed);
-    for (World* world : {&alone, &both}) world->step(h); // once, for what is looked at only once
+    for (World* world : {&alone, &both}) world->step(h); // once, for what is done only once
     rolling_alone(alone, h);
     rolling_in_a_level(both, h);
     if (alone.count(Motion::awake) != 200 || alone.contacts().size() != both.contacts().size()) {
@@ -215,7 +215,7 @@ template <class World> void sleep_both(World few) {
         std::puts("somebody does not sleep, so that there is nothing to compare");
         std::exit(1);
     }
-    for (World* world : {&few, &many}) wake(*world, h, world->body_at(7)); // once, for what is looked at only once
+    for (World* world : {&few, &many}) wake(*world, h, world->body_at(7)); // once, for what is done only once
     waking_among_few(few, h, few.body_at(few.size() / 2));
     waking_among_many(many, h, many.body_at(many.size() / 2));
     if (few.count(Motion::resting) != 1'000 || many.count(Motion::resting) != 5'000) {

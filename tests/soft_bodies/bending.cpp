@@ -64,7 +64,7 @@ template <class F> Cloth plate(std::size_t n, std::size_t m, double side, double
 
 } // namespace
 
-TEST_CASE("An angle is counted from flat, by the side that the normals look to", "[soft_bodies][bending]") {
+TEST_CASE("An angle is counted from flat, by the side that the normals point to", "[soft_bodies][bending]") {
     const HingeConstraint<Space<>> hinge{{}, 0, 1, 0};
     Places gradient;
     std::mt19937 random(5);

@@ -30,7 +30,7 @@ TEST_CASE("the surface of a box: its corners, its counts, its volume and its are
         check_closed(box);
         CHECK(box.vertices().size() == (nx + 1) * (ny + 1) * (nz + 1) - (nx - 1) * (ny - 1) * (nz - 1));
         CHECK(box.triangles().size() == 4 * (nx * ny + ny * nz + nz * nx));
-        CHECK(box.volume().value() == Approx(6).epsilon(1e-12)); // greater than zero: it looks outwards
+        CHECK(box.volume().value() == Approx(6).epsilon(1e-12)); // greater than zero: it faces outwards
         CHECK(box.area().value() == Approx(22).epsilon(1e-12));
         CHECK(box.vertices()[0] == metres(9.5, 19, 28.5));
         CHECK(box.vertices()[box.vertices().size() - 1] == metres(10.5, 21, 31.5));

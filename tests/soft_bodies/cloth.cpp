@@ -209,8 +209,9 @@ TEST_CASE("what a sheet cannot be is refused by name, index, value and unit, and
     check_refused(world, with([&](Cloth& c) { c.velocity = metres_per_second(0, nan, 0); }),
                   "add_cloth: velocity is (0, nan, 0) m/s; it must be finite");
     check_refused(world, with([](Cloth& c) { c.mass_per_area = 1e-320 * kg_per_m2; }),
-                  "add_cloth, vertex 0: mass is 2.5e-323 kg; a mass is finite and greater than 0 kg (a body that "
-                  "nothing moves is added as `fixed`, without a mass)");
+                  "add_cloth, vertex 0: mass is 2.5e-323 kg; a mass is finite and greater than 0 kg in the world's "
+                  "scalar, and its inverse is a number (a body that nothing moves is added as `fixed`, without a "
+                  "mass)");
 }
 
 TEST_CASE("what the world's scalar, dimension or springs cannot hold is refused before anything is added",

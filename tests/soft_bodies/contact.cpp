@@ -19,7 +19,7 @@ template <class Scalar, class... Response> auto ground(const Response&... respon
     world.add(Plane::ground(), fixed, restitution(0));
     return world;
 }
-/// A response that acts at the end of the step, and one that takes it in parts.
+/// A response that acts at the end of the step, and one that takes it in substeps.
 template <class Scalar> struct AtEnd {
     static auto world() { return ground<Scalar>(Impulse<>{}, Projection{}); }
 };
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("A particle that hits the ground leaves with e times its spee
 }
 
 TEST_CASE("hard case K12: cloth falls over a ball and comes to rest on it", "[soft_bodies]") {
-    // 240 steps a second: in a step nobody falls as far as he is thick (who does wants Swept).
+    // 240 steps a second: in a step no body falls as far as it is thick (one that does needs Swept).
     const double stiffness = GENERATE(500., 5000.);
     World world{SemiImplicitEuler{}, Gravity{},      Springs<>{},           Xpbd{},
                 Drag{0.5 / second},  SortAndSweep{}, Narrowphase<Sphere>{}, SoftSubsteps<Friction>{}};

@@ -21,7 +21,7 @@ TEST_CASE("whatever holds a sheet, by Impulse it falls on a plane or a box, lies
     });
 }
 
-TEST_CASE("what parts a body from the ground strains the spring at it: that is energy where k h^2 is more than m",
+TEST_CASE("what separates a body from the ground strains the spring at it: that is energy where k h^2 is more than m",
           "[soft_bodies][contact]") {
     // Two bodies above each other fall at one speed v, and the lower one is found d deep at the end of a step h. Its
     // velocity is taken (m v^2 / 2), it is lifted (m g d), and the spring is shortened by as much (k d^2 / 2). Since d

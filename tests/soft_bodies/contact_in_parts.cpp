@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Solver x response: the one that takes a step in parts.
+// Solver x response: the one that takes a step in substeps.
 // Runs long with the sanitizers.
 
 #include "tests/soft_bodies/contact_grid.hpp"

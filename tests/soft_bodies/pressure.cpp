@@ -101,7 +101,7 @@ TEST_CASE("Every solver comes to the balance of skin and filling", "[soft_bodies
     CHECK(settle(solved<double>(VertexBlockDescent{2, 40})) == Approx(rest).epsilon(1e-6));
     CHECK(settle(World{ImplicitEuler{}, Springs<>{}, Pressure{}}) == Approx(rest).epsilon(1e-9));
     CHECK(settle(solved<float>(Xpbd{16, 10})) == Approx(rest).epsilon(1e-4));
-    // What moves in an iteration turns the gradients of who comes next: an error of the second order in the substep.
+    // What moves in an iteration turns the gradients of what comes next: an error of the second order in the substep.
     const double eight = std::abs(settle(solved<double>(Xpbd{8, 20})) - rest);
     const double sixteen = std::abs(settle(solved<double>(Xpbd{16, 20})) - rest);
     CHECK(eight < 1e-4 * rest);
@@ -151,7 +151,7 @@ TEST_CASE("Iterated to the end, descent is implicit Euler for a filling that is 
 TEST_CASE("The derivative that an implicit step gets is that of the forces", "[soft_bodies][pressure]") {
     // Where the filling presses nothing, the part that is left out is none.
     World world{ImplicitEuler{}, Springs<>{}, Pressure{}};
-    const auto mesh = potato(2); // more vertices than are looked at at once
+    const auto mesh = potato(2); // more vertices than are handled at once
     const auto all = add_bodies(world, mesh);
     world.add(Enclosure::of(all, mesh, firm));
     const auto n = Eigen::Index(3 * all.size());

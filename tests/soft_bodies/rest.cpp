@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Who is held by a solver of positions, and falls asleep: there is no force that would say how strongly it is held.
+// What is held by a solver of positions, and falls asleep: there is no force that would say how strongly it is held.
 
 #include "tests/soft_bodies/support.hpp"
 
@@ -49,4 +49,29 @@ TEMPLATE_TEST_CASE("R13 what a solver holds does not fall asleep on its way", "[
 TEMPLATE_TEST_CASE("what lies on the ground falls asleep, though a solver holds it", "[soft_bodies][rest][R12]", Xpbd,
                    ColouredXpbd, VertexBlockDescent) {
     falls_asleep_on_the_ground<TestType>();
+}
+
+TEMPLATE_TEST_CASE("what sleeps wakes where its hook is put so far away that a slack rope is taut",
+                   "[soft_bodies][rest]", Xpbd, ColouredXpbd, VertexBlockDescent) {
+    const bool is_fixed = GENERATE(true, false);
+    CAPTURE(is_fixed);
+    World world{SemiImplicitEuler{},          Gravity{},       Ropes{}, Rest{}, TestType{}, BoundingBoxes{},
+                Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}};
+    world.add(Plane::ground(), fixed);
+    const auto high = position(metres(0, 2, 0));
+    const auto hook = is_fixed ? world.add(high, shapeless, fixed) : world.add(high, shapeless, moving);
+    const auto body = world.add(Sphere{0.1 * metre}, position(metres(0, 0.1, 0)), mass(1.0 * kilogram));
+    const auto beside = world.add(Sphere{0.1 * metre}, position(metres(1, 0.1, 0)), mass(1.0 * kilogram));
+    world.add(Rope{hook, body, 200.0 * N_per_m, 5.0 * N_s_per_m, 3.0 * metre});
+    run(world, 300, 1.0 / 60);
+    REQUIRE(world.count(Motion::resting) == 2);
+    auto woken = world;
+    woken.wake(body);
+    for (auto* one : {&world, &woken}) {
+        one->set_position(hook, metres(0, 4, 0));
+        run(*one, 20, 1.0 / 60);
+    }
+    CHECK(world.position(body).value()[1] > 0.5);
+    CHECK(world.position(body) == woken.position(body));
+    CHECK(world.motion(beside) == Motion::resting);
 }

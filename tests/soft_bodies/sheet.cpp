@@ -67,7 +67,7 @@ TEST_CASE("a sheet moved at a corner: the nearest springs act first, one ring of
     cloth.structural.damping = cloth.shear.damping = 0.02 * N_s_per_m;
     const ClothParts parts = add_cloth(world, cloth);
     world.set_position(parts.bodies[0], world.position(parts.bodies[0]) + metres(-0.02, -0.01, 0.01));
-    // Step 1 is what the springs of the corner do: they pull its three neighbours, and nobody else.
+    // Step 1 is what the springs of the corner do: they pull its three neighbours, and no other body.
     std::size_t reached = 1;
     for (std::size_t step = 1; step <= n; ++step) {
         world.step(0.03 * second);

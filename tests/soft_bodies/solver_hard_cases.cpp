@@ -77,9 +77,9 @@ TEST_CASE("hard case K3: a hung sheet under implicit Euler is as long as its spr
 
 TEST_CASE("hard case K3: under Xpbd each spring is longer by what the next one does to it in a part",
           "[soft_bodies][K3]") {
-    // The multipliers at rest are those of springs, each m h^2 g times who hangs below. A spring is as long as it
+    // The multipliers at rest are those of springs, each m h^2 g times what hangs below. A spring is as long as it
     // should be when it has been held; then the one above takes its upper end up by w lambda of its own: h^2 g times
-    // who hangs there. So the column, held from below, is too long by h^2 g (N (N + 1) / 2 - 1), whatever its
+    // what hangs there. So the column, held from below, is too long by h^2 g (N (N + 1) / 2 - 1), whatever its
     // stiffness:
     //     stretch / stretch of springs = 1 + h^2 k / m (1 - 2 / N (N + 1)),
     // here 4.3 and 1.2 times as far with the stiffer springs.

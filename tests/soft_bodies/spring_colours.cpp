@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Colours: no two springs of one hold the same body, none is lost, and who sleeps changes nothing.
+// Colours: no two springs of one hold the same body, none is lost, and what sleeps changes nothing.
 
 #include <ansatz/soft_bodies/spring_colours.hpp>
 
@@ -76,7 +76,7 @@ TEST_CASE("No two springs of a colour hold the same body, and each spring has on
         std::shuffle(slot.begin(), slot.end(), random);
         for (auto& link : network.all) link.a = slot[link.a], link.b = slot[link.b];
         colours.colour(network, bodies);
-        CHECK(colours.a.size() == 600); // not looked at again: it says that it is the same
+        CHECK(colours.a.size() == 600); // not checked again: it says that it is the same
         ++network.version;
         colours.colour(network, bodies);
         CHECK(colours_of(colours, network) == by_spring);

@@ -68,8 +68,8 @@ TEST_CASE(
     CHECK(worst(limited(StrainLimit<>{.most = 0.09, .passes = 100})) <= 0.1);
 }
 
-TEMPLATE_TEST_CASE("Two bodies come to the limit by their masses, and part no further", "[soft_bodies][strain_limit]",
-                   double, float) {
+TEMPLATE_TEST_CASE("Two bodies come to the limit by their masses, and separate no further",
+                   "[soft_bodies][strain_limit]", double, float) {
     auto world = limited<TestType>(StrainLimit<>{.most = 0.25});
     world.set(Gravity{metres_per_second_squared(0, 0, 0)});
     const auto a =

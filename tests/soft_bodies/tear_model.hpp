@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// Tearing by a plain model: who exists after a step in which springs broke, by the rules as the header says them.
+/// Tearing by a plain model: which bodies exist after a step in which springs broke, by the rules as the header says
+/// them.
 
 #include "tests/soft_bodies/letting_go.hpp"
 #include "tests/soft_bodies/support.hpp"
@@ -54,7 +55,7 @@ template <class F> void erase(std::map<std::uint32_t, Ids>& all, F&& f) {
     for (auto it = all.begin(); it != all.end();) it = f(*it) ? all.erase(it) : std::next(it);
 }
 
-/// Who exists, by the rules as the header says them and by looking at everything.
+/// What exists, by the rules as the header says them and by testing everything.
 struct Model {
     struct Triangle {
         Ids corners;

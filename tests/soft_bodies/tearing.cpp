@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Tearing: what a spring that breaks takes with it, and vertices that split, against a plain model of who exists; what
-// a tear keeps; copies, hashes and files; room that is used up.
+// Tearing: what a spring that breaks takes with it, and vertices that split, against a plain model of which bodies
+// exist; what a tear keeps; copies, hashes and files; room that is used up.
 
 #include <ansatz/soft_bodies/tearing.hpp>
 
@@ -17,7 +17,7 @@
 using namespace soft_tests;
 using Catch::Matchers::ContainsSubstring;
 
-TEMPLATE_TEST_CASE("Random tears leave who is left by the rules, and keep mass and momentum", "[soft_bodies][tearing]",
+TEMPLATE_TEST_CASE("Random tears leave what is left by the rules, and keep mass and momentum", "[soft_bodies][tearing]",
                    double, float) {
     const double exact = std::is_same_v<TestType, double> ? 1e-13 : 2e-5;
     for (const unsigned seed : {1U, 2U, 3U}) {
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE("Areas of a file whose sum is no number leave each side a mas
     for (const Handle side : {middle, loaded.split_vertices()[0].to}) CHECK(loaded.mass(side).value() > 0);
 }
 
-TEST_CASE("Without room vertices wait, and part at the next tear when there is some", "[soft_bodies][tearing]") {
+TEST_CASE("Without room vertices wait, and split at the next tear when there is some", "[soft_bodies][tearing]") {
     std::mt19937 random(5);
     auto world = tearing_world<SemiImplicitEuler, double>(Tearing<Splitting>{.room = 3});
     const auto parts = add_sheet(world, 7, 6);

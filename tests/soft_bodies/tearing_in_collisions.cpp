@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Vertices that split in a world of collisions: whom the new bodies touch, by looking at all pairs; that what lay still
-// lies still; copies and files; what a user keeps of each body; that a warm step allocates nothing.
+// Vertices that split in a world of collisions: which bodies the new ones touch, by testing all pairs; that what lay
+// still lies still; copies and files; what a user keeps of each body; that a warm step allocates nothing.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion/integrators/matrix_free.hpp>
@@ -36,7 +36,7 @@ auto resting_in_parts() {
                 Gravity{},
                 Springs<Breaking>{},
                 Tearing<Splitting>{.room = 200},
-                Rest{.time = 1e6 * second}, // nobody sleeps until it is told
+                Rest{.time = 1e6 * second}, // no body sleeps until it is told
                 SortAndSweep{},
                 Unjoined<Springs<Breaking>>{},
                 Narrowphase<Sphere, Plane>{},
@@ -57,7 +57,7 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 std::pair<std::uint32_t, std::uint32_t> pair_of(std::uint32_t a, std::uint32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
-/// Who lies in whom, but for those that a spring joins.
+/// Which bodies lie in each other, but for those that a spring joins.
 template <class World_> Pairs overlaps(const World_& world) {
     Pairs all, joined;
     for (const auto spring : world.template elements<Spring>().handles()) {
@@ -83,7 +83,7 @@ template <class World_> Pairs contacts_of(const World_& world) {
     CHECK(all.size() == world.contacts().size());
     return all;
 }
-/// Who was one with whom and has not been apart, as sets.
+/// Which bodies were one and have not been apart, as sets.
 struct Were {
     std::vector<std::set<std::uint32_t>> groups;
     void part(const Pairs& meet) {
@@ -175,23 +175,23 @@ TEST_CASE(
         for (int i = 0; i < 150; ++i) {
             let_some_go(world, random, i % 4 == 0 ? 2 : 0);
             world.step(2e-3 * second);
-            // The contacts were found before anybody split: of those that were there, and by no spring that broke
+            // The contacts were found before any body split: of those that were there, and by no spring that broke
             // since.
             std::set<std::uint32_t> fresh;
             for (const auto& [from, to] : world.split_vertices()) fresh.insert(to.id);
             Pairs meet = overlaps(world);
             Pairs known = contacts_of(world);
-            Pairs looked = meet;
+            Pairs expected = meet;
             for (const auto& broken : world.elements<Spring>().broken())
-                looked.erase(pair_of(broken.first.body().id, broken.second.body().id));
-            std::erase_if(looked, [&](const auto& p) { return fresh.count(p.first) + fresh.count(p.second) > 0; });
+                expected.erase(pair_of(broken.first.body().id, broken.second.body().id));
+            std::erase_if(expected, [&](const auto& p) { return fresh.count(p.first) + fresh.count(p.second) > 0; });
             std::erase_if(known, [&](const auto& p) { return fresh.count(p.first) + fresh.count(p.second) > 0; });
             were.part(meet);
-            for (auto it = looked.begin(); it != looked.end();)
-                if (were.one(it->first, it->second)) it = looked.erase(it), ++left_alone;
+            for (auto it = expected.begin(); it != expected.end();)
+                if (were.one(it->first, it->second)) it = expected.erase(it), ++left_alone;
                 else ++it;
             // Where elements changed in this very step, the springs of before are not known here any more.
-            if (world.split_vertices().empty() && world.elements<Spring>().broken().empty()) REQUIRE(known == looked);
+            if (world.split_vertices().empty() && world.elements<Spring>().broken().empty()) REQUIRE(known == expected);
             for (const auto& [from, to] : world.split_vertices()) {
                 were.divided(from.id, to.id);
                 ever.emplace_back(from, to);

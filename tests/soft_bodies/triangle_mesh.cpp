@@ -59,7 +59,7 @@ double sum_of(const std::vector<Quantity<unit::Area>>& shares) {
     for (const auto& share : shares) sum += share.value();
     return sum;
 }
-/// The surface of a tetrahedron with legs of 1 m, which looks outwards.
+/// The surface of a tetrahedron with legs of 1 m, which faces outwards.
 Mesh tetrahedron() {
     return {Points{metres(0, 0, 0), metres(1, 0, 0), metres(0, 1, 0), metres(0, 0, 1)},
             Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
@@ -125,7 +125,7 @@ TEST_CASE("a volume is that of the closed form, wherever the surface lies and ho
     CHECK(turned.is_closed());
     CHECK_FALSE(turned.is_oriented());
     CHECK(refusal([&] { turned.volume(); }) ==
-          "TriangleMesh::volume: the surface is not oriented; all triangles look to the same side");
+          "TriangleMesh::volume: the surface is not oriented; all triangles must face the same side");
     CHECK(refusal([] { Mesh::grid(2, 2, metres(1, 0, 0), metres(0, 1, 0)).volume(); }) ==
           "TriangleMesh::volume: the boundary is 4 edges; only a closed surface has a volume");
 }
@@ -178,7 +178,7 @@ TEST_CASE("what is no surface is refused by name, index and value", "[soft_bodie
           }) == "TriangleMesh: triangle 2 is {2, 0, 1}; triangle 0 has the same vertices; each is given once");
     CHECK(refusal([&] {
               Mesh(square, {{0, 1, 2}, {1, 0, 2}});
-          }) == // looking the other way it is the same one
+          }) == // facing the other way it is the same one
           "TriangleMesh: triangle 1 is {1, 0, 2}; triangle 0 has the same vertices; each is given once");
     CHECK(refusal([&] {
               Mesh(square, {{0, 1, 2}});

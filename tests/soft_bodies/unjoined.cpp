@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A filter that reads the springs: who is joined does not collide, and everybody else does.
+// A filter that reads the springs: what is joined does not collide, and every other body does.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/soft_bodies/unjoined.hpp>
@@ -47,7 +47,7 @@ TEST_CASE("a sheet whose particles overlap lies still: its threads do not push e
     CHECK(strain_after_a_second(world_of()) > 0.01);
 }
 
-TEST_CASE("it looks at every pair but those that a spring joins now, whatever was added and removed before",
+TEST_CASE("it tests every pair but those that a spring joins now, whatever was added and removed before",
           "[soft_bodies][contact]") {
     std::mt19937 random(11);
     const auto below = [&](std::size_t n) { return std::size_t(random()) % n; };
@@ -56,7 +56,7 @@ TEST_CASE("it looks at every pair but those that a spring joins now, whatever wa
     std::vector<Handle> bodies;
     std::vector<decltype(metres(0, 0, 0))> homes;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<SpringHandle>> joined;
-    std::size_t looked = 0, kept_apart = 0;
+    std::size_t tested = 0, kept_apart = 0;
     for (int i = 0; i < 600; ++i) {
         const auto what = below(10);
         if (what < 3 || bodies.size() < 4) {
@@ -79,7 +79,7 @@ TEST_CASE("it looks at every pair but those that a spring joins now, whatever wa
             bodies.erase(bodies.begin() + std::ptrdiff_t(n));
             homes.erase(homes.begin() + std::ptrdiff_t(n));
         }
-        for (std::size_t n = 0; n < bodies.size(); ++n) { // the step parts them
+        for (std::size_t n = 0; n < bodies.size(); ++n) { // the step separates them
             world.set_position(bodies[n], homes[n]);
             world.set_velocity(bodies[n], metres_per_second(0, 0, 0));
         }
@@ -92,14 +92,14 @@ TEST_CASE("it looks at every pair but those that a spring joins now, whatever wa
                 const double apart = (homes[a].value() - homes[b].value()).norm();
                 if (joined.count(pair) > 0) {
                     kept_apart += apart < reach;
-                    if (found.count(pair) > 0) FAIL_CHECK("a pair is joined, and was looked at");
+                    if (found.count(pair) > 0) FAIL_CHECK("a pair is joined, and was tested");
                 } else if (apart > 0 && apart < 0.9 * reach) { // in one place they have no normal
-                    ++looked;
-                    if (found.count(pair) == 0) FAIL_CHECK("a pair is not joined, and was not looked at");
+                    ++tested;
+                    if (found.count(pair) == 0) FAIL_CHECK("a pair is not joined, and was not tested");
                 }
             }
     }
-    CHECK(looked > 1000);
+    CHECK(tested > 1000);
     CHECK(kept_apart > 100);
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("a rope that falls on itself lies on itself, as in its copy and the lo
     for (auto* one : {&copy, &loaded}) run(*one, 500, 1.0 / 480);
     CHECK(copy.hash() == world.hash());
     CHECK(loaded.hash() == world.hash());
-    // Who asks from outside is joined to nobody.
+    // A query from outside is joined to no body.
     std::vector<Handle> overlapped;
     world.query().overlap(Sphere{0.01 * metre}, world.position(rope[3]), overlapped);
     CHECK(std::find(overlapped.begin(), overlapped.end(), rope[3]) != overlapped.end());

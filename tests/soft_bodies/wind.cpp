@@ -99,7 +99,7 @@ TEST_CASE("What counts is how it moves in the air", "[soft_bodies][wind]") {
         gone.set(Wind{.velocity = velocity_of(with)});
         const auto c = add_sail(gone, turn, 1, 0.6);
         for (const auto& body : c) gone.set_velocity(body, velocity_of(with));
-        CHECK(force_on(gone, c).norm() < 1e-12); // who goes with the wind feels none
+        CHECK(force_on(gone, c).norm() < 1e-12); // what goes with the wind feels none
     }
 }
 

@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE("One spring alone is implicit Euler", "[soft_bodies]", double
 
 TEST_CASE("hard case K6: a hanging chain is stretched too far by less, the more substeps there are for one price",
           "[soft_bodies]") {
-    // 32 looks at each constraint a frame; the lengths are those of springs that hang at rest, mgN(N+1)/2k.
+    // 32 corrections of each constraint a frame; the lengths are those of springs that hang at rest, mgN(N+1)/2k.
     const double exact = 0.05 * 9.81 * 20 * 21 / 2 / 1e5;
     double last = std::numeric_limits<double>::infinity();
     for (int substeps = 1; substeps <= 32; substeps *= 2) {
@@ -229,7 +229,7 @@ TEST_CASE("A solver of bad numbers is refused", "[soft_bodies]") {
     CHECK(world.hash() == before);
 }
 
-TEST_CASE("What a spring holds is energy, whoever holds it", "[soft_bodies]") {
+TEST_CASE("What a spring holds is energy, whatever holds it", "[soft_bodies]") {
     auto held = world_of<double>(Xpbd{});
     auto pulled = world_of<double>();
     for (const auto& chain : {hang_chain(held, 3, 0.05, 100)}) held.set_position(chain[3], metres(0.1, -0.5, 0));

@@ -6,6 +6,7 @@
 #include <ansatz/motion/integrators/cholesky.hpp>
 #include <ansatz/motion/integrators/conjugate_gradient.hpp>
 #include <ansatz/motion/integrators/implicit_system.hpp>
+#include <ansatz/motion/integrators/matrix_free.hpp>
 
 #include "tests/springs/support.hpp"
 
@@ -133,6 +134,33 @@ TEST_CASE("the end of an implicit step satisfies its equation, however the sprin
         }
         CHECK(world.status().ok());
     });
+}
+
+TEMPLATE_TEST_CASE("a body falls into its rope as far from the origin as near to it", "[springs]", ImplicitEuler,
+                   ImplicitEulerDirect, ImplicitEulerBy<MatrixFree>) {
+    // In a step it falls by less than 4000 digits of its place, and the rope is taut at the end of it.
+    const auto fall = [](double height, double above) {
+        World world{Space<float, 3>{}, TestType{}, Gravity{}, Ropes<>{}};
+        const auto body = world.add(position(metres(0, height - 1 + above, 0)), mass(1.0 * kilogram));
+        world.add(Rope{body, metres(0, height, 0), 1e4 * N_per_m, {}, 1.0 * metre});
+        std::vector<double> speeds;
+        for (int i = 0; i < 60; ++i) {
+            world.step(1.0 / 60 * second);
+            speeds.push_back(double(world.velocity(body).value()[1]));
+        }
+        CHECK(world.status().ok());
+        CHECK(double(world.position(body).value()[1]) - height + 1 == Approx(-9.81e-4).margin((height + 1) * 1.2e-7));
+        return speeds;
+    };
+    const double above = GENERATE(0., 0.125);
+    const auto near = fall(0, above);
+    for (const double height : {16., 128., 512.}) {
+        CAPTURE(above, height);
+        const auto far = fall(height, above);
+        // What a digit of its place is to the rope: k dt^2 / m = 2.8 times as much of a way, in a step.
+        const double digit = height * 1.2e-7;
+        for (std::size_t i = 0; i < 4; ++i) CHECK(far[i] == Approx(near[i]).margin(16 * digit * 60));
+    }
 }
 
 TEST_CASE("both solvers come to the same chain, and a chain of bodies by themselves is what each body alone would do",

@@ -56,7 +56,7 @@ template <class... P> void check_chains(P... policies) {
             const double stretched = double(norm(chain.world.position(chain.links[std::size_t(i)]) - above).value());
             CHECK(std::abs(stretched - (0.3 + (5 - i) * 0.5 * 9.81 / 300)) <= 1e-4);
         }
-        // Nobody falls asleep before the others, and nothing moves any more.
+        // No body falls asleep before the others, and nothing moves any more.
         auto still = chain.world;
         const auto where = still.position(chain.links.back());
         run(still, 600, dt);

@@ -101,6 +101,25 @@ void change(ansatz::test::Dice& dice, std::vector<History*> worlds) {
 }
 } // namespace
 
+TEST_CASE("a loaded world divides its steps as the saved one did, whatever its own StepLimit was set to",
+          "[springs][save]") {
+    using Limit = StepLimit<Divide>;
+    World world{SemiImplicitEuler{}, Springs<>{}, Limit{.part = 0.25, .most_parts = 40, .measured = 3}};
+    hang_chain(world, 3, 0.1, 3000, 0, 0.25);
+    world.set_velocity(world.handles().back(), metres_per_second(1, 0, 0));
+    std::stringstream file;
+    save(world, file);
+    World loaded{SemiImplicitEuler{}, Springs<>{}, Limit{}};
+    load(loaded, file);
+    CHECK(loaded.get<Limit>().part == 0.25);
+    CHECK(loaded.get<Limit>().most_parts == 40);
+    CHECK(loaded.get<Limit>().measured == 3);
+    run(world, 5, 0.02);
+    run(loaded, 5, 0.02);
+    CHECK(loaded.tick() == world.tick());
+    CHECK(loaded.hash() == world.hash());
+}
+
 TEST_CASE("a world is the same as the one loaded from it, whatever is changed between two steps before and after",
           "[springs][save]") {
     const auto empty = [] { return History{Verlet{}, Gravity{}, AppliedForces{}, Springs{}}; };

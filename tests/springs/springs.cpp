@@ -151,7 +151,8 @@ TEST_CASE("a resting end wakes when a spring pulls at it, not when it hangs slac
     CHECK(again.motion(a) == Motion::awake);
 }
 
-TEST_CASE("sums do not depend on who slept, was removed or stands where: springs are summed by id", "[springs]") {
+TEST_CASE("sums do not depend on which bodies slept, were removed or stand where: springs are summed by id",
+          "[springs]") {
     auto build = [](bool disturbed) {
         World world{SemiImplicitEuler{}, Springs{}};
         std::vector<Handle> b;

@@ -131,6 +131,21 @@ TEST_CASE("the bound holds for networks of any masses and stiffnesses, and is ex
     }
 }
 
+TEST_CASE("the bound is that of the masses as they are, whatever was asked before", "[springs]") {
+    World world{SemiImplicitEuler{}, Springs{}, Rest{}};
+    const auto light = world.add(mass(1.0 * kilogram)), other = world.add(mass(1.0 * kilogram), resting);
+    world.add(Spring{light, metres(1, 0, 0), 100.0 * newton_per_metre});
+    world.add(Spring{other, metres(5, 0, 0), 100.0 * newton_per_metre});
+    const auto largest = [&] { return stiffness_of(world).largest.value(); };
+    CHECK(largest() == Approx(100));
+    world.set_mass(light, 0.25 * kilogram);
+    CHECK(largest() == Approx(400));
+    world.set_mass(other, 0.125 * kilogram); // which wakes, and changes places
+    CHECK(largest() == Approx(800));
+    world.set_mass(light, 0.0625 * kilogram);
+    CHECK(largest() == Approx(1600));
+}
+
 TEST_CASE("at the limit of a network with springs of every damping nothing grows, with every explicit method",
           "[springs]") {
     for_each_type(Types<SemiImplicitEuler, VelocityVerlet, Verlet, RungeKutta4>{}, [&]<class I>() {

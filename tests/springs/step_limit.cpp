@@ -64,7 +64,7 @@ TEST_CASE("a divided step is so many steps, to the bit, and lasts as long as it 
     auto by_hand = stiff<VelocityVerlet>(1e6, Gravity{});
     for (int i = 0; i < 60; ++i) divided.step(1.0 / 60 * second);
     for (int i = 0; i < 60 * 9; ++i) by_hand.step(1.0 / 60 / 9 * second);
-    CHECK(divided.tick() == 540); // 16.7 ms in parts of at most 2 ms
+    CHECK(divided.tick() == 540); // 16.7 ms in substeps of at most 2 ms
     CHECK(divided.time().value() == Approx(1).epsilon(1e-15));
     CHECK(divided.position(divided.handles()[0]) == by_hand.position(by_hand.handles()[0]));
     CHECK(divided.hash() == by_hand.hash());
@@ -109,7 +109,7 @@ TEST_CASE("a force from outside acts in every part of a divided step, and what h
     CHECK(world.elements<Spring>().broken().empty());
 }
 
-TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not looked at",
+TEST_CASE("a force between bodies that does not say how stiff it is stands beside springs, and is not counted",
           "[springs]") {
     World world{SemiImplicitEuler{}, Springs{}, Attraction{}, StepLimit<Refuse>{}};
     const auto body = world.add(position(metres(1.1, 0, 0)), mass(1.0 * kilogram));
@@ -122,7 +122,7 @@ TEST_CASE("a force between bodies that does not say how stiff it is stands besid
     CHECK(!is_finite(stable_step(alone)));
 }
 
-TEST_CASE("what broke in one part of a divided step is gone once, whatever parts follow", "[springs]") {
+TEST_CASE("what broke in one substep of a divided step is gone once, whatever substeps follow", "[springs]") {
     World world{SemiImplicitEuler{}, Springs<Breaking>{}, StepLimit<Divide>{}};
     const auto body = world.add(position(metres(1, 0, 0)), velocity(metres_per_second(1, 0, 0)), mass(1.0 * kilogram));
     const auto first = world.add(Spring{metres(0, 0, 0), body, 1e6 * N_per_m, {}, 1.0 * metre},
@@ -143,7 +143,7 @@ TEST_CASE("what broke in one part of a divided step is gone once, whatever parts
     CHECK(world.elements<Spring>().size() == 3);
 }
 
-TEST_CASE("a divided step is drawn as the one that it is: from where bodies were before all of its parts",
+TEST_CASE("a divided step is drawn as the one that it is: from where bodies were before all of its substeps",
           "[springs]") {
     for_each_type(Types<SemiImplicitEuler, Verlet, RungeKutta4>{}, [&]<class I>() {
         World world{I{}, Springs{}, Interpolation{}, Drag{0.1 / second}, StepLimit<Divide>{}};

@@ -75,7 +75,7 @@ public:
             return world.motion(one) == Motion::moving ? world.set_velocity(one, vector_in<S, unit::Velocity>(0, 0))
                                                        : void();
         default: {
-            auto copy = world; // which has looked at nobody, and is assigned to one that has
+            auto copy = world; // which has tested no body, and is assigned to one that has
             world = copy;
         }
         }
@@ -169,7 +169,7 @@ struct Lift {
 };
 } // namespace
 
-TEST_CASE("who hangs on a hook that a system lifts wakes", "[springs][rest][R11]") {
+TEST_CASE("what hangs on a hook that a system lifts wakes", "[springs][rest][R11]") {
     World world{SemiImplicitEuler{}, Gravity{}, Springs{}, Rest{}, Lift{}};
     std::vector<Handle> hang;
     for (int i = 0; i < 40; ++i) {
@@ -185,8 +185,8 @@ TEST_CASE("who hangs on a hook that a system lifts wakes", "[springs][rest][R11]
     CHECK(world.count(Motion::resting) == 39);
 }
 
-TEST_CASE("a rope that comes taut wakes who hangs asleep on it, as in a copy", "[springs][rest][R11]") {
-    // Slow enough to be on its way to sleep itself, or so fast that it wakes whom it is tied to.
+TEST_CASE("a rope that comes taut wakes bodies that hang asleep on it, as in a copy", "[springs][rest][R11]") {
+    // Slow enough to be on its way to sleep itself, or so fast that it wakes the body that it is tied to.
     for (const double speed : {0.04, 0.045, 0.5, 2.0}) {
         World world{SemiImplicitEuler{}, Ropes{}, Rest{}};
         std::vector<Handle> still;

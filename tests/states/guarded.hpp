@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// Who is looked at by guards, and machines of two states with a guard each way.
+/// What guards read, and machines of two states with a guard each way.
 
 #include <ansatz/states/guards.hpp>
 #include <ansatz/states/values.hpp>

@@ -83,6 +83,19 @@ TEST_CASE("what a crossing is: touching, starting on the limit, gaps that are no
     CHECK_FALSE(r(1.0)); // from -0, which is the limit
     CHECK_FALSE(r(-1.0));
     CHECK(r(0.0));
+    // A limit without a fraction is one as well, and a value on either side of it is not on it.
+    const auto metres = value("metres", [](const Walker& w) { return w.x.value(); });
+    Probe<decltype(crosses(metres, 0))> whole{crosses(metres, 0)};
+    CHECK_FALSE(whole(-0.5));
+    CHECK(whole(0.5));
+    CHECK_FALSE(whole(NAN));
+    CHECK(whole(-0.25));
+    CHECK(whole(1e30)); // more than an int holds
+    CHECK_FALSE(whole(0.75));
+    CHECK(whole(0.0));
+    Probe<decltype(rises_through(metres, 1u))> natural{rises_through(metres, 1u)};
+    CHECK_FALSE(natural(-3.5));
+    CHECK(natural(1.5));
     // Integers and floats too.
     CHECK(rises_through(value("coins", &Walker::coins), 5).name() == "coins rises through 5");
     CHECK((value("share", &Walker::share) < 0.5f).name() == "share < 0.5");
@@ -226,7 +239,7 @@ TEST_CASE("a dwell time ends with the step that completes it, whichever way a su
 }
 
 TEST_CASE("values that are not numbers decide nothing (hard case P9)", "[states]") {
-    // A guard that looks at a direction when the target is reached: 0 / 0.
+    // A guard that reads a direction when the target is reached: 0 / 0.
     Walker w;
     w.x = double(NAN) * metre;
     Question<Walker, NoBehaviour> q{w, {}, {}, {}};

@@ -216,3 +216,35 @@ TEST_CASE("a machine whose first entry throws has not started, with parallel sta
         CHECK(npc.entered == 1);
     }
 }
+
+namespace {
+struct Startles {
+    using Context = Npc;
+    static constexpr auto machine = states::machine(state("a", on_entry([](Npc& n) {
+                                                              ++n.entered;
+                                                              if (n.fails) throw 5;
+                                                          }),
+                                                          transition(on("go"), to("b"))),
+                                                    state("b", transition(on("back"), to("a"))));
+};
+} // namespace
+
+TEST_CASE("a machine that is started anew and whose entry throws is in no state, in every representation", "[states]") {
+    each_representation([]<class R>() {
+        Npc npc;
+        Machine<Startles, R> machine;
+        machine.start(npc);
+        machine.handle(npc, "go");
+        npc.fails = true;
+        CHECK_THROWS_AS(machine.start(npc), int);
+        CHECK_FALSE(machine.started());
+        CHECK(machine.active_names().empty());
+        CHECK_THAT(refusal([&] { machine.handle(npc, "back"); }), ContainsSubstring("call start(context)"));
+        const auto copy = machine;
+        CHECK_FALSE(copy.started());
+        npc.fails = false;
+        machine.start(npc);
+        CHECK(machine.active_name() == "a");
+        CHECK(npc.entered == 3);
+    });
+}

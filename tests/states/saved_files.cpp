@@ -102,6 +102,42 @@ TEST_CASE("a save of a machine that is refused leaves the file as it was", "[sta
     CHECK(other.started());
 }
 
+namespace {
+struct Seen {
+    std::vector<bool> rooms{true, false, true};
+    std::array<bool, 2> doors{true, false};
+    static void fields(auto& self, auto&& field) {
+        field("rooms", self.rooms);
+        field("doors", self.doors);
+    }
+    void update(std::vector<bool>& next) {
+        if (!next.empty()) rooms = next;
+    }
+};
+struct Explorer {
+    using Context = std::vector<bool>;
+    static constexpr auto machine = states::machine(state("explores", behaves<Seen>("Seen")));
+};
+} // namespace
+
+TEST_CASE("a list of bools is saved as any other", "[states]") {
+    each_representation([]<class R>() {
+        Machine<Explorer, R> machine, other;
+        std::vector<bool> next{false, true, true, false, true};
+        machine.start(next);
+        machine.update(next);
+        load_text(other, saved(machine));
+        const auto& seen = other.template own<Seen>(other.state("explores"));
+        CHECK(seen.rooms == next);
+        CHECK(seen.doors == std::array{true, false});
+        CHECK(saved(other) == saved(machine));
+        auto text = saved(machine);
+        text.replace(text.find("\"1\": true"), 9, "\"1\": 1");
+        CHECK_THAT(refusal([&] { load_text(other, text); }), ContainsSubstring("machine.json"));
+        CHECK(saved(other) == saved(machine));
+    });
+}
+
 TEST_CASE("a full disk is noticed when a machine is saved", "[states]") {
     if (!fs::exists("/dev/full")) return;
     Machine<Selfish, Switch> machine;
@@ -164,15 +200,19 @@ const char* const regions = R"xml(<scxml xmlns="http://www.w3.org/2005/07/scxml"
   <state id="z"><transition event="back" target="H"/></state>
 </scxml>)xml";
 using Regional = Machine<InFile<int>, Interpreted, AllowChildless>;
+/// Started, and outside of its regions, which its histories remember.
+Regional left_its_regions(int& n) {
+    Regional machine{parse_scxml<int>(regions, "regions.scxml", Bindings<int>{}), AllowChildless{}};
+    machine.start(n);
+    machine.handle(n, "out");
+    return machine;
+}
 
 } // namespace
 
 TEST_CASE("a loaded history of parallel states names what can be active together", "[states]") {
-    const auto chart = parse_scxml<int>(regions, "regions.scxml", Bindings<int>{});
     int n = 0;
-    Regional machine{chart, AllowChildless{}};
-    machine.start(n);
-    machine.handle(n, "out");
+    auto machine = left_its_regions(n);
     const auto good = saved(machine);
     load_text(machine, good);
     CHECK(saved(machine) == good);
@@ -198,4 +238,20 @@ TEST_CASE("a loaded history of parallel states names what can be active together
     CHECK(with("H", {"b"}) == "nothing");
     CHECK(machine.handle(n, "back"));
     CHECK(machine.is_in("b"));
+}
+
+TEST_CASE("a list in a file is as long as the file has entries, whatever its count", "[states]") {
+    int n = 0;
+    auto machine = left_its_regions(n);
+    const auto good = saved(machine);
+    auto file = nlohmann::ordered_json::parse(good);
+    const std::size_t entries = file["histories"]["H"].size() - 1; // beside the count
+    REQUIRE(file["histories"]["H"]["count"] == entries);
+    for (const std::uint64_t count : {std::uint64_t(entries + 1), std::uint64_t(1) << 24, ~std::uint64_t(0)}) {
+        file["histories"]["H"]["count"] = count;
+        CHECK_THAT(refusal([&] { load_text(machine, file.dump()); }),
+                   ContainsSubstring("machine.json: histories.H.count is " + std::to_string(count)) &&
+                       ContainsSubstring("expected a whole number from 0 to " + std::to_string(entries)));
+        CHECK(saved(machine) == good);
+    }
 }

@@ -57,7 +57,7 @@ std::set<std::string> configuration(const auto& machine) {
 
 TEST_CASE("all conformance scripts of the SCION framework run as their scripts say", "[states]") {
     if (!fs::exists(data())) SKIP("no data: the scripts are not in this checkout");
-    // What the subset leaves out, by name: nothing of these. All 59 need no more than states, parallel parts,
+    // What the subset leaves out, by name: nothing of these. All 59 need no more than states, parallel regions,
     // histories, raised events and the matching of names.
     const std::set<std::string> left_out;
     std::size_t ran = 0;

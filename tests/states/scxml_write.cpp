@@ -142,6 +142,39 @@ TEST_CASE("transitions of the machine itself are written, too; what else it does
     CHECK_THAT(refused(m), ContainsSubstring("the machine itself does something"));
 }
 
+TEST_CASE("what a state of its kind cannot be is refused, and not written so that nothing can read it", "[states]") {
+    const auto with = [](auto&& spoil) {
+        Outline m = two("a", "b", "go");
+        m.states.push_back(node("inside", 2));
+        m.states.push_back(node("also", 2));
+        spoil(m);
+        return refused(m);
+    };
+    using Kind = states::Kind;
+    CHECK(with([](Outline&) {}) == "nothing");
+    CHECK_THAT(with([](Outline& m) { m.states[4].kind = Kind::deep_history; }),
+               ContainsSubstring("the state \"also\" is a history that goes nowhere the first time; name its initial"));
+    CHECK_THAT(with([](Outline& m) {
+                   m.states[4].kind = Kind::shallow_history, m.states[4].initial = {"inside"};
+                   m.states[4].exit = {Content{What::action, "beep", 0}};
+               }),
+               ContainsSubstring("is a history that does something"));
+    CHECK_THAT(with([](Outline& m) { m.states[2].kind = Kind::parallel, m.states[2].initial = {"also"}; }),
+               ContainsSubstring("the state \"b\" is parallel or final, and has an initial state; leave it out"));
+    CHECK_THAT(with([](Outline& m) {
+                   m.states[2].initial_content = {Content{What::action, "beep", 0}};
+               }),
+               ContainsSubstring("does something before its initial state, which has no name"));
+    CHECK_THAT(with([](Outline& m) { m.states[2].kind = Kind::final; }),
+               ContainsSubstring("the state \"inside\" is in \"b\", a final state or a history"));
+    CHECK_THAT(with([](Outline& m) { m.states[1].kind = Kind::final; }),
+               ContainsSubstring("a transition begins in \"a\", a final state or a history"));
+    CHECK_THAT(with([](Outline& m) { m.states[2].kind = Kind::parallel, m.states[2].childless = true; }),
+               ContainsSubstring("is no state that can be alone"));
+    CHECK_THAT(with([](Outline& m) { m.states[0].childless = true; }), ContainsSubstring("the machine itself is"));
+    CHECK_THAT(with([](Outline& m) { m.states[0].kind = Kind::parallel; }), ContainsSubstring("the machine itself is"));
+}
+
 TEST_CASE("machines with random names read back the same, or are refused", "[states]") {
     std::mt19937 random(19);
     const std::vector<std::string> pieces{"a",    "b",  " ", "\"",  "'", "&",    "<",    ">", "\n",

@@ -6,7 +6,7 @@
 # usage: docs.sh <folder of the project>
 #
 # Looks at every compiler: none of them has a say in it, so once on a machine is enough.
-# Works on a copy of the sources in ANSATZ_SCRATCH. Pictures that the copy does not have get stand-ins.
+# Works on a copy of the sources in ANSATZ_SCRATCH.
 set -euo pipefail
 project=$1
 if ! command -v doxygen > /dev/null; then echo "skipped: no doxygen (on Debian: apt install doxygen)"; exit 0; fi
@@ -31,6 +31,9 @@ copy_sources() {
 
 # ---------------------------------------------------------------- the site as it is
 copy_sources
+# But for one picture, which is not kept yet.
+rm "$tree/docs/pictures/1.7.svg"
+sed -i 's|^!\(\[.*\]\)(pictures/1\.7\.svg)$|Picture: \1(../chapters/1-motion/1.7-drag.cpp "picture 1.7.svg")|' "$tree/docs/motion.md"
 if ! "$tree/tools/docs/build" "$scratch/build" > "$scratch/log" 2>&1; then
     echo "The site has warnings or faults (tools/docs/build says the same):"
     sed "s|$tree/||g" "$scratch/log" | head -n 60
@@ -66,15 +69,15 @@ else
 fi
 
 # ---------------------------------------------------------------- what is not drawn says how to draw it
-if [ -f "$html/1.7.svg" ] && ! grep -q 'Not drawn yet. ./workbook section 1.7 draws it' "$html/1.7.svg"; then
+if ! grep -q 'Not drawn yet. ./workbook section 1.7 draws it' "$html/1.7.svg"; then
     echo "The stand-in of a picture does not say how to get the picture"
     exit 1
 fi
 
 # ---------------------------------------------------------------- what is searched is found
-# finds <word> <title>: the search's entry for the word has a link of that title.
+# finds <word> <title>: an entry of the search for the word is of that title.
 finds() {
-    if ! cat "$html"/search/all_*.js | grep -F "['$1_topics'," | grep -F "1,'$2']" > /dev/null; then echo "The search does not find '$2' by '$1'"; exit 1; fi
+    if ! grep -hE "^  \['$1_topics[0-9]+'," "$html"/search/all_*.js | grep -F ",['$2'," > /dev/null; then echo "The search does not find '$2' by '$1'"; exit 1; fi
 }
 finds drag "1.7 Drag"
 finds drag "Exercise 1.7: Drag"
@@ -90,6 +93,35 @@ finds bounce "2.2.1 Impulse"
 finds aabb "2.1.1.1 Bounding box test"
 finds quadtree "2.1.1.3 Binary search partitioning"
 finds slop "2.2 Response"
+finds sleep "1.8 Rest"
+finds 6_2e1 "6.1 The A* algorithm"
+# Words of the course by which nothing is titled, and several words as they are typed (a blank is _20, a hyphen _2d, an asterisk _2a).
+finds energy "1.6 Numerical integration"
+finds rk4 "1.6 Numerical integration"
+finds projectile "1.5 SUVAT equations"
+finds jitter "2.2 Response"
+finds instability "3.5 The stable step"
+finds dijkstra "6.1 The A* algorithm"
+finds pathfinding "Chapter 6: path finding"
+finds cbs "6.3.11 All together"
+finds cfl "7.2.1 The longest step"
+finds install "At a glance"
+finds determinism "A world, from outside and from inside"
+finds navier_20stokes "7 Why not everything"
+finds runge_20kutta "1.6 Numerical integration"
+finds k_2dd_20tree "2.1.1.3 Binary search partitioning"
+finds flow_20field "6.3.7 A field for a horde"
+finds hpa_2a "6.3.12 From gate to gate"
+finds critical_20damping "3.1 The damped spring"
+# The course comes first; members of the frame's insides are not found, types that users name are.
+for list in "$html"/search/all_*.js; do
+    if awk '/_topics[0-9]+/ { if (other) exit 1; next } /^  \[/ { other = 1 }' "$list"; then continue; fi
+    echo "${list##*/} has an entry of the course behind others"
+    exit 1
+done
+if grep -h "classansatz_1_1ContactLists.html#" "$html"/search/*.js; then echo "The search finds members of the frame"; exit 1; fi
+grep -q '"classansatz_1_1World.html"' "$html/annotated.html" || { echo "The list of types has no World"; exit 1; }
+if grep -E 'hook_1_1|MotionDoor|TearableRow' "$html/annotated.html" "$html/annotated.js"; then echo "The list of types has insides"; exit 1; fi
 
 # ---------------------------------------------------------------- what leads on
 says() { # <page> <text>
@@ -105,6 +137,11 @@ says exercise_motion_drag.html '<details><summary>Task 1: a question</summary>'
 says exercise_motion_drag.html 'class="comment"'
 says page_course.html 'href="exercise_motion_drag.html"'
 says chapter_motion.html 'Boost Software License 1.0</a>'
+says model_effect.html 'rel="prev" href="model_driver.html"'
+says classansatz_1_1World.html 'A world: the list of what happens in it'
+says classansatz_1_1World.html '&lt;<a class="el" href="world_8hpp_source.html">ansatz/world.hpp</a>&gt;'
+says structansatz_1_1Octree.html 'href="exercise_collision_octree_split.html">octree_split</a>'
+says page_library.html 'collision/<wbr/>broadphase/<wbr/>all_<wbr/>pairs.hpp</a>'
 
 # ---------------------------------------------------------------- words are words
 # A link is for what is named, not for what only looks like it: a parameter x (a cell.x is a member, and so is what a
@@ -112,6 +149,7 @@ says chapter_motion.html 'Boost Software License 1.0</a>'
 for word in '[^.]<a [^>]*>[xyz]</a>,' '[^.]<a class="(el|code hl_function)"[^>]*>[xyz]</a>;' '>Keep</a> (the|it)' '>Zero</a> (by|if|for)' 'L\. <a [^>]*>Verlet</a>'; do
     if grep -rlE --include='*.html' "$word" "$html"; then echo "has a link where there is only a word: $word"; exit 1; fi
 done
+if grep -o '<a [^>]*>after</a>' "$html/exercise_motion_suvat.html"; then echo "The student's after() is not the library's"; exit 1; fi
 if grep -rl --include='*.html' 'hard case [A-Z][0-9]' "$html"; then echo "speaks of hard cases by numbers that no reader knows"; exit 1; fi
 
 # ---------------------------------------------------------------- each fault is found
@@ -243,6 +281,9 @@ for said in "./workbook exercise suvat:its command" "exercises/1-motion/suvat/ex
     cp "$scratch/page" "$html/exercise_motion_suvat.html"
     reports "the page of the exercise suvat does not say ${said#*:}"
 done
+keep "$html/exercise_motion_suvat.html"
+sed -i 's/class="image"/class="text"/' "$html/exercise_motion_suvat.html"
+reports "the page of the exercise suvat shows no picture"
 found
 without exercise_motion_drag.html "no chapter links to the exercise drag" "$html"/chapter_*.html "$html"/section_*.html
 mapfile -t of_the_library < <(grep -l 'href="exercise_motion_drag.html' "$html"/struct*.html "$html"/class*.html "$html"/namespace*.html "$html"/*_8hpp.html)
@@ -313,7 +354,7 @@ mkdir -p "$tree/exercises/1-motion/nobody_knows"
 printf '# 1.1 Nobody knows\n\nA task.\n' > "$tree/exercises/1-motion/nobody_knows/README.md"
 reports "exercises/1-motion/nobody_knows has no page exercise_motion_nobody_knows.html"
 found
-awk '/<\/body>/ { print "<a href=\"section_1_1.html\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/page_world.html" > "$html/exercise_motion_nobody_knows.html"
+awk '/<\/body>/ { print "<div class=\"image\"></div><a href=\"section_1_1.html\">1.1</a> ./workbook exercise nobody_knows, exercises/1-motion/nobody_knows/exercise.hpp" } { print }' "$html/page_world.html" > "$html/exercise_motion_nobody_knows.html"
 reports "no chapter links to the exercise nobody_knows"
 found
 rm -r "$tree/exercises/1-motion/nobody_knows" "$html/exercise_motion_nobody_knows.html"

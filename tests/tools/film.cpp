@@ -4,6 +4,7 @@
 // something is drawn behind it in the file, and the last digit of a compiler changes no letter.
 
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 #include "tools/film.hpp"
 
@@ -30,6 +31,7 @@ using ansatz::degrees;
 using ansatz::metre;
 using ansatz::metres;
 using ansatz::second;
+using ansatz::test::refusal;
 
 namespace {
 
@@ -48,14 +50,6 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
         if (line.find(part) != std::string::npos) found.push_back(line);
     }
     return found;
-}
-std::string refusal(const auto& what) {
-    try {
-        what();
-    } catch (const std::invalid_argument& refused) {
-        return refused.what();
-    }
-    return "nothing was refused";
 }
 /// A sheet of 5 x 5 points that is symmetric in every way, and waves; each number a little off.
 std::vector<Place> waving(double t, double off = 0) {

@@ -53,6 +53,15 @@ expect 0 "4 Soft bodies" list
 expect 0 "4.1    not built           Cloth of springs" list
 expect 0 "1.1    not built" list
 expect 0 "Costs: motion" list
+# Where no line can overwrite itself, a long build says how far it is now and then, in lines of their own.
+said=$(cd "$tree" && ROOT=$tree bash -c '. tools/workbook.d/lib/terminal.sh; . tools/workbook.d/lib/build.sh
+    printf "[ 35%%] Building CXX object chapters/CMakeFiles/section_1.7.dir/x.o\n" |
+        PROGRESS_SECONDS=0 build_progress "building it" "$(now)"' 2>&1)
+if [[ $said =~ ^"  building 35 % section 1.7, "[0-9.]+" s"$ ]]; then passed=$((passed + 1))
+else
+    failures=$((failures + 1))
+    echo "FAILED: a build without a terminal says: $said"
+fi
 # What has been built is found: a program of its own, or that of all sections of its chapter, and it is run.
 mkdir -p "$tree/build/chapters" "$scratch/stub" || exit 1
 program() { printf '#!/bin/sh\n%s\n' "$2" > "$tree/build/chapters/$1" && chmod +x "$tree/build/chapters/$1"; }

@@ -53,11 +53,11 @@ TEST_CASE("a column that reaches a limit stops there, and the others take over i
     rate = {-1.0, 0.0, 0.0};
     clamp_columns(clamp, grid, std::span(height), std::span(rate));
     CHECK(rate == std::vector<double>{-1.0, 0.0, 0.0});
-    // Who has less room than its share leaves the rest to the others.
+    // A column with less room than its share leaves the rest to the others.
     height = {3.0, 1.75, 0.0};
     CHECK(clamp_columns(clamp, grid, std::span(height), std::span(rate)) == 0.0 * cubic_metre);
     CHECK(height == std::vector<double>{2.0, 2.0, 0.75});
-    // Where nobody has room, it is told.
+    // Where no column has room, that is reported.
     height = {3.0, 2.0, 2.0};
     CHECK(clamp_columns(clamp, grid, std::span(height), std::span(rate)) == 1.0 * cubic_metre);
     CHECK(height == std::vector<double>{2.0, 2.0, 2.0});

@@ -243,7 +243,7 @@ TEST_CASE("the wake of a hull that is twice as fast as waves opens by Mach's ang
     for (std::size_t j = 0; j < 120; ++j) // it comes before its waves
         CHECK(water.height(155, j).value() == Approx(2).epsilon(1e-9));
 }
-TEST_CASE("nobody gets energy from nothing: a ball and the waves that it makes, without damping", "[water]") {
+TEST_CASE("no body gets energy from nothing: a ball and the waves that it makes, without damping", "[water]") {
     auto fastest = []<class Policy>(const Policy& policy, double cell) {
         World world{SemiImplicitEuler{}, Gravity{}, Pools<Policy>{}, Buoyancy{}};
         const auto n = std::size_t(10 / cell + 0.5);

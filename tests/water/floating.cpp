@@ -114,7 +114,7 @@ TEST_CASE("an integrator that solves meets a drag that stops a body within a ste
     CHECK(world.velocity(hung).value()[0] == Approx(0.2).epsilon(1e-9)); // nothing holds it along the surface
     CHECK(world.water(pool).volume().value() == Approx(200).epsilon(1e-12));
 }
-TEST_CASE("any order of verbs keeps the water, and handles name whom they named", "[water]") {
+TEST_CASE("any order of verbs keeps the water, and handles name the bodies that they named", "[water]") {
     std::mt19937 random(11);
     auto one = scene<SemiImplicitEuler>();
     auto& world = one.world;
@@ -218,7 +218,7 @@ TEST_CASE("drag is against the water: what floats goes with the flow, and rides 
     CHECK(carried(Pipes{}, false) == 0);
     CHECK(carried(ShallowWater{}, false) == 0);
 }
-TEST_CASE("the surface's rise is that of the next step, whoever moves it", "[water]") {
+TEST_CASE("the surface's rise is that of the next step, whatever moves it", "[water]") {
     auto differs = [](const auto& policy) {
         Surface sea{policy, unequal(9, 7), 1.0 * metre};
         set_heights(sea, [](double x, double z) { return 1 + 0.05 * std::sin(x) * std::cos(0.7 * z); });

@@ -62,7 +62,7 @@ TEST_CASE("an image holds each height to half a grey value, with the largest z o
           "write_pgm: high is 1 m; white is higher than black, low = 1 m");
 }
 
-TEST_CASE("a mesh has the map's points, its normals, and triangles that look up and cover it once", "[water]") {
+TEST_CASE("a mesh has the map's points, its normals, and triangles that face up and cover it once", "[water]") {
     const auto map = slope();
     std::stringstream file;
     write_obj(file, map);

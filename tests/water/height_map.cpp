@@ -60,6 +60,31 @@ TEMPLATE_TEST_CASE("the map goes through its points, is continuous across their 
     CHECK_FALSE(map.covers(std::numeric_limits<double>::quiet_NaN() * metre, 3.0 * metre));
 }
 
+TEMPLATE_TEST_CASE("at a point of the map its height is that point's, and its normal that of the cell after it",
+                   "[water]", float, double) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> apart(0.01, 3), from(-50, 50), y(-1, 1);
+    for (int trial = 0; trial < 100; ++trial) {
+        // Most of these distances, and of these places, have no finite binary digits.
+        const bool tenths = trial % 2 == 0;
+        const auto dx = tenths ? 0.1 * metre : apart(random) * metre, dz = apart(random) * metre;
+        const auto map = HeightMap<TestType>::of(90, 4, dx, dz, [&](Length, Length) {
+                             return scalar_cast<TestType>(y(random) * metre);
+                         }).at(tenths ? 0.0 * metre : from(random) * metre, from(random) * metre);
+        for (std::size_t j = 0; j + 1 < map.points_z(); ++j)
+            for (std::size_t i = 0; i + 1 < map.points_x(); ++i) {
+                CAPTURE(trial, i, j);
+                REQUIRE(map.height(map.x(i), map.z(j)).value() == map(i, j).value());
+                const double by_x = double(map(i + 1, j).value() - map(i, j).value()) / dx.value(),
+                             by_z = double(map(i, j + 1).value() - map(i, j).value()) / dz.value();
+                const Vector<double, 3> expected = Vector<double, 3>(-by_x, 1, -by_z).normalized();
+                REQUIRE((map.normal(map.x(i), map.z(j)).template cast<double>() - expected).norm() < 1e-5);
+            }
+        const std::size_t east = map.points_x() - 1, north = map.points_z() - 1;
+        REQUIRE(map.height(map.x(east), map.z(north)).value() == map(east, north).value());
+    }
+}
+
 TEMPLATE_TEST_CASE("the normal is that of the surface: central differences of the height (hard case W11)", "[water]",
                    double) {
     std::mt19937 random(3);

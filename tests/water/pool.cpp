@@ -123,14 +123,14 @@ TEST_CASE("a world in float takes the longest step that it names", "[water]") {
     }
     CHECK(rounded_up > 5);
 }
-TEST_CASE("a step of more parts than its control allows is refused, however fast the water is", "[water]") {
+TEST_CASE("a step of more substeps than its control allows is refused, however fast the water is", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}, Springs<>{},
                 StepLimit<Divide>{.most_parts = 20}};
     Surface water{WaterColumns{3.0 * mps}, ColumnGrid(12, 9, 0.5 * metre), 2.0 * metre};
     const auto pool = world.add(Pool{water});
     const auto hash = world.hash();
     const auto said = refusal([&] { world.step(20.5 * water.longest_step()); });
-    CHECK(said.find("Courant's limit), and it is divided into 20 parts at most") != std::string::npos);
+    CHECK(said.find("Courant's limit), and it is divided into 20 substeps at most") != std::string::npos);
     CHECK(world.hash() == hash);
     world.pour(pool, 1.0 * metre, 1.0 * metre, 0.1 * cubic_metre);
     water.set_height(2, 2, water.height(2, 2) + 0.4 * metre);

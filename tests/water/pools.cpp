@@ -226,7 +226,7 @@ TEST_CASE("a step beyond Courant's limit is refused before anything moves", "[wa
     CHECK(two.world.hash() == hash);
     CHECK_NOTHROW(two.world.step(longest));
 }
-TEST_CASE("a StepControl that divides has the water take a long step in parts", "[water]") {
+TEST_CASE("a StepControl that divides has the water take a long step in substeps", "[water]") {
     World world{SemiImplicitEuler{}, Gravity{}, Pools<WaterColumns>{}, Springs<>{}, StepLimit<Divide>{}};
     auto alone = waves(columns);
     const auto pool = world.add(Pool{alone});
@@ -238,7 +238,7 @@ TEST_CASE("a StepControl that divides has the water take a long step in parts", 
     strict.add(Pool{waves(columns)});
     CHECK(refusal([&] { strict.step(2.5 * limit); }).find("Courant's limit") != std::string::npos);
 }
-TEST_CASE("a step in parts is divided anew where the water becomes faster than it was (hard case W8)", "[water]") {
+TEST_CASE("a step in substeps is divided anew where the water becomes faster than it was (hard case W8)", "[water]") {
     // 10 cm of water on a slope of a tenth: before a step is over it runs six times as fast as its waves.
     World world{SemiImplicitEuler{}, Gravity{}, Pools<ShallowWater>{}, Springs<>{}, StepLimit<Divide>{}};
     const ColumnGrid slope(200, 1, 0.5 * metre, 1.0 * metre);
@@ -262,7 +262,7 @@ TEST_CASE("a step in parts is divided anew where the water becomes faster than i
             CHECK(world.water(pool).surface().velocity(100, 0).value()[0] == Approx(0.75 * slides).epsilon(1e-9));
     }
 }
-TEST_CASE("pools are added, looked at, replaced and removed by handles", "[water]") {
+TEST_CASE("pools are added, read, replaced and removed by handles", "[water]") {
     Two two;
     two.steps(7);
     auto& world = two.world;
@@ -300,7 +300,7 @@ TEST_CASE("what a pool cannot be is refused, and the world is as it was", "[wate
           }).find("the columns cover") != std::string::npos);
     CHECK(two.world.hash() == hash);
 }
-TEST_CASE("a pool that is asked stays the same pool, whoever comes or goes", "[water]") {
+TEST_CASE("a pool that is asked stays the same pool, whatever comes or goes", "[water]") {
     Two two;
     const auto lake = two.world.water(two.lake);
     const auto pond = two.world.water(two.pond);

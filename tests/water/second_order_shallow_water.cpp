@@ -274,7 +274,7 @@ TEST_CASE("second order: a step beyond half of the limit is refused before anyth
 }
 
 TEST_CASE("second order: the longest step sees the last column of a row, and every pair of a wide one", "[water]") {
-    // Rows are looked at in blocks of 64.
+    // Rows are handled in blocks of 64.
     for (const std::size_t nx : {3U, 64U, 65U, 66U, 128U, 129U, 130U})
         for (const std::size_t i : {std::size_t(0), std::size_t(62), std::size_t(63), std::size_t(64), nx - 2}) {
             if (i + 1 >= nx) continue;
@@ -324,7 +324,7 @@ TEST_CASE("second order: a round dam breaks as in Clawpack, along x, along z and
     CHECK(level(between, between) == Approx(1.13466).margin(1e-3));
 }
 
-// What rounding has taken from a height is kept beside it in float; whoever sets the height knows nothing of that.
+// What rounding has taken from a height is kept beside it in float; whatever sets the height knows nothing of that.
 TEMPLATE_TEST_CASE("in float, columns that are set while water runs hold no less than nothing, and lose none",
                    "[water]", ShallowWater, SecondOrderShallowWater) {
     for (const unsigned seed : {1U, 2U, 3U}) {

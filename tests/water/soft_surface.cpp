@@ -65,7 +65,7 @@ TEST_CASE("a soft surface rests as it is built, in its own weight", "[water]") {
     for (int i = 0; i < 200; ++i) world.step(0.01 * second);
     for (const auto& body : parts.bodies) CHECK(std::abs(world.position(body).value()[1] - 1.5) < 1e-13);
     for (const auto& body : parts.bodies) CHECK(world.velocity(body).value().norm() < 1e-12);
-    // Whoever stands on every column with as much as the water of a centimetre lowers all but the border by that.
+    // Whatever stands on every column with as much as the water of a centimetre lowers all but the border by that.
     Net loaded{{}, {}, {}};
     const auto deep = add_soft_surface(loaded, net(ColumnGrid(41, 41, dx * metre), 30));
     const double all = sigma * dx * dx;

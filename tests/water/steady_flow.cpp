@@ -64,7 +64,7 @@ template <class Policy> State settled(const Flow& flow, std::size_t count, doubl
     return state;
 }
 /// The mean of what heights are off, over what they should be.
-/// \param but_for m, of a jump: a metre around it is not looked at
+/// \param but_for m, of a jump: a metre around it is left out
 double off_from(const Flow& flow, const State& state, double but_for) {
     double sum = 0;
     int looked_at = 0;

@@ -52,6 +52,25 @@ TEST_CASE("a sphere, a box and a disc are what their slices sum to", "[water]") 
         if (d > 0.05) CHECK(disc.centre == Approx(m).epsilon(1e-5));
     }
 }
+TEMPLATE_TEST_CASE("a disc that hardly touches the water is a little under it, and there", "[water]", float, double) {
+    using Scalar = TestType;
+    const double r = double(Scalar(0.7));
+    // Segment less triangle loses 1 / x^2 of the digits, and five terms of the series leave x^5: at worst they are
+    // equal.
+    const double known = 4 * std::pow(std::numeric_limits<Scalar>::epsilon(), 0.6);
+    for (double d = 2 * r; d > 1e-13; d *= 0.6) {
+        const Scalar depth(d), radius(r);
+        CAPTURE(depth);
+        // By the angle: y = 2 r sin^2. There are no roots then, and slices of it are as exact as one likes.
+        const double x = std::min(1.0, double(depth) / (2 * r)), angle = std::asin(std::sqrt(x));
+        const auto sine = [](double a, int n) { return std::pow(std::sin(a), n) * std::cos(a) * std::cos(a); };
+        const double area = 16 * r * r * slices(2, angle, [&](double a) { return sine(a, 2); }).first,
+                     moment = 32 * r * r * r * slices(2, angle, [&](double a) { return sine(a, 4); }).first;
+        const auto disc = detail::sunk_disc(radius, Scalar(3), depth);
+        REQUIRE(double(disc.volume) == Approx(3 * area).epsilon(known));
+        REQUIRE(double(disc.centre) == Approx(moment / area).epsilon(known));
+    }
+}
 TEST_CASE("the area at the water line is how the volume grows", "[water]") {
     const double step = 1e-6;
     for (const double d : {0.05, 0.3, 0.5, 0.9}) {
@@ -168,4 +187,47 @@ TEST_CASE("a box under a tilted surface: exact volume and centroid (hard case B8
     auto said = [&](const Vector<double, 3>& n, double d) { return refusal([&] { submerged(box, n, d * metre); }); };
     CHECK(said({0, 0, 0}, 1).find("length of the normal is 0") != std::string::npos);
     CHECK(said({0, 1, 0}, std::numeric_limits<double>::quiet_NaN()).find("height is nan") != std::string::npos);
+}
+
+TEST_CASE("a box that a tilted surface hardly touches is a little under water, and there", "[water]") {
+    std::mt19937 random(10);
+    std::normal_distribution<double> any;
+    std::uniform_real_distribution<double> digits(0, 12);
+    int corners = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Vector<double, 3> half(std::exp(any(random)), std::exp(any(random)), std::exp(any(random)));
+        const Box box{VectorQuantity<unit::Length>::from_value(half)};
+        const Vector<double, 3> n = Vector<double, 3>(any(random), any(random), any(random)).normalized(),
+                                m = n.cwiseAbs();
+        const double reach = m.dot(half), depth = reach * std::pow(10, -digits(random)), d = depth - reach;
+        CAPTURE(trial, depth / reach);
+        const auto now = submerged(box, n, d * metre), above = submerged(box, Vector<double, 3>(-n), -d * metre);
+        REQUIRE(now.volume >= 0.0 * cubic_metre);
+        REQUIRE(now.volume.value() + above.volume.value() == Approx(8 * half.prod()).epsilon(1e-12));
+        REQUIRE((now.centre.value().cwiseAbs().array() <= half.array()).all());
+        if (depth > (2 * m.cwiseProduct(half)).minCoeff()) continue;
+        ++corners; // one corner is under: a pyramid. A height is known to the rounding of the reach.
+        const double known = 50 * std::numeric_limits<double>::epsilon() * reach / depth;
+        const Vector<double, 3> corner = (n.array() > 0).select(-half, half),
+                                inwards = (n.array() > 0).select(Vector<double, 3>::Ones(), -Vector<double, 3>::Ones());
+        const Vector<double, 3> sides = depth * m.cwiseInverse();
+        REQUIRE(now.volume.value() == Approx(sides.prod() / 6).epsilon(known));
+        const Vector<double, 3> expected = corner + inwards.cwiseProduct(sides) / 4;
+        REQUIRE((now.centre.value() - expected).cwiseQuotient(sides).norm() < 4 * known);
+    }
+    CHECK(corners > 10000);
+}
+
+TEST_CASE("the normal of a tilted surface is of any length", "[water]") {
+    const Box box{metres(1, 2, 3)};
+    const auto one = submerged(box, {1, 2, -1}, 0.5 * metre);
+    for (const double length : {1e-310, 1e-200, 1e-3, 1e200, 1e307}) {
+        const auto other = submerged(box, Vector<double, 3>(length, 2 * length, -length), 0.5 * metre);
+        CHECK(other.volume.value() == Approx(one.volume.value()).epsilon(1e-12));
+        CHECK((other.centre.value() - one.centre.value()).norm() < 1e-12);
+    }
+    const double beyond = std::numeric_limits<double>::infinity();
+    CHECK(refusal([&] {
+              submerged(box, {beyond, 0, 0}, 0.0 * metre);
+          }).find("length of the normal") != std::string::npos);
 }

@@ -4,6 +4,7 @@
 #include <ansatz/water/clamped_columns.hpp>
 #include <ansatz/water/pipes.hpp>
 #include <ansatz/water/pool.hpp>
+#include <ansatz/water/shallow_water.hpp>
 #include <ansatz/water/surface.hpp>
 #include <ansatz/water/water_columns.hpp>
 
@@ -170,6 +171,30 @@ TEST_CASE("it goes on from no state that water cannot have", "[water]") {
     CHECK(refusal([&] {
               Surface<WaterColumns, float>(WaterColumns{mps}, grid, 1.0 * metre, high);
           }).find("is inf; it must be finite, in the scalar of this water") != std::string::npos);
+}
+
+TEST_CASE("it goes on from the state of no other policy", "[water]") {
+    const ColumnGrid grid(4, 3, 1.0 * metre);
+    const WaterColumns columns{mps};
+    const auto from = [&](const auto& state, const auto& to) {
+        return refusal([&] { Surface(to, grid, 1.0 * metre, state); });
+    };
+    const auto rates = Surface(columns, grid, 1.0 * metre).state();
+    const auto flows = Surface(Pipes{}, grid, 1.0 * metre).state();
+    const auto momenta = Surface(ShallowWater{}, grid, 1.0 * metre).state();
+    CHECK(from(rates, Pipes{}) == "Surface: lane 1 of the state is rate; a state of Pipes has bed there; give it one "
+                                  "of its own, or begin anew and set_heights");
+    CHECK(from(flows, columns).find("lane 1 of the state is bed; a state of WaterColumns has rate there") !=
+          std::string::npos);
+    CHECK(from(momenta, Pipes{}).find("lane 2 of the state is momentum_x; a state of Pipes has flow_x there") !=
+          std::string::npos); // as many lanes, of another meaning
+    CHECK(from(flows, ShallowWater{}).find("lane 2 of the state is flow_x") != std::string::npos);
+    CHECK(from(rates, ClampedColumns{columns, {0.5 * metre, 2.0 * metre}})
+              .find("number 1 of the state is missing; a state of ClampedColumns has cut_off there") !=
+          std::string::npos);
+    // What has all that is kept may have more.
+    CHECK(from(Surface(ClampedColumns{columns, {0.5 * metre, 2.0 * metre}}, grid, 1.0 * metre).state(), columns) ==
+          "nothing");
 }
 
 TEST_CASE("no step makes numbers of dry ground that are none", "[water]") {

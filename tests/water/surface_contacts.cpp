@@ -168,7 +168,7 @@ TEST_CASE("thrown up by a surface that stands still, a ball lands when its close
             if (surface_touch(world, on).begun != before) landings.push_back(1e-3 * i);
         }
         const double v = std::sqrt(2 * g * fall), omega = std::sqrt(50 / 2.0);
-        // The skin of a centimetre does not end the contact of who leaps less high.
+        // The skin of a centimetre does not end the contact of a body that leaps less high.
         const double swing = (pi + 2 * std::atan(g / (omega * v))) / omega, period = 2 * v / g + swing;
         REQUIRE(landings.size() >= 2);
         CHECK(period > 2 * pi / omega);
@@ -336,7 +336,7 @@ TEST_CASE("what a contact with a soft surface cannot be is refused, and the worl
     CHECK(has(said([](auto& c) { c.grid = ColumnGrid(widths(24, 1), widths(24, 2)); }), "all alike"));
     CHECK(has(refusal([&] { world.set(SurfaceContacts{.skin = -1.0 * metre}); }), "skin is -1 m"));
     CHECK(has(refusal([&] { surface_touch(world, SurfaceContactHandle{}); }), "surface_touch"));
-    // From a file: BodyId() names nobody.
+    // From a file: BodyId() names no body.
     scene.stone_raft_and_ball();
     const auto& row = std::as_const(world).elements<SurfaceContact>().row(scene.things[0].on.id);
     CHECK_NOTHROW(row.check());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // A world that was saved, loaded or copied after any verb goes on as the one that was not (hard case V5), where
-// velocities are derived from a history and forces between bodies read them; and who writes what no force reads changes
-// no motion.
+// velocities are derived from a history and forces between bodies read them; and what writes what no force reads
+// changes no motion.
 
 #include <ansatz/motion.hpp>
 #include <ansatz/springs.hpp>
@@ -94,7 +94,7 @@ TEST_CASE("a world that is saved, loaded or copied after any verb goes on to the
         }
 }
 
-TEST_CASE("who writes a column that no force reads changes no motion", "[world][V5]") {
+TEST_CASE("what writes a column that no force reads changes no motion", "[world][V5]") {
     Net written, left;
     for (int i = 0; i < 30; ++i) {
         for (const auto ball : written.balls) written.world.write<Warmth>(ball, 0.1 * i * metre);

@@ -68,7 +68,7 @@ TEST_CASE("allocations are counted here", "[world][step]") {
           }) > 0);
 }
 
-TEMPLATE_TEST_CASE("no step allocates, not even the first, whoever sleeps and wakes", "[world][step]",
+TEMPLATE_TEST_CASE("no step allocates, not even the first, whatever sleeps and wakes", "[world][step]",
                    ANSATZ_INTEGRATORS) {
     World world{
         TestType{},     Later{1.1 * second}, Drag{}, AppliedForces{}, Rest{0.05 * metre_per_second, 0.1 * second},

@@ -11,7 +11,7 @@
 using namespace ansatz;
 using namespace ansatz::test;
 
-TEST_CASE("a world whose numbers are finite is well, an infinite one says who", "[world][data]") {
+TEST_CASE("a world whose numbers are finite is well, an infinite one says which", "[world][data]") {
     World world{SemiImplicitEuler{}, AppliedForces{}, Keep<Heat>{}};
     const auto first = world.add(mass(1.0 * kilogram)), fast = world.add(mass(1.0 * kilogram)),
                faster = world.add(mass(1.0 * kilogram));

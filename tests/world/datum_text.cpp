@@ -64,7 +64,7 @@ template <class T> void come_back(const std::vector<T>& data) {
             CAPTURE(i);
             CHECK(into->datum(bodies[i]) == data[i]);
         }
-        CHECK(into->datum(into->add()) == T{}); // who takes an id that was free begins with a new one
+        CHECK(into->datum(into->add()) == T{}); // a body that takes a free id begins with a new one
     }
 }
 template <class T> std::string refused(const T& datum_, const std::string& instead) {

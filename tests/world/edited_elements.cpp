@@ -94,7 +94,7 @@ template <class World_> std::vector<Handle> chain(World_& world, int n) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("What a system takes out of another's table is gone, and nobody is pushed by it", "[world]",
+TEMPLATE_TEST_CASE("What a system takes out of another's table is gone, and no body is pushed by it", "[world]",
                    SemiImplicitEuler, VelocityVerlet, Verlet) {
     World world{TestType{}, Gravity{}, Springs<>{}, Moth{}};
     const auto all = chain(world, 6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Elements of a user's own: ties between bodies that wear, and lamps that hang on nobody, in a table whose rows follow
+// Elements of a user's own: ties between bodies that wear, and lamps that hang on no body, in a table whose rows follow
 // from their fields.
 // Runs long with the sanitizers.
 
@@ -82,7 +82,7 @@ struct Ties {
 };
 //! [tie]
 
-/// Hangs on nobody.
+/// Hangs on no body.
 struct Lamp {
     using element = Lamp;
     double strength = 1;
@@ -156,7 +156,7 @@ TEMPLATE_TEST_CASE("ties hold what hangs on them, and rows count what systems di
     CHECK(norm(world.position(ball)).value() <= 0.5 + 1e-12);
 }
 
-TEST_CASE("verbs on elements of one's own agree with a model of who is tied to whom", "[world][elements]") {
+TEST_CASE("verbs on elements of one's own agree with a model of which bodies are tied", "[world][elements]") {
     for (std::uint32_t seed = 0; seed < 30; ++seed) {
         CAPTURE(seed);
         std::mt19937 random(seed);
@@ -285,7 +285,7 @@ TEST_CASE("no copy of a row is made that could fail when the world has been told
 }
 
 namespace {
-/// Names bodies in a list of pairs, and one more or nobody.
+/// Names bodies in a list of pairs, and one more or no body.
 struct Net {
     using element = Net;
     std::vector<std::array<Handle, 2>> pairs;
@@ -313,7 +313,7 @@ struct Nets {
 };
 } // namespace
 
-TEST_CASE("a row follows bodies in lists of lists, and one that names nobody waits for none",
+TEST_CASE("a row follows bodies in lists of lists, and one that names no body waits for none",
           "[world][elements][named_by]") {
     World world{SemiImplicitEuler{}, Rest{}, Nets{}};
     std::vector<Handle> bodies;

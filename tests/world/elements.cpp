@@ -38,7 +38,7 @@ TEST_CASE("ids of elements: given again with another generation, last freed firs
     CHECK(ids.id(PegHandle{b, 0}, "here") == b);
 }
 
-TEST_CASE("the hash of ids sees who lives and who comes next", "[world][elements]") {
+TEST_CASE("the hash of ids sees which live and which come next", "[world][elements]") {
     auto hash_of = [](const ElementIds& ids) {
         StateHash hash;
         ids.add_to(hash);

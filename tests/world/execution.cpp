@@ -26,7 +26,7 @@ struct Lines {
 struct SomethingElse {
     using role = roles::Observer;
 };
-/// As much of a composition as a loop looks at.
+/// As much of a composition as a loop reads.
 template <class T, bool Executed> struct Composed {
     struct S {
         using Scalar = T;
@@ -39,7 +39,7 @@ struct Wide {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("A divided loop comes to each row once, in parts that share no cache line", "[execution]", float,
+TEMPLATE_TEST_CASE("A divided loop comes to each row once, in ranges that share no cache line", "[execution]", float,
                    double, Wide) {
     constexpr std::size_t line = sizeof(TestType) < 64 ? 64 / sizeof(TestType) : 1;
     for (const std::size_t begin : {0, 1, 8, 15, 16, 17})
@@ -49,16 +49,16 @@ TEMPLATE_TEST_CASE("A divided loop comes to each row once, in parts that share n
             std::vector<std::pair<std::size_t, std::size_t>> asked;
             std::vector<int> times(end + 20, 0);
             bool on_lines = true;
-            in_parts<Composed<TestType, true>>(std::tuple(SomethingElse{}, Lines{&asked}), begin, end,
-                                               [&](std::size_t first, std::size_t last) {
-                                                   on_lines &= first < last && (first == begin || first % line == 0);
-                                                   for (auto i = first; i < last; ++i) ++times[i];
-                                               });
+            in_ranges<Composed<TestType, true>>(std::tuple(SomethingElse{}, Lines{&asked}), begin, end,
+                                                [&](std::size_t first, std::size_t last) {
+                                                    on_lines &= first < last && (first == begin || first % line == 0);
+                                                    for (auto i = first; i < last; ++i) ++times[i];
+                                                });
             std::vector<int> once(end + 20, 0);
             for (auto i = begin; i < end; ++i) once[i] = 1;
             CHECK(times == once);
             CHECK(on_lines);
-            CHECK(asked.size() == (rows > 0 ? 1 : 0)); // nothing to do wakes nobody
+            CHECK(asked.size() == (rows > 0 ? 1 : 0)); // nothing to do wakes no body
             for (const auto& [count, grain] : asked) {
                 CHECK(count >= rows / line);
                 CHECK(count <= rows / line + 2);
@@ -69,12 +69,12 @@ TEMPLATE_TEST_CASE("A divided loop comes to each row once, in parts that share n
 TEST_CASE("Without an execution a loop runs once, over all of it", "[execution]") {
     std::vector<std::pair<std::size_t, std::size_t>> parts;
     const auto note = [&](std::size_t begin, std::size_t end) { parts.emplace_back(begin, end); };
-    in_parts<Composed<double, false>>(std::tuple(SomethingElse{}), 3, 20, note);
-    in_parts<Composed<double, false>>(std::tuple(SomethingElse{}), 3, 3, note);
+    in_ranges<Composed<double, false>>(std::tuple(SomethingElse{}), 3, 20, note);
+    in_ranges<Composed<double, false>>(std::tuple(SomethingElse{}), 3, 3, note);
     CHECK(parts == std::vector<std::pair<std::size_t, std::size_t>>{{3, 20}, {3, 3}});
 }
 TEST_CASE("What a row throws leaves the loop", "[execution]") {
     std::vector<std::pair<std::size_t, std::size_t>> asked;
     const auto fail = [](std::size_t, std::size_t) { throw 7; };
-    CHECK_THROWS_AS((in_parts<Composed<double, true>>(std::tuple(Lines{&asked}), 0, 100, fail)), int);
+    CHECK_THROWS_AS((in_ranges<Composed<double, true>>(std::tuple(Lines{&asked}), 0, 100, fail)), int);
 }

@@ -97,6 +97,16 @@ TEST_CASE("a world of floats refuses what it cannot hold when it is made, set an
                ContainsSubstring("UniformGrid: cell is 1e+39 m; "));
     CHECK_THAT(test::refusal([&] { world.add(Sphere{1e39 * metre}, mass(1.0 * kilogram)); }),
                ContainsSubstring("Sphere: radius is 1e+39 m; "));
+    // Greater than zero and finite: it is the float that cannot hold it, or the inverse.
+    const std::string not_held =
+        " kg; a mass is finite and greater than 0 kg in the world's scalar, and its inverse is a number (a body that "
+        "nothing moves is added as `fixed`, without a mass)";
+    for (const double m : {1e-300, 1e-39, 1e39}) {
+        CHECK(test::refusal([&] { world.add(Sphere{0.5 * metre}, mass(m * kilogram)); }) ==
+              "World::add: mass is " + describe(m) + not_held);
+        CHECK(test::refusal([&] { world.set_mass(ball, m * kilogram); }) ==
+              "World::set_mass: mass is " + describe(m) + not_held);
+    }
     auto refused = [&](const Spring& spring, const auto&... more) {
         return test::refusal([&] { world.add(spring, more...); });
     };

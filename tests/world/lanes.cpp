@@ -30,10 +30,11 @@ struct Fall {
 };
 } // namespace
 
-TEST_CASE("sweep loads what is listed, calls, and stores only what is written, on anybody's lanes", "[world][lanes]") {
+TEST_CASE("for_lanes loads what is listed, calls, and stores only what is written, on anybody's lanes",
+          "[world][lanes]") {
     std::vector<float> x(7, 1.0f), y(7, 2.0f), heat(7, 10.0f), vx(7, 4.0f), vy(7, -4.0f);
     const std::array<float*, 5> lanes{x.data(), y.data(), heat.data(), vx.data(), vy.data()};
-    sweep<S, List, Columns<Position, Heat>, Columns<Home>>(lanes, 2, 5, Fall{});
+    for_lanes<S, List, Columns<Position, Heat>, Columns<Home>>(lanes, 2, 5, Fall{});
     for (std::size_t i = 0; i < 7; ++i) {
         const bool inside = i >= 2 && i < 5;
         CHECK(x[i] == (inside ? 3.0f : 1.0f));
@@ -42,7 +43,7 @@ TEST_CASE("sweep loads what is listed, calls, and stores only what is written, o
         CHECK(vx[i] == 4.0f);
         CHECK(vy[i] == -4.0f);
     }
-    sweep<S, List, Columns<Position, Heat>, Columns<Home>>(lanes, 3, 3, Fall{}); // an empty range
+    for_lanes<S, List, Columns<Position, Heat>, Columns<Home>>(lanes, 3, 3, Fall{}); // an empty range
     CHECK(x[3] == 3.0f);
 }
 

@@ -41,7 +41,7 @@ std::vector<std::uint32_t> told(const NamedBy& named, std::uint32_t body) {
 
 } // namespace
 
-TEST_CASE("who names a body is told as a plain list tells it, whatever happened since it was found", "[world]") {
+TEST_CASE("what names a body is told as a plain list tells it, whatever happened since it was found", "[world]") {
     std::mt19937 random(GENERATE(1u, 2u, 3u, 4u));
     const auto number = [&](std::uint32_t below) { return std::uint32_t(random() % below); };
     constexpr std::uint32_t bodies = 12;
@@ -52,7 +52,7 @@ TEST_CASE("who names a body is told as a plain list tells it, whatever happened 
 
     const auto names = [&](std::uint32_t id) {
         table.rows[id].clear();
-        for (auto n = number(4); n > 0; --n) table.rows[id].push_back(number(bodies)); // nobody, or one twice, too
+        for (auto n = number(4); n > 0; --n) table.rows[id].push_back(number(bodies)); // no body, or one twice, too
         named.note(id);
     };
     for (int turn = 0; turn < 4000; ++turn) {
@@ -90,7 +90,7 @@ TEST_CASE("what was found costs nothing again, and a copy finds its own", "[worl
     CHECK(told(named, 77).empty()); // a body that is newer than what was found
 
     table.rows.erase(5);
-    named.find(table, 3); // known: it does not look
+    named.find(table, 3); // known: it does not search
     CHECK(told(named, 1) == std::vector<std::uint32_t>{3, 5});
     named.note(9);
     CHECK(told(named, 1) == std::vector<std::uint32_t>{3, 5, 9});

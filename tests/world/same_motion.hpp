@@ -9,7 +9,7 @@
 
 namespace ansatz::test {
 
-/// Lives the same hundred steps in both worlds; whoever has masses gets them.
+/// Lives the same hundred steps in both worlds; whatever has masses gets them.
 template <class A, class B> bool same_motion(A a, B b, int steps = 100) {
     Dice dice(5);
     auto add = [](auto& world, const auto& x, const auto& v, double m) {

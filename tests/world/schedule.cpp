@@ -96,7 +96,7 @@ TEST_CASE("A driver owns what stands between its phase and another, one within t
 TEST_CASE("The schedule of a world can be read", "[schedule]") {
     CHECK(printed(Free{SemiImplicitEuler{}, Gravity{}}) == "forces and integration\nclock\n");
     CHECK(printed(World{SemiImplicitEuler{}, Gravity{}, Rest{}, AllPairs{}, Narrowphase<Sphere, Plane>{},
-                        SoftSubsteps<Friction>{}}) == "wake: who lies with one that woke\n"
+                        SoftSubsteps<Friction>{}}) == "wake: neighbours of bodies that woke\n"
                                                       "substeps\n"
                                                       "    forces and integration\n"
                                                       "contacts\n"

@@ -69,7 +69,7 @@ TEST_CASE("the stages of a step that couples are between the same effects", "[wo
 }
 
 namespace {
-/// Says into how many parts a step is to be taken, whatever that is.
+/// Says into how many substeps a step is to be divided, whatever that is.
 struct Parts {
     using role = roles::StepControl;
     struct Kept {};
@@ -78,7 +78,7 @@ struct Parts {
 };
 } // namespace
 
-TEST_CASE("a number of parts that is none, or parts too short to be steps, are refused before anything moves",
+TEST_CASE("a number of substeps that is none, or substeps too short to be steps, are refused before anything moves",
           "[world][step]") {
     World world{Space<float, 2>{}, SemiImplicitEuler{}, Gravity{}, Parts{}};
     const auto body = world.add();

@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE("a body that a later force or a neighbour wakes within a step
     CHECK(pulled.position(sleeper).value()[0] == Catch::Approx(0.5 / 64 / 64).epsilon(1e-3));
 }
 
-TEST_CASE("set and get hold the parameters, and a change of a force or an effect wakes who rests", "[world]") {
+TEST_CASE("set and get hold the parameters, and a change of a force or an effect wakes bodies that rest", "[world]") {
     World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, 0, 0)}, Drag{0.25 / second}, Rest{},
                 Keep<Heat>{}};
     const auto body = world.add(resting);
@@ -73,15 +73,15 @@ TEST_CASE("set and get hold the parameters, and a change of a force or an effect
     CHECK(world.position(body).value()[1] < 0);
 }
 
-TEST_CASE("every change of a body wakes it, and a look does not", "[world]") {
+TEST_CASE("every change of a body wakes it, and a query does not", "[world]") {
     World world{SemiImplicitEuler{}, AppliedForces{}, Rest{}, Keep<Heat>{}};
     const auto body = world.add(mass(2.0 * kilogram), resting), other = world.add(mass(2.0 * kilogram), resting);
-    auto look = [&] {
+    auto query = [&] {
         (void)world.position(body), (void)world.velocity(body), (void)world.acceleration(body),
             (void)world.read<Heat>(body), (void)world.row(body);
         (void)world.hash(), (void)world.status(), (void)world.events(), (void)world.mass(body);
     };
-    look();
+    query();
     CHECK(world.motion(body) == Motion::resting);
     SECTION("set_position") { world.set_position(body, metres(1, 0, 0)); }
     SECTION("set_velocity") { world.set_velocity(body, metres_per_second(1, 0, 0)); }

@@ -14,7 +14,7 @@ TEMPLATE_TEST_CASE("a world copied at step 30 and run to 60 is the world run to 
                    VelocityVerlet, Verlet, ImplicitEuler) {
     auto world = eventful<Space<>, TestType>();
     live(world, 0, 30);
-    REQUIRE(world.count(Motion::resting) > 0); // the copy is taken while somebody sleeps and a force waits
+    REQUIRE(world.count(Motion::resting) > 0); // the copy is taken while some body sleeps and a force waits
     REQUIRE(world.count(Motion::awake) > 1);
     const auto copy_of_30 = world;
     CHECK(same_to_the_bit(copy_of_30, world));

@@ -10,7 +10,7 @@ A section is a program of chapters/; the rest follows from what its page says at
 its README is headed by. A section that has none is in WITHOUT_EXERCISE with the reason; an entry that has one, or that is no
 section, is a fault as well.
 
-The page of a chapter has a glossary ("## Words"), and each of its words names the section that explains it: there it stands in
+The page of a chapter has a glossary ("## Glossary"), and each of its words names the section that explains it: there it stands in
 *italics* where it is first used. Earlier sections of the page do without it, or point to where it is explained; terms of several
 words ("critical damping") are looked for in earlier chapters, too, where single ones may be plain English.
 """
@@ -261,7 +261,7 @@ def plain(text: str) -> str:
 def words_of(page: str) -> list[tuple[str, str]]:
     """Of its glossary: the word, and the label of the place that explains it. "slack, taut" are two."""
     found: list[tuple[str, str]] = []
-    words = re.search(r"^## Words .*?(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
+    words = re.search(r"^## Glossary .*?(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
     for line in words[0].split("\n") if words else []:
         if entry := re.match(r"\| ([^|]+) \|.*\\ref (\w+)", line):
             found += [(word.strip(), entry[2]) for word in entry[1].split(",")]
@@ -296,7 +296,7 @@ def used_too_early(file: str, page: str) -> list[str]:
     """Words of the glossary that their section does not explain, or one before it uses without pointing to it."""
     faults: list[str] = []
     if re.search(r"^# .*\{#chapter_", page, re.MULTILINE) and not words_of(page):
-        faults.append(f"{file}: the chapter has no glossary, '## Words'")
+        faults.append(f"{file}: the chapter has no glossary, '## Glossary'")
     # The pieces of the page in their order: the label, and the text below its heading.
     pieces = re.split(r"^#+ .*\{#(\w+)\} *$", page, flags=re.MULTILINE)
     labels = pieces[1::2]

@@ -73,6 +73,8 @@ def faults_of_exercise(site: Site, exercise: str, header: str) -> list[str]:
         faults.append(f"the page of the exercise {name} does not say which file to edit")
     if not re.search('href="section_', page):
         faults.append(f"the exercise {name} does not link to its section")
+    if 'class="image"' not in page:
+        faults.append(f"the page of the exercise {name} shows no picture")
     if not header:
         return faults
     file = site.headers.get(header.removeprefix("include/"))

@@ -85,6 +85,7 @@ class Header:
     def __init__(self, course: Course, file: str) -> None:
         self.course = course
         self.stem = stem_of(file)
+        self.path = re.sub(r"^.*?(?=include/ansatz/)", "", file)
         self.type_line = re.compile(rf"(?:template <.*> *)?(?:struct|class) {policy_of(self.stem)}(?: |$|\{{)")
         self.space_line = re.compile(rf"(?:inline )?namespace ansatz::{re.escape(self.stem)} ")
         self.telling = False            # within the comment that begins with \file
@@ -135,12 +136,19 @@ class Header:
             self.opening.append(line)
 
     def where_taught(self) -> list[str]:
-        """The section and the exercise, where there are such."""
-        page = self.course.exercises.get(self.stem)
-        if not self.told and not page:
+        """The section, and the exercises that ask for what the header has: that of its name, and those whose task leads to it.
+        The notes' number may have sections of this course below it; then that of the exercise says more."""
+        asking = dict(self.course.asking.get(self.path, []))
+        if self.stem in self.course.exercises:
+            asking = {self.stem: asking.get(self.stem, ""), **asking}
+        if not self.told and not asking:
             return []
-        section = f"Section {self.course.linked(self.told)}" if self.told else "The"
-        exercise = f'{"," if self.told else ""} exercise \\ref {page} "{self.stem}"' if page else ""
+        below = [number for number in asking.values() if self.told and number.startswith(f"{self.told}.")]
+        number = below[0] if below else self.told
+        section = f"Section {self.course.linked(number)}" if number else "The"
+        pages = [f'\\ref {self.course.exercises[name]} "{name}"' for name in asking]
+        listed = " and ".join(filter(None, (", ".join(pages[:-1]), *pages[-1:])))
+        exercise = f'{"," if number else ""} exercise{"s" if len(pages) > 1 else ""} {listed}' if pages else ""
         return ["/// \\par In the course", f"/// {section}{exercise}."]
 
     def is_named_after(self, line: str) -> bool:

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSL-1.0
-"""The navigation of the site: chapters with their pages, the programs and the exercises, in place of the remarks
-<!-- chapters -->, <!-- programs --> and <!-- exercises --> of Doxygen's layout.
+"""The navigation of the site: chapters with their pages, the programs, the exercises and the models of policies of
+one's own, in place of the remarks <!-- chapters -->, <!-- programs -->, <!-- exercises --> and <!-- models --> of Doxygen's layout.
 
     layout.py --programs <the list of programs> --exercises <that of exercises> docs/site/layout.xml docs/*.md
 
-prints the layout. Both lists are pages that pages.py makes.
+prints the layout. Both lists are pages that pages.py makes; the models are in tests/package/models.
 """
 
 from __future__ import annotations
 
 import argparse
+import glob
 import os
 import re
 import sys
@@ -65,12 +66,18 @@ def exercises(lines: list[str]) -> list[str]:
     return [f"      <tab {attributes(f'@ref {row[2]}', f'{row[1]} {row[3]}')}/>" for row in rows if row]
 
 
+def models() -> list[str]:
+    """Each is a page that pages.py makes."""
+    names = sorted(os.path.basename(file).removesuffix(".cpp") for file in glob.glob("tests/package/models/*.cpp"))
+    return [f"      <tab {attributes(f'@ref model_{name}', f'{name}.cpp')}/>" for name in names]
+
+
 def main(arguments: list[str]) -> int:
     """Prints it."""
     parser = argparse.ArgumentParser(prog="layout.py", description="The navigation of the site.")
     parser.add_argument("--programs", required=True, help="the page that lists the programs")
     parser.add_argument("--exercises", required=True, help="the page that lists the exercises")
-    parser.add_argument("layout", help="Doxygen's layout, with the places of the three")
+    parser.add_argument("layout", help="Doxygen's layout, with the places of these")
     parser.add_argument("pages", nargs="+", help="the chapters, and other pages")
     given = parser.parse_args(arguments)
     out: list[str] = []
@@ -81,6 +88,8 @@ def main(arguments: list[str]) -> int:
             out += programs(read(given.programs))
         elif "<!-- exercises -->" in line:
             out += exercises(read(given.exercises))
+        elif "<!-- models -->" in line:
+            out += models()
         else:
             out.append(line)
     sys.stdout.buffer.write("".join(line + "\n" for line in out).encode("utf-8", "surrogateescape"))

@@ -50,6 +50,17 @@ class Course:
         return pages
 
     @functools.cached_property
+    def asking(self) -> dict[str, list[tuple[str, str]]]:
+        """For the path of a header the exercises whose README.md links to it: their names, and the sections that head them."""
+        found: dict[str, list[tuple[str, str]]] = {}
+        for readme in sorted(glob.glob("exercises/*/*/README.md")):
+            text = forge.read(readme)
+            number = re.match(r"# ([0-9.]+) ", text)
+            for header in re.findall(r"\]\([./]*(include/ansatz/[\w/]+\.hpp)", text):
+                found.setdefault(header, []).append((readme.split("/")[2], number[1] if number else ""))
+        return found
+
+    @functools.cached_property
     def names(self) -> dict[str, str]:
         """What headers are named after: ansatz::World of World, which world.hpp holds, with the namespace that the
         header opens first."""

@@ -7,9 +7,10 @@
                                     prints the front page of docs/site/front.md, with the version, the film, the chapters, and
                                     docs/site/demo.html where there is a live demo
     pages.py order                  prints the pages that lead to each other, with their titles: chapters, exercises, programs
-    pages.py exercise <folder> <out>
-                                    prints what the page of an exercise shows behind its README.md: the skeleton, which it
-                                    writes into <out>/listing, and its hints, folded
+    pages.py exercise <folder> <out> <task>
+                                    prints the page of an exercise: its README.md, which <task> has as Doxygen reads it, with the
+                                    picture of its section, the skeleton, which it writes into <out>/listing, and its hints,
+                                    folded
     pages.py programs <out>         writes <out>/pages/programs.md, beside it a page for each program of the chapters,
                                     and into <out>/listing what that page shows: the program without marks of quotations;
                                     the same of tests/package/models, the policies that the page of worlds shows
@@ -26,7 +27,7 @@ import sys
 from typing import Union
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from workshop import forge, parts, skeleton  # noqa: E402  (it is run as a file)
+from workshop import forge, named, parts, section_picture, skeleton  # noqa: E402  (it is run as a file)
 
 QUOTED = re.compile(r" *//! \[")
 
@@ -89,13 +90,23 @@ def hints_of(lines: list[str]) -> str:
     return text
 
 
-def exercise(folder: str, out: str) -> str:
-    """The skeleton as everybody begins with it, not as somebody has left it; and the hints."""
+def illustrated(task: str, section: str) -> str:
+    """The task with the picture of its section behind its opening words, unless it has a picture of its own."""
+    picture = section_picture.picture_of(section)
+    if not picture or "\\image html " in task:
+        return task
+    heading, command, opening, rest = (task.split("\n\n", 3) + ["", "", ""])[:4]
+    return "\n\n".join((heading, command, opening, picture, rest))
+
+
+def exercise(folder: str, out: str, task: str) -> str:
+    """The task with its picture; the skeleton as everybody begins with it, not as somebody has left it; and the hints."""
     _, chapter, name = folder.rstrip("/").split("/")
     place = f"{chapter}/{name}/exercise.hpp"
     solution = "\n".join(read(f"{folder}/solution.hpp")) + "\n"
     write(f"{out}/listing/exercises/{place}", skeleton.skeleton(solution))
-    text = f"\n## What you edit\n\n\\include listing/exercises/{place}\n"
+    text = illustrated(task, read(f"{folder}/README.md")[0].split()[1])
+    text += f"\n## What you edit\n\n\\include listing/exercises/{place}\n"
     if os.path.isfile(f"{folder}/hints.md"):
         text += ("\n## Hints\n\nOne at a time: a question, the place, the shape, the key line. "
                  f"`./workbook hint {name}` gives the next.\n\n" + hints_of(read(f"{folder}/hints.md")))
@@ -130,7 +141,8 @@ def chapters() -> list[tuple[int, str, str, str]]:
 
 
 def order() -> str:
-    """A group for the chapters with their pages, one for the exercises, one for the programs."""
+    """A group for the chapters with their pages, one for the exercises, one for the programs, and one for worlds and the
+    models of what can be put into them."""
     text = "".join(f"{part.label}\t{html.escape(parts.plain(part.name(f'Chapter {number}')), quote=False)}\n"
                    for number, _, _, page in chapters() for part in parts.parts_of(read(page))) + "\n"
     rows = (re.match(r'\| ([0-9.]+) \| \\ref (\w+) "(.*?)" \|', row) for row in exercises().split("\n"))
@@ -139,7 +151,8 @@ def order() -> str:
     for file in numbered:
         program = Program(file, frozenset())
         text += f"{program.page}\t{program.name}\n"
-    return text
+    names = sorted(file.rpartition("/")[2].removesuffix(".cpp") for file in glob.glob("tests/package/models/*.cpp"))
+    return text + "\npage_world\tWorlds\n" + "".join(f"model_{name}\t{name}.cpp\n" for name in names)
 
 
 # ---------------------------------------------------------------- the library
@@ -159,18 +172,28 @@ def first_sentence(lines: list[str]) -> str:
     return re.sub("[:;]$", ".", text)
 
 
+def row_of_header(header: str) -> str:
+    """Of the list."""
+    path = header.removeprefix("include/ansatz/")
+    sentence = first_sentence(read(header)).replace("|", "\\|")
+    return f'| \\ref ansatz/{path} "{path}" | {sentence} |\n'
+
+
 def library() -> str:
-    """Every header, module by module."""
+    """Every header, module by module: those that users name, and behind them what those are made of."""
     text = ("# The library {#page_library}\n\nEvery header, with its first sentence. `#include <ansatz/world.hpp>` "
-            "brings all of them but a few, which say so.\n")
+            "brings all of them but a few, which say so.\n\nFirst stand those that the chapters, the exercises or the text pages "
+            "include or speak of.\n")
+    head = "| header | what it holds |\n|---|---|\n"
     for umbrella in sorted(glob.glob("include/ansatz/*.hpp")):
         module = umbrella.removesuffix(".hpp")
         name = module.rpartition("/")[2]
-        text += f"\n## {name} {{#headers_{name}}}\n\n| header | what it holds |\n|---|---|\n"
-        for header in below(module, (".hpp",)):
-            path = header.removeprefix("include/ansatz/")
-            sentence = first_sentence(read(header)).replace("|", "\\|")
-            text += f'| \\ref ansatz/{path} "{path}" | {sentence} |\n'
+        text += f"\n## {name} {{#headers_{name}}}\n"
+        headers = below(module, (".hpp",))
+        public = [header for header in headers if named.is_for_users(header.removeprefix("include/"), forge.read(header))]
+        text += f"\n{head}" + "".join(map(row_of_header, public)) if public else ""
+        if inside := [header for header in headers if header not in public]:
+            text += (f"\nThe insides of {name}:\n" if public else "") + f"\n{head}" + "".join(map(row_of_header, inside))
     return text
 
 
@@ -257,16 +280,18 @@ def main(arguments: list[str]) -> int:
     fronting = kinds.add_parser("front", help="prints the front page")
     fronting.add_argument("version", help="of the library")
     fronting.add_argument("film", help="the picture or film that it shows")
-    of_one = kinds.add_parser("exercise", help="prints the end of an exercise's page")
+    of_one = kinds.add_parser("exercise", help="prints the page of an exercise")
     of_one.add_argument("folder", help="of the exercise")
     of_one.add_argument("out", help="the site's folder")
+    of_one.add_argument("task", help="its README.md, as Doxygen reads it")
     given = parser.parse_args(arguments)
     if given.kind == "programs":
         programs(given.out)
     elif given.kind == "front":
         sys.stdout.buffer.write(front(given.version, given.film).encode("utf-8", "surrogateescape"))
     elif given.kind == "exercise":
-        sys.stdout.buffer.write(exercise(given.folder, given.out).encode("utf-8", "surrogateescape"))
+        page = exercise(given.folder, given.out, forge.read(given.task))
+        sys.stdout.buffer.write(page.encode("utf-8", "surrogateescape"))
     else:
         text = {"exercises": exercises, "library": library, "order": order}[given.kind]()
         sys.stdout.buffer.write(text.encode("utf-8", "surrogateescape"))

@@ -10,7 +10,9 @@ to the one before and the one behind them.
 
 What a concept asks for is said in words: where its definition is made of names of namespace detail, which nobody else
 uses, it stands in the header and not on the page. And x, y and z are components where they are called; a parameter of
-that name is none of them, and no link.
+that name is none of them, and no link. The page of a type begins with its description (docs/site/layout.xml), and does not
+say its first sentence twice. A path in the list of headers may go on in a second line behind a stroke. Links of listings are
+code_links.py's, the list of types is type_list.py's.
 """
 
 from __future__ import annotations
@@ -20,9 +22,15 @@ import os
 import re
 import sys
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from workshop import code_links, named, type_list  # noqa: E402  (it is run as a file)
+
 DEFINITION = '<h2 class="groupheader">Concept definition</h2>'
 FRAGMENT = "<!-- fragment -->"
 COMPONENT = re.compile(r'<a class="(?:el|code hl_function)" href="[^"\n]*">([xyz])</a>( ?[^( \n])')
+
+BRIEF = re.compile(r'\n<p>(?:(?!</p>)(?!<p>).)*?<a href="[^"\n]*#details">More\.\.\.</a></p>\n', re.DOTALL)
+PATH = re.compile(r'(<a class="el" href="[^"\n]*_8hpp\.html"[^>\n]*>)([\w./]+)(?=</a>)')
 
 
 def read(file: str) -> str:
@@ -52,6 +60,16 @@ def without_components(page: str) -> str:
     while (mended := COMPONENT.sub(r"\1\2", page)) != page:
         page = mended
     return page
+
+
+def told_once(page: str) -> str:
+    """The page of a type whose description begins with the sentence that also stands above it."""
+    return BRIEF.sub("\n", page, count=1) if 'name="details"' in page else page
+
+
+def with_broken_paths(page: str) -> str:
+    """Each path of a header may be broken behind a stroke or a low one, and in no word."""
+    return PATH.sub(lambda link: link[1] + re.sub("(?<=[/_])(?=[a-z])", "<wbr/>", link[2]), page)
 
 
 def with_head(header: str, lines: str) -> str:
@@ -91,14 +109,20 @@ def mend(folder: str, order: str = "") -> None:
     for place, _, files in os.walk(folder):
         for file in (f"{place}/{name}" for name in files if name.endswith(".html")):
             page = read(file)
-            mended = without_components(page)
-            if place == folder and file.rpartition("/")[2].startswith("concept"):
+            name = file.rpartition("/")[2].removesuffix(".html") if place == folder else ""
+            mended = without_components(code_links.without_wrong_links(page, name))
+            if name.startswith("concept"):
                 mended = without_details(mended)
-            if place == folder and (name := file.rpartition("/")[2].removesuffix(".html")) in onward:
+            elif name.startswith(("struct", "class")):
+                mended = told_once(mended)
+            elif name == "page_library":
+                mended = with_broken_paths(mended)
+            if name in onward:
                 mended = with_neighbours(mended, onward[name])
             if mended != page:
                 with open(file, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
                     stream.write(mended)
+    type_list.mend(folder, named.is_named)
 
 
 def main(arguments: list[str]) -> int:

@@ -24,7 +24,7 @@ template <class Integrator> void show(const char* who, workbook::Play& table, wo
 int main() {
     workbook::Play table(
         "A mass on a spring, omega = 10/s, 60 steps a second, for 3 s. An energy of 1 would be nature's.",
-        {"place, m", "energy, parts of the start"});
+        {"place, m", "energy, times that at the start"});
     workbook::Plot plot("play-motion.explicit_euler", "Explicit Euler: yours and the library's");
     plot.x("time").y("energy per mass").log_y();
     show<exercise::ExplicitEuler>("yours", table, plot);

@@ -61,7 +61,7 @@ TEST_CASE("the sum of the momenta stays what it was", "[task-1][momentum]") {
     });
 }
 
-TEST_CASE("they part with e times the speed at which they met", "[task-1][parting]") {
+TEST_CASE("they separate with e times the speed at which they met", "[task-1][parting]") {
     for_each_collision([](const TwoBodies& m, double e, const std::string& what) {
         const auto [one, other] = exercise::collide(m.first, m.second, e);
         expect_near(what + ": the relative velocity after it, of the second as the first sees it",
@@ -89,7 +89,7 @@ TEST_CASE("seen from a train, it is the same collision", "[task-1][train]") {
         expect_agree(what + ": the first body's velocity after it, when (-3, 10) m/s are added to every velocity",
                      "yours, added before the collision", train_sees, "yours, added after the collision", shifted,
                      1e-12 * metre_per_second,
-                     "To look from a train changes no collision: only the difference of the two velocities counts.");
+                     "Seen from a train a collision is the same: only the difference of the two velocities counts.");
     });
 }
 

@@ -64,9 +64,10 @@ TEST_CASE("slow is said of the length of the velocity", "[task-1][length]") {
          {metres_per_second(0.04, 0.04), metres_per_second(-0.2, 0), metres_per_second(-0.2, 0.2), fast}) {
         std::ostringstream what;
         what << "the clock after a step with " << v << ", which are " << norm(v) << ", where the threshold is 0.05 m/s";
-        expect_near(what.str(), clock_after({v}, 0.1 * second), none, none,
-                    "This body is fast: the root of the sum of the squares is above the threshold, whatever its parts "
-                    "or their signs are.");
+        expect_near(
+            what.str(), clock_after({v}, 0.1 * second), none, none,
+            "This body is fast: the root of the sum of the squares is above the threshold, whatever its components "
+            "or their signs are.");
     }
 }
 
@@ -148,7 +149,7 @@ std::vector<double> probe(int task) {
                                     {metres_per_second(0.04, 0.04)},
                                     {metres_per_second(-0.2, 0.2)},
                                     {metres_per_second(-0.2, 0)},
-                                    // Who looks at one component alone has not compared each of them.
+                                    // Testing one component alone does not compare each of them.
                                     {metres_per_second(0.01, 0.2)},
                                     {metres_per_second(0.2, -0.01)}})
             numbers.push_back(clock_after(v, 0.1 * second).value());

@@ -29,7 +29,7 @@ template <class Integrator> void show(const char* who, workbook::Play& table, wo
 int main() {
     workbook::Play table(
         "A mass on a spring, omega = 10/s, 60 steps a second, for 100 s. An energy of 1 would be nature's.",
-        {"place, m", "least energy, parts of the start", "most energy, parts of the start"});
+        {"place, m", "least energy, times that at the start", "most energy, times that at the start"});
     workbook::Plot plot("play-motion.semi_implicit_euler", "Semi-implicit Euler: yours and the library's");
     plot.x("time").y("energy per mass");
     show<exercise::SemiImplicitEuler>("yours", table, plot);

@@ -66,6 +66,6 @@ int main() {
                          {"bullets behind the balls", "mean velocity, m/s"});
     show<Marble>("yours", Swept<Narrowphase<Marble>>{}, table);
     show<Sphere>("library", Swept<Narrowphase<Sphere>>{}, table);
-    show<Sphere>("not swept", Narrowphase<Sphere>{}, table);
+    show<Sphere>("not continuous", Narrowphase<Sphere>{}, table);
     return table.print();
 }

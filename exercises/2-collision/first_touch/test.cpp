@@ -20,7 +20,7 @@ struct Wall {
 const std::vector<Wall> walls{{0.1, 0.1, 1.0 / 60}, {0.25, 0.05, 0.02}, {0.05, 0.4, 0.01}};
 
 /// Of many balls at this speed, the share of those that end on the side that they came from. Each begins its last step
-/// before the wall a little nearer to it. Nobody is asked for a formula: they are moved and looked at.
+/// before the wall a little nearer to it. Nobody is asked for a formula: they are moved and tested.
 double saved_at(const Wall& w, double speed) {
     const double touches = -w.radius - w.thickness / 2, step = speed * w.dt;
     int saved = 0;
@@ -41,7 +41,7 @@ double yours(const Wall& w) {
     return exercise::safe_speed(w.radius * metre, w.thickness * metre, w.dt * second).value();
 }
 
-/// Two balls, seen from the second one: in plain numbers, for they are looked at in many moments.
+/// Two balls, seen from the second one: in plain numbers, for they are tested at many moments.
 struct Seen {
     double x, y, z, by_x, by_y, by_z, reach;
     Seen(const Ball& a, const Ball& b) {
@@ -51,14 +51,14 @@ struct Seen {
     }
     /// By how much the surfaces are apart at a moment of the step.
     double gap(double share) const { return std::hypot(x + share * by_x, y + share * by_y, z + share * by_z) - reach; }
-    /// The least gap between two moments, looked at in many of them.
+    /// The least gap between two moments, tested at many of them.
     double least_gap(double from, double to) const {
         double least = gap(to);
         for (int i = 0; i < 200; ++i) least = std::min(least, gap(from + i * (to - from) / 200));
         return least;
     }
 };
-/// When two first touch, looked for moment by moment and then between two of them.
+/// When two first touch, searched for moment by moment and then between two of them.
 double looked_for(const Ball& a, const Ball& b) {
     const Seen seen(a, b);
     double before = 0, after = 1;
@@ -176,7 +176,7 @@ TEST_CASE("and no speed is forbidden that is safe", "[task-1][no-slower]") {
 TEST_CASE("two that end in each other touch before that", "[task-2][before-the-end]") {
     expect_share(end_in_each_other(), looked_for,
                  "They touch when the distance of the centres has first come down to the sum of the radii. What is "
-                 "right was looked for, moment by moment.");
+                 "right was found moment by moment.");
 }
 
 TEST_CASE("two that fly through each other within the step touch", "[task-2][through]") {
@@ -193,7 +193,7 @@ TEST_CASE("what the step does not reach is not touched in it", "[task-2][not-yet
     expect_nothing(not_yet(), "If they went on, they would touch; but the share would be more than 1, after the step.");
 }
 
-TEST_CASE("two that part do not touch", "[task-2][part]") {
+TEST_CASE("two that separate do not touch", "[task-2][part]") {
     expect_nothing(part(), "The line meets the other ball, but behind them: in the past.");
     expect_nothing(part_inside(), "They intersect and leave each other: whoever stops them here keeps them there.");
     const Ball one{metres(0, 0, 0), metres(3, 1, 2), 0.5 * metre},

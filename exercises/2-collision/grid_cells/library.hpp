@@ -15,7 +15,7 @@ struct Cells {
 };
 
 inline std::int64_t cell_of(Length x, Length width) { return ansatz::detail::floor_of(x / width); }
-/// The grid of the library writes a body down once, in its first cell, and looks for it in those around; an octree
+/// The grid of the library writes a body down once, in its first cell, and searches for it in those around; an octree
 /// writes it down in all.
 inline Cells cells_of(Length low, Length high, Length width) { return {cell_of(low, width), cell_of(high, width)}; }
 /// What the octree and the binary split do: the lower corner of what two boxes have in common.

@@ -42,7 +42,7 @@ inline NewtonSeconds impulse(Speed parting, PerMass first, PerMass second, doubl
     return ansatz::collision_impulse(Velocity3(parting * normal), Velocity3(0.0 * parting * normal), first, second,
                                      normal, e);
 }
-/// It has no word for the parting speed: of 1 kg and a wall, the impulse that stops an approach tells it, in N s.
+/// It has no word for the speed of separation: of 1 kg and a wall, the impulse that stops an approach tells it, in N s.
 inline Speed parting_speed(const Velocity3& first, const Velocity3& second, const Direction& normal) {
     auto approach = [&](const Direction& n) {
         return ansatz::collision_impulse(first, second, 1.0 / ansatz::kilogram, 0.0 / ansatz::kilogram, n, 0.0);

@@ -17,7 +17,7 @@ using Velocity3 = VectorQuantity<unit::Velocity, 3>;
 
 const MetresPerSecond tolerance = 1e-12 * metre_per_second;
 
-/// Two bodies, where they go, and the normal; the parting speed by their way to each other.
+/// Two bodies, where they go, and the normal; the speed of separation by their way to each other.
 struct Flight {
     Velocity3 first, second;
     Vector3 normal;
@@ -42,7 +42,7 @@ std::string said(const Flight& f) {
 }
 void expect_parting(const std::vector<Flight>& flights, const char* why) {
     for (const Flight& f : flights)
-        expect_near(said(f) + ": how fast they part", f.yours(), f.parting * metre_per_second, tolerance, why);
+        expect_near(said(f) + ": how fast they separate", f.yours(), f.parting * metre_per_second, tolerance, why);
 }
 
 /// Two materials that meet.
@@ -83,14 +83,14 @@ std::string mass_of(double inverse) {
 }
 std::string said(const Hit& h) {
     std::ostringstream text;
-    text << mass_of(h.first) << " and " << mass_of(h.second) << " that part with " << h.parting << " m/s, e = " << h.e
-         << ": ";
+    text << mass_of(h.first) << " and " << mass_of(h.second) << " that separate with " << h.parting
+         << " m/s, e = " << h.e << ": ";
     return text.str();
 }
-/// By the impulse the parting speed changes by J (w1 + w2).
+/// By the impulse the speed of separation changes by J (w1 + w2).
 void expect_after(const std::vector<Hit>& all, const char* why) {
     for (const Hit& h : all)
-        expect_near(said(h) + "how fast they part afterwards",
+        expect_near(said(h) + "how fast they separate afterwards",
                     h.parting * metre_per_second + (h.first + h.second) / kilogram * h.yours(),
                     -h.e * h.parting * metre_per_second, 1e-12 * abs(h.parting) * metre_per_second, why);
 }
@@ -126,19 +126,19 @@ Velocity3 as_velocity(const Vector3& v) {
 
 } // namespace
 
-TEST_CASE("while two approach, they part with a negative speed", "[task-1][approach]") {
+TEST_CASE("while two approach, they separate with a negative speed", "[task-1][approach]") {
     expect_parting(approaching, "It is what the second sees of the first, along the normal.");
 }
 
-TEST_CASE("those that fly apart part with a positive speed", "[task-1][fly-apart]") {
-    expect_parting(parting, "The sign tells a meeting from a farewell: along N means away from each other.");
+TEST_CASE("those that fly apart separate with a positive speed", "[task-1][fly-apart]") {
+    expect_parting(parting, "The sign tells approach from separation: along N means away from each other.");
 }
 
-TEST_CASE("side by side, two do not part", "[task-1][side-by-side]") {
+TEST_CASE("side by side, two do not separate", "[task-1][side-by-side]") {
     expect_parting(side_by_side, "Their distance does not change, however fast they fly together.");
 }
 
-TEST_CASE("seen from a train, they part with the same speed", "[task-1][train]") {
+TEST_CASE("seen from a train, they separate with the same speed", "[task-1][train]") {
     const auto train = metres_per_second(-3, 10, 2);
     for (const auto* all : {&approaching, &parting})
         for (Flight f : *all) {
@@ -161,15 +161,15 @@ TEST_CASE("a slow approach does not bounce", "[task-2][slow]") {
                   "In every step gravity gives a little speed to what lies on the ground. It must not hop for that.");
 }
 
-TEST_CASE("they part with e times the speed of the approach", "[task-3][part]") {
-    expect_after(hits, "The impulse must first end the approach, and then part them with e of it.");
+TEST_CASE("they separate with e times the speed of the approach", "[task-3][part]") {
+    expect_after(hits, "The impulse must first end the approach, and then separate them with e of it.");
 }
 
 TEST_CASE("so they do where one is immovable", "[task-3][wall]") {
     expect_after(at_walls, "A wall takes any impulse without moving; the other one's velocity changes for both.");
 }
 
-TEST_CASE("those that part are left alone", "[task-3][no-glue]") {
+TEST_CASE("those that separate are left alone", "[task-3][no-glue]") {
     for (const Hit& h : parts)
         expect_near(said(h) + "the impulse", h.yours(), 0.0 * newton_second, 0.0 * newton_second,
                     "They may still be in each other, but they are on their way out, and nothing sticks them together "

@@ -16,11 +16,11 @@ struct Box {
     Point lower, upper;
 };
 
-/// The eight parts of a cube, by a number of three bits: bit 0 for x, bit 1 for y, bit 2 for z. A bit is 1 on the upper
-/// side. Part 5 is 101: the upper side in x, the lower in y, the upper in z.
+/// The eight children of a cube, by a number of three bits: bit 0 for x, bit 1 for y, bit 2 for z. A bit is 1 on the
+/// upper side. Child 5 is 101: the upper side in x, the lower in y, the upper in z.
 using Part = unsigned;
 
-/// The part that a point is in, when a cube is divided at its centre. A plane belongs to the upper side.
+/// The child that a point is in, when a cube is divided at its centre. A plane belongs to the upper side.
 inline Part part_of(const Point& point, const Point& centre) {
     // task 1: return todo(1);
     Part part = 0;
@@ -30,7 +30,7 @@ inline Part part_of(const Point& point, const Point& centre) {
     // end of task 1
 }
 
-/// 2.1.1.3: all parts that a box reaches into: bit p is 1 where it reaches into part p.
+/// 2.1.1.3: all children that a box reaches into: bit p is 1 where it reaches into child p.
 inline unsigned parts_of(const Box& box, const Point& centre) {
     // task 2: return todo(2);
     unsigned parts = 0;

@@ -34,9 +34,9 @@ void expect_part(const Point& point, const Point& centre, unsigned right, const 
 void expect_parts(const Box& box, const Point& centre, unsigned right, const char* why) {
     const unsigned yours = exercise::parts_of(box, centre);
     std::ostringstream text;
-    text << "the parts that the box from " << box.lower << " to " << box.upper
+    text << "the children that the box from " << box.lower << " to " << box.upper
          << " reaches into, in a cube whose centre is " << centre << "\n    yours  " << std::bitset<8>(yours)
-         << " (part 7 first)\n    right  " << std::bitset<8>(right) << '\n'
+         << " (child 7 first)\n    right  " << std::bitset<8>(right) << '\n'
          << why;
     expect(yours == right, text.str());
 }
@@ -55,7 +55,7 @@ void expect_division(int count, int threshold, int depth, int deepest, bool righ
 
 } // namespace
 
-TEST_CASE("each of the eight parts has its number", "[task-1][eight-parts]") {
+TEST_CASE("each of the eight children has its number", "[task-1][eight-parts]") {
     for (const Point& centre : centres())
         for (unsigned part = 0; part < 8; ++part)
             expect_part(beside(centre, part & 1 ? 1 : -1, part & 2 ? 1 : -1, part & 4 ? 1 : -1), centre, part,
@@ -70,43 +70,43 @@ TEST_CASE("a plane belongs to the upper side", "[task-1][on-a-plane]") {
     }
 }
 
-TEST_CASE("a box is in the parts on both sides of a plane that it lies over", "[task-2][straddles]") {
+TEST_CASE("a box is in the children on both sides of a plane that it lies over", "[task-2][straddles]") {
     for (const Point& centre : centres()) {
         expect_parts(box(centre, -2, -2, -2, 1, 1, 1), centre, 1u << 0, "It lies in one part.");
         expect_parts(box(centre, 1, 1, -2, 1, 1, 1), centre, 1u << 3, "It lies in one part.");
         expect_parts(box(centre, -0.25, 1, 1, 1, 1, 1), centre, (1u << 6) | (1u << 7),
-                     "It lies over the plane of x, and is in the parts on both sides.");
+                     "It lies over the plane of x, and is in the children on both sides.");
         expect_parts(box(centre, -2, -2, -0.75, 1, 1, 1), centre, (1u << 0) | (1u << 4),
-                     "It lies over the plane of z, and is in the parts on both sides.");
+                     "It lies over the plane of z, and is in the children on both sides.");
     }
 }
 
-TEST_CASE("over two planes it is in four parts", "[task-2][over-two]") {
+TEST_CASE("over two planes it is in four children", "[task-2][over-two]") {
     for (const Point& centre : centres())
         for (const double z : {-2.0, 1.0}) {
             const unsigned parts = exercise::parts_of(box(centre, -0.5, -0.25, z, 1, 1, 1), centre),
                            right = z < 0 ? 0x0Fu : 0xF0u;
             std::ostringstream text;
             text << "a box that lies over the planes of x and y of the centre " << centre << ": yours hands it to "
-                 << std::bitset<8>(parts) << " (part 7 first)\n"
-                 << "It does not reach over the plane of z, so that the four parts on the other side of it have "
+                 << std::bitset<8>(parts) << " (child 7 first)\n"
+                 << "It does not reach over the plane of z, so that the four children on the other side of it have "
                     "nothing to do with it.";
             expect((parts & ~right) == 0, text.str());
         }
 }
 
-TEST_CASE("no part that a box reaches into is left out", "[task-2][over-many]") {
+TEST_CASE("no child that a box reaches into is left out", "[task-2][over-many]") {
     for (const Point& centre : centres())
         for (const auto& [x, y, z, right] : {std::tuple(-0.5, -0.25, 1.0, 0xF0u), std::tuple(-2.0, -0.5, -0.5, 0x55u),
                                              std::tuple(-0.5, -0.5, -0.5, 0xFFu)}) {
             const unsigned parts = exercise::parts_of(box(centre, x, y, z, 1, 1, 1), centre);
             if (std::bitset<8>(right).count() == 8 ||
-                std::bitset<8>(parts).count() > 1) { // one part alone is another mistake
+                std::bitset<8>(parts).count() > 1) { // one child alone is another mistake
                 std::ostringstream text;
                 text << "a box of 1 m whose lower corner is beside the centre " << centre << " by " << x << ", " << y
                      << ", " << z << " m: yours hands it to " << std::bitset<8>(parts)
-                     << " (part 7 first), and it reaches into " << std::bitset<8>(right)
-                     << "\nIn each axis by itself it is on one side or on both; every combination of these is a part.";
+                     << " (child 7 first), and it reaches into " << std::bitset<8>(right)
+                     << "\nIn each axis by itself it is on one side or on both; every combination of these is a child.";
                 expect((right & ~parts) == 0 || std::bitset<8>(parts).count() == 1, text.str());
             }
         }
@@ -117,8 +117,8 @@ TEST_CASE("a box that ends on a plane touches what begins there", "[task-2][ends
         const unsigned parts = exercise::parts_of(box(centre, -1, -3, -2.5, 1, 5, 1), centre);
         std::ostringstream text;
         text << "a box that ends on the plane of x of the centre " << centre << ": yours hands it to "
-             << std::bitset<8>(parts) << " (part 7 first)\n"
-             << "Its face belongs to it, and the plane to the upper side, part 1 and 3 here.";
+             << std::bitset<8>(parts) << " (child 7 first)\n"
+             << "Its face belongs to it, and the plane to the upper side, children 1 and 3 here.";
         expect((parts & 0x0Au) != 0, text.str());
     }
 }
@@ -139,7 +139,7 @@ TEST_CASE("and not deeper than it may be", "[task-3][deepest]") {
                         "Bodies that lie in one place are never separated: there must be an end to it.");
         if (deepest > 0)
             expect_division(1000, 8, deepest - 1, deepest, true,
-                            "Its parts are as deep as they may be, and no deeper.");
+                            "Its children are as deep as they may be, and no deeper.");
     }
 }
 

@@ -20,7 +20,7 @@ using Direction = Vector<double, 3>;         // a plain vector, without a unit
 
 /// 2.2.2: how hard two bodies press each other; never less than nothing.
 /// \param depth     p, greater than zero where they are in each other
-/// \param parting   v_N, how fast they part; negative while they go deeper
+/// \param parting   v_N, how fast they separate; negative while they go deeper
 /// \param stiffness k
 /// \param damping   c
 inline Newtons pressing(Length depth, Speed parting, Quantity<unit::Stiffness> stiffness,

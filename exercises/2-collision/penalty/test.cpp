@@ -16,7 +16,7 @@ using Force3 = VectorQuantity<unit::Force, 3>;
 using Acceleration3 = VectorQuantity<unit::Acceleration, 3>;
 using Seconds = Quantity<unit::Time>;
 
-/// A contact: depth in m, parting speed in m/s, k in N/m, c in N s/m.
+/// A contact: depth in m, speed of separation in m/s, k in N/m, c in N s/m.
 struct Pressed {
     double depth, parting, k, c;
     Force1 yours() const {
@@ -32,7 +32,7 @@ const std::vector<Pressed> apart{{-0.1, 0, 500, 20}, {-0.001, -4, 3000, 12}, {-0
 
 std::string said(const Pressed& p) {
     std::ostringstream text;
-    text << (p.depth >= 0 ? p.depth : -p.depth) << (p.depth >= 0 ? " m deep" : " m apart") << ", parting with "
+    text << (p.depth >= 0 ? p.depth : -p.depth) << (p.depth >= 0 ? " m deep" : " m apart") << ", separating with "
          << p.parting << " m/s, k = " << p.k << " N/m, c = " << p.c << " N s/m: how hard they press each other";
     return text.str();
 }
@@ -43,7 +43,7 @@ void expect_pressed(const std::vector<Pressed>& all, const char* why) {
     }
 }
 
-/// How fast two bodies of 1 kg part that met with 2 m/s, over that speed; 2 if it has no end.
+/// How fast two bodies of 1 kg separate that met with 2 m/s, over that speed; 2 if it has no end.
 double bounce(double damping_ratio) {
     const double k = 2000, c = 2 * damping_ratio * std::sqrt(k * 0.5); // of the reduced mass, 0.5 kg
     double depth = 0, parting = -2;
@@ -134,7 +134,7 @@ TEST_CASE("going deeper, they press each other harder", "[task-1][deeper]") {
                    "The damper works against the motion, and the motion is into each other: it helps the spring.");
 }
 
-TEST_CASE("parting, they press each other less", "[task-1][parting]") {
+TEST_CASE("separating, they press each other less", "[task-1][parting]") {
     expect_pressed(
         parting, "The damper works against the motion, and the motion is out of each other: it takes from the spring.");
 }
@@ -154,7 +154,7 @@ TEST_CASE("the more damping, the less bounce", "[task-1][less-bounce]") {
     for (const double zeta : {0.0, 0.1, 0.3, 0.6}) {
         const double e = bounce(zeta);
         std::ostringstream text;
-        text << "with c = " << zeta << " of the critical damping, two bodies part with " << e
+        text << "with c = " << zeta << " of the critical damping, two bodies separate with " << e
              << " of the speed at which they met, and with less damping it was " << before
              << ".\nA damper takes energy out of the motion, in every phase of it: the higher c, the less is left.";
         expect(e < before, text.str());
@@ -162,7 +162,7 @@ TEST_CASE("the more damping, the less bounce", "[task-1][less-bounce]") {
         // v(t) / v(0) of a damped oscillator, at the moment when k p - c v_N has come down to zero.
         const double closed = std::exp(-zeta / std::sqrt(1 - zeta * zeta) * std::acos(2 * zeta * zeta - 1));
         std::ostringstream form;
-        form << "with c = " << zeta << " of the critical damping, two bodies part with " << e
+        form << "with c = " << zeta << " of the critical damping, two bodies separate with " << e
              << " of the speed at which they met.\nA damped spring that never pulls gives back " << closed << " of it.";
         expect(std::abs(e - closed) < 0.002, form.str());
     }

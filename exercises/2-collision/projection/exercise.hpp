@@ -21,7 +21,7 @@ struct Body {
     PerMass inverse_mass; ///< 1/m, zero for what is immovable
 };
 
-/// Which parts of the way apart two bodies go, the first and the second; nobody, if both are immovable.
+/// Which fraction of the way apart each of two bodies goes, the first and the second; neither, if both are immovable.
 inline std::pair<double, double> shares(PerMass first, PerMass second) {
     return todo(1);
 }

@@ -30,8 +30,8 @@ inline std::vector<std::size_t> sorted(const std::vector<Quantity<unit::Length>>
     return todo(2);
 }
 
-/// 2.1.1.4: all pairs that overlap on the axis, ends included, by a sweep over the bodies in `order`, in which they
-/// begin. Each pair that is looked at calls `look()` once; for 1000 bodies in a row that is a few thousand times, not
+/// 2.1.1.4: all pairs that overlap on the axis, ends included, by one pass over the bodies in `order`, in which they
+/// begin. Each pair that is tested calls `look()` once; for 1000 bodies in a row that is a few thousand times, not
 /// 499 500.
 inline std::vector<Pair> sweep(const std::vector<std::size_t>& order, const std::vector<Quantity<unit::Length>>& lower,
                                const std::vector<Quantity<unit::Length>>& upper, const std::function<void()>& look) {

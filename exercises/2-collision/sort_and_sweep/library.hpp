@@ -36,7 +36,7 @@ inline std::vector<std::size_t> sorted(const Lengths& lower) {
     const std::uint32_t* order = sweep.order(on_a_line(lower, lower));
     return lower.empty() ? std::vector<std::size_t>() : std::vector<std::size_t>(order, order + lower.size());
 }
-/// The library sorts and sweeps in one go, and counts nothing: what is looked at here are the pairs it tells.
+/// The library does both in one go, and counts nothing: what is counted here are the pairs that it reports.
 inline std::vector<Pair> sweep(const std::vector<std::size_t>&, const Lengths& lower, const Lengths& upper,
                                const std::function<void()>& look) {
     std::vector<Pair> pairs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The scene of section 2.1.1.4 with your sweep in it: a tower of balls.
+// The scene of section 2.1.1.4 with your answer in it: a tower of balls.
 
 #include "play.hpp"
 #include "broadphase_scenes.hpp"
@@ -30,20 +30,20 @@ int main() {
             ++on_axis, touching += boxes.touch(i, j);
         return std::vector<double>{double(axis), on_axis, touching};
     };
-    SortAndSweep::In<Space<>> sweep(SortAndSweep{});
+    SortAndSweep::In<Space<>> broadphase(SortAndSweep{});
     auto theirs = [&] {
         double pairs = 0;
-        sweep.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
+        broadphase.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
         return pairs;
     };
     double on_axis = 0;
     const double touching = theirs();
     for (std::size_t i = 0; i < boxes.size(); ++i)
         for (std::size_t j = i + 1; j < boxes.size(); ++j)
-            on_axis += boxes.lower(sweep.axis())[i] <= boxes.upper(sweep.axis())[j] &&
-                       boxes.lower(sweep.axis())[j] <= boxes.upper(sweep.axis())[i];
+            on_axis += boxes.lower(broadphase.axis())[i] <= boxes.upper(broadphase.axis())[j] &&
+                       boxes.lower(broadphase.axis())[j] <= boxes.upper(broadphase.axis())[i];
     static volatile double sink = 0;
     table.row("yours", yours(), 1000, [&] { sink = sink + yours()[2]; });
-    table.row("library", {double(sweep.axis()), on_axis, touching}, 1000, [&] { sink = sink + theirs(); });
+    table.row("library", {double(broadphase.axis()), on_axis, touching}, 1000, [&] { sink = sink + theirs(); });
     return table.print();
 }

@@ -64,7 +64,7 @@ void expect_order(const std::vector<double>& lower, const std::vector<std::size_
            text + " m, in order\n    yours  " + shown(yours) + "\n    right  " + shown(right) + "\n" + why);
 }
 
-/// Bodies on a line, and what a sweep makes of them.
+/// Bodies on a line, and what a pass along it makes of them.
 struct Line {
     std::vector<double> lower, upper;
 
@@ -74,12 +74,12 @@ struct Line {
         std::stable_sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) { return lower[a] < lower[b]; });
         return all;
     }
-    std::vector<exercise::Pair> sweep(int& looks) const {
-        return exercise::sweep(order(), in_metres(lower), in_metres(upper), [&] { ++looks; });
+    std::vector<exercise::Pair> sweep(int& tests) const {
+        return exercise::sweep(order(), in_metres(lower), in_metres(upper), [&] { ++tests; });
     }
     std::vector<exercise::Pair> yours() const {
-        int looks = 0;
-        auto pairs = sweep(looks);
+        int tests = 0;
+        auto pairs = sweep(tests);
         for (auto& [i, j] : pairs)
             if (i > j) std::swap(i, j); // that is another test's
         std::sort(pairs.begin(), pairs.end());
@@ -165,7 +165,7 @@ TEST_CASE("those that begin in one place stand by their index", "[task-2][ties]"
 }
 
 TEST_CASE("every pair that overlaps is found, and no other", "[task-3][all-pairs]") {
-    for (const Line& line : lines) expect_pairs(line, "From each body the sweep looks ahead to where that body ends.");
+    for (const Line& line : lines) expect_pairs(line, "From each body the pass goes on to where that body ends.");
 }
 
 TEST_CASE("bodies that share an end are a pair", "[task-3][shared-ends]") {
@@ -174,8 +174,8 @@ TEST_CASE("bodies that share an end are a pair", "[task-3][shared-ends]") {
 
 TEST_CASE("a pair is named with its smaller index first", "[task-3][smaller-first]") {
     for (const Line& line : lines) {
-        int looks = 0;
-        for (const auto& [i, j] : line.sweep(looks)) {
+        int tests = 0;
+        for (const auto& [i, j] : line.sweep(tests)) {
             std::ostringstream text;
             text << "yours names the pair (" << i << ", " << j
                  << "); the smaller index comes first, and nobody is paired with himself.";
@@ -184,18 +184,18 @@ TEST_CASE("a pair is named with its smaller index first", "[task-3][smaller-firs
     }
 }
 
-TEST_CASE("it looks at few pairs", "[task-3][few-looks]") {
+TEST_CASE("it tests few pairs", "[task-3][few-looks]") {
     Line row;
     for (int i = 0; i < 200; ++i)
         row.lower.push_back(199 - i), row.upper.push_back(200.5 - i); // each reaches over the next
-    int looks = 0;
-    row.sweep(looks);
+    int tests = 0;
+    row.sweep(tests);
     std::ostringstream text;
-    text << "200 bodies in a row, each of which overlaps the next: yours looks at " << looks
+    text << "200 bodies in a row, each of which overlaps the next: yours tests " << tests
          << " pairs; all would be 19900, and 600 are enough."
-         << "\nWho begins after this one ends does not overlap it, and all that follow begin later still. (Call look() "
-            "for each pair you look at.)";
-    expect(looks <= 600, text.str());
+         << "\nA body that begins after this one ends does not overlap it, and all that follow begin later still. "
+            "(Call look() for each pair that you test.)";
+    expect(tests <= 600, text.str());
 }
 
 std::vector<double> probe(int task) {
@@ -210,12 +210,12 @@ std::vector<double> probe(int task) {
         for (const auto& lower : {std::vector<double>{3, 1, 2}, {0.5, -4, 8, 2.5, -1}, {1, 0, 1, 0, 1, 0}})
             for (const std::size_t i : exercise::sorted(in_metres(lower))) numbers.push_back(double(i));
     else {
-        int looks = 0;
+        int tests = 0;
         for (const Line& line : {lines[0], lines[1], lines[2], touching}) {
-            for (const auto& [i, j] : line.sweep(looks)) numbers.push_back(double(10 * i + j));
+            for (const auto& [i, j] : line.sweep(tests)) numbers.push_back(double(10 * i + j));
             numbers.push_back(-1);
         }
-        numbers.push_back(looks > 26); // not how many: there are several good ways to count
+        numbers.push_back(tests > 26); // not how many: there are several good ways to count
     }
     return numbers;
 }

@@ -113,7 +113,7 @@ TEST_CASE("seen from a train, the spring lengthens as fast", "[task-1][train]") 
     }
 }
 
-TEST_CASE("ends in one place do not part along any axis", "[task-1][no-axis]") {
+TEST_CASE("ends in one place do not separate along any axis", "[task-1][no-axis]") {
     for (const double speed : {0.0, 2.0}) {
         const Case c = in_one_place(speed);
         expect_near(said(c) + ":\nhow fast the distance grows", exercise::lengthening(c.first, c.second),

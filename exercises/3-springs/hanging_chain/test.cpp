@@ -222,7 +222,7 @@ TEST_CASE("the forces are how fast the energy of the links falls", "[task-2][ene
             down[i] += by, up[i] -= by;
             expect_near(
                 said(moved) + on_body(i), on[i], -(energy(down) - energy(up)) / (2 * by), 1e-6,
-                "Right was found by moving this body a little down and up, and looking what k x^2 / 2 of all links "
+                "Right was found by moving this body a little down and up, and computing what k x^2 / 2 of all links "
                 "loses.");
         }
     }

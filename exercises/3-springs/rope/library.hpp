@@ -20,7 +20,7 @@ inline Force pull(Length length, Length rest_length, Velocity lengthens, Stiffne
     return ansatz::springs::tension<ansatz::springs::Acts::pulling>(length, rest_length, lengthens, stiffness, damping);
 }
 
-/// The library lets the load fall and looks. Here: how far the rope is stretched when it holds all that the fall and
+/// The library lets the load fall. Here: how far the rope is stretched when it holds all that the fall and
 /// the weight have given.
 inline Force peak_pull(Mass mass, Acceleration g, Velocity speed, Stiffness stiffness) {
     Length less = mass * g / stiffness, more = 1e6 * ansatz::metre;

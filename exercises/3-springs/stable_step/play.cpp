@@ -46,7 +46,7 @@ void show(const char* who, const Run& r, Quantity<unit::Time> limit, double part
 int main() {
     workbook::Play table("2 kg on a spring of 20000 N/m with a damping of 100 N s/m, let go 0.1 m from its rest, at 60 "
                          "frames a second. Without damping the limit would be 20 ms, and a frame would be one step.",
-                         {"limit, ms", "parts of a frame", "place after 1/3 s, m"});
+                         {"limit, ms", "substeps of a frame", "place after 1/3 s, m"});
     table.timed("ns a limit");
     workbook::Plot plot("play-springs.stable_step", "A stiff spring: divided by you and by the library");
     plot.x("time").y("displacement");

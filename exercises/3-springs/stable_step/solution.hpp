@@ -22,7 +22,7 @@ inline Quantity<unit::Time> largest_step(Quantity<unit::Mass> mass, Quantity<uni
     // end of task 1
 }
 
-/// How many equal parts of a frame are each no longer than the limit; 1 at least. The frame is not negative, and the
+/// How many equal substeps of a frame are each no longer than the limit; 1 at least. The frame is not negative, and the
 /// limit is positive or infinite.
 inline int parts_of(Quantity<unit::Time> frame, Quantity<unit::Time> limit) {
     // task 2: return todo(2);

@@ -77,7 +77,7 @@ void expect_limit(const OnSpring& s) {
 
 const auto infinite = std::numeric_limits<double>::infinity() * second;
 
-/// A frame and a limit: from no part of it to a hundred times as long, also a whole number of times.
+/// A frame and a limit: the frame from nothing to a hundred times as long, also a whole number of times.
 struct Frame {
     Time frame, limit;
     int parts() const { return exercise::parts_of(frame, limit); }
@@ -95,7 +95,7 @@ const std::vector<Frame>& frames() {
 }
 std::string said(const Frame& f) {
     std::ostringstream text;
-    text << "a frame of " << f.frame << " in parts of " << f.limit << " at most";
+    text << "a frame of " << f.frame << " in substeps of " << f.limit << " at most";
     return text.str();
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("damping makes the largest step shorter", "[task-1][shorter]") {
         const auto free = OnSpring{s.m, s.k, 0.0 * newton_second_per_metre}.largest_step();
         std::ostringstream text;
         text << said(s) << "\n    yours  " << s.largest_step() << ", and " << free << " without the damping"
-             << "\nThe one with damping must be the shorter: a damper that looks at the old velocity pushes too far.";
+             << "\nThe one with damping must be the shorter: a damper that uses the old velocity pushes too far.";
         expect(s.largest_step() < free, text.str());
     }
 }
@@ -136,24 +136,24 @@ TEST_CASE("ten times the mass, the stiffness and the damping move in the same wa
     }
 }
 
-TEST_CASE("no part is longer than the limit", "[task-2][short-enough]") {
+TEST_CASE("no substep is longer than the limit", "[task-2][short-enough]") {
     for (const auto& f : frames()) {
         const int parts = f.parts();
         std::ostringstream text;
-        text << said(f) << "\n    yours  " << parts << " parts";
-        expect(parts >= 1, text.str() + "\nA frame has one part at least.");
+        text << said(f) << "\n    yours  " << parts << " substeps";
+        expect(parts >= 1, text.str() + "\nA frame has one substep at least.");
         text << " of " << f.frame / double(parts) << " each\nThat is too long. A spring explodes at one per cent "
-             << "beyond its limit: a part of a part counts as a whole one.";
+             << "beyond its limit: a fraction of a substep counts as a whole one.";
         expect(f.frame / double(parts) <= f.limit, text.str());
     }
 }
 
-TEST_CASE("and there are no more parts than that takes", "[task-2][no-more]") {
+TEST_CASE("and there are no more substeps than that takes", "[task-2][no-more]") {
     for (const auto& f : frames()) {
         const int parts = f.parts();
         std::ostringstream text;
-        text << said(f) << "\n    yours  " << parts << " parts\nOne less would do, of " << f.frame / double(parts - 1)
-             << " each. Every part costs a whole step.";
+        text << said(f) << "\n    yours  " << parts << " substeps\nOne less would do, of "
+             << f.frame / double(parts - 1) << " each. Every substep costs a whole step.";
         expect(parts <= 1 || f.frame / double(parts - 1) > f.limit, text.str());
     }
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The library's own answer to this exercise: what its Tearing<Splitting> does in a step that is too short for anything
-// else. It looks at vertices where something has torn just now: at each a triangle is added that tears.
+// else. It checks vertices where something has torn just now: at each a triangle is added that tears.
 #include <ansatz/soft_bodies/tearing.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>

@@ -60,7 +60,7 @@ inline void stop(End& first, End& second) {
     // end of task 2
 }
 
-/// 4.8: looks at all springs of a sheet, to and fro, until none is stretched by more than `most` of its rest length.
+/// 4.8: passes over all springs of a sheet, to and fro, until none is stretched by more than `most` of its rest length.
 /// \return how many passes it made, the one that found nothing included: `passes` at most
 inline int limit(Sheet& sheet, double most, int passes) {
     // task 3: return todo(3);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 #pragma once
 
-// The library's own answer to this exercise: its solver, with two bodies and one spring to look at.
+// The library's own answer to this exercise: its solver, with two bodies and one spring.
 #include <ansatz/soft_bodies/xpbd.hpp>
 #include <ansatz/springs/constraint.hpp>
 #include <ansatz/world.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // The scene of section 4.4 with your constraint in it: a chain of twenty stiff links hangs from its first, and each
-// link is looked at 32 times a frame, as substeps or as iterations.
+// link is corrected 32 times a frame, as substeps or as iterations.
 
 #include "play.hpp"
 #include "plot.hpp"
@@ -34,7 +34,7 @@ std::vector<double> yours(int substeps, int iterations) {
                 end.position += h * end.velocity;
             }
             std::vector<exercise::Multiplier> given(links, 0.0 * kilogram * metre);
-            for (int look = 0; look < iterations; ++look)
+            for (int iteration = 0; iteration < iterations; ++iteration)
                 for (int i = 0; i < links; ++i)
                     given[i] = exercise::hold(ends[i], ends[i + 1], {length, stiffness}, given[i], h);
         }
@@ -60,10 +60,10 @@ std::vector<double> library(int substeps, int iterations) {
 }
 
 int main() {
-    workbook::Play table("A chain of 20 links, 2 m and 1 kg, hangs for 2 s, 32 looks at each link a frame.",
+    workbook::Play table("A chain of 20 links, 2 m and 1 kg, hangs for 2 s, 32 corrections of each link a frame.",
                          {"32 substeps, m", "32 iterations, m"});
     table.timed("ns a call");
-    workbook::Plot plot("play-soft_bodies.xpbd", "How long a chain is that is looked at in 32 substeps");
+    workbook::Plot plot("play-soft_bodies.xpbd", "How long a chain is that is corrected in 32 substeps");
     plot.x("time", "s").y("length", "m");
     std::vector<double> times;
     for (int n = 0; n < frames; ++n) times.push_back((n + 1) / 60.0);

@@ -49,7 +49,7 @@ std::string said(const Pair& p) {
          << " N s^2, a step of " << p.h << " s";
     return text.str();
 }
-/// The two ends before and after a look.
+/// The two ends before and after a correction.
 struct Looked {
     End first, second, first_before, second_before;
     exercise::Multiplier multiplier;
@@ -75,7 +75,7 @@ std::string said(const Hanging& s, int substeps, int iterations) {
     std::ostringstream text;
     text << 1 / s.weight << " kg on " << s.length << " m of a spring of " << s.rest_length << " m and " << s.stiffness
          << " N/m, falling at " << -s.speed << " m/s, a step of " << s.dt << " s in " << substeps << " with "
-         << iterations << " looks each";
+         << iterations << " iterations each";
     return text.str();
 }
 End after(const Hanging& s, double dt, int substeps, int iterations, int steps = 1) {
@@ -93,19 +93,20 @@ End after(const Hanging& s, double dt, int substeps, int iterations, int steps =
 TEST_CASE("the force is the one at the end of the step", "[task-1][end]") {
     for (const Look& l : looks) {
         const auto by = l.change();
-        expect_agree(said(l), "yours, the multiplier afterwards", l.multiplier * kilogram * metre + by,
-                     "-h^2 k times the stretch that it leaves",
-                     -l.k() * (l.stretch * metre + by * (l.weights / kilogram)), 1e-12 * gram_metre,
-                     "The look moves the ends, so that the stretch changes by the weights times the change; the force "
-                     "is that of the spring as it is then.");
+        expect_agree(
+            said(l), "yours, the multiplier afterwards", l.multiplier * kilogram * metre + by,
+            "-h^2 k times the stretch that it leaves", -l.k() * (l.stretch * metre + by * (l.weights / kilogram)),
+            1e-12 * gram_metre,
+            "The correction moves the ends, so that the stretch changes by the weights times the change; the force "
+            "is that of the spring as it is then.");
     }
 }
 
-TEST_CASE("what is settled stays", "[task-1][settled]") {
+TEST_CASE("a spring that is right stays", "[task-1][settled]") {
     for (Look l : looks) {
         l.multiplier = -l.h * l.h * l.stiffness * l.stretch;
         expect_near(said(l) + ": the change", l.change(), 0.0 * kilogram * metre, 1e-15 * kilogram * metre,
-                    "It has given all that it has to give already. A second look must not give it again.");
+                    "It has given all that it has to give already. A second correction must not give it again.");
     }
 }
 
@@ -123,10 +124,11 @@ TEST_CASE("the spring is as long as what it has given says", "[task-2][length]")
     for (const Pair& p : pairs) {
         const auto now = look_at(p);
         const auto stretch = norm(now.second.position - now.first.position) - p.rest_length * metre;
-        expect_near(said(p) + ": the multiplier", now.multiplier, -p.h * p.h * p.stiffness * kilogram * stretch,
-                    1e-11 * gram_metre,
-                    "After the look the multiplier is -h^2 k times the stretch that there is now: what it was, and "
-                    "the change.");
+        expect_near(
+            said(p) + ": the multiplier", now.multiplier, -p.h * p.h * p.stiffness * kilogram * stretch,
+            1e-11 * gram_metre,
+            "After the correction the multiplier is -h^2 k times the stretch that there is now: what it was, and "
+            "the change.");
     }
 }
 
@@ -173,14 +175,15 @@ TEST_CASE("with one spring it is implicit Euler", "[task-3][implicit-euler]") {
         }
 }
 
-TEST_CASE("a second look at one spring finds nothing to do", "[task-3][second-look]") {
+TEST_CASE("a second iteration over one spring finds nothing to do", "[task-3][second-look]") {
     for (const Hanging& s : hanging)
         for (const int substeps : {1, 3})
-            expect_agree(said(s, substeps, 5) + ", and with one", "yours, with one look",
-                         after(s, s.dt, substeps, 1).position, "yours, with five", after(s, s.dt, substeps, 5).position,
-                         1e-12 * metre,
-                         "What the first look has given is in the multiplier. Without it each look makes the spring "
-                         "stiffer.");
+            expect_agree(
+                said(s, substeps, 5) + ", and with one", "yours, with one iteration",
+                after(s, s.dt, substeps, 1).position, "yours, with five", after(s, s.dt, substeps, 5).position,
+                1e-12 * metre,
+                "What the first iteration has given is in the multiplier. Without it each iteration makes the spring "
+                "stiffer.");
 }
 
 TEST_CASE("substeps are steps", "[task-3][substeps]") {

@@ -55,7 +55,7 @@ TEST_CASE("in a chase he strikes at less than 1 m, and loses sight beyond 9 m", 
 
 TEST_CASE("a search takes three seconds, a blow two", "[task-1][times]") {
     for (const double t : {0.0, 2.0, 2.99})
-        expect_next(State::search, 20, t, State::search, "He looks for three seconds.");
+        expect_next(State::search, 20, t, State::search, "He searches for three seconds.");
     for (const double t : {3.0, 3.01, 10.0})
         expect_next(State::search, 20, t, State::patrol,
                     "After three seconds he goes back. At three seconds they are over.");

@@ -157,7 +157,7 @@ TEST_CASE("the most promising node has the least f, of equal f the least h", "[t
 
 TEST_CASE("only nodes of the open list are chosen", "[task-1][open-only]") {
     for (const auto& c : choices_among_lists())
-        expect_choice(c, "What is on the closed list has been looked at, and what is on no list is not known yet.");
+        expect_choice(c, "What is on the closed list has been expanded, and what is on no list is not known yet.");
 }
 
 TEST_CASE("a new node is put on the open list, with g, h and parent", "[task-2][new]") {
@@ -177,7 +177,7 @@ TEST_CASE("where it is not cheaper, nothing changes", "[task-2][not-cheaper]") {
 
 TEST_CASE("a closed node to which a cheaper way is found is opened again", "[task-2][opened-again]") {
     for (const auto& look : opened_again())
-        expect_look(look, "Its neighbours were given costs by the dearer way. Looked at again, it can correct them.");
+        expect_look(look, "Its neighbours were given costs by the dearer way. Expanded again, it can correct them.");
 }
 
 TEST_CASE("a whole search finds what the best way costs", "[task-2][whole]") {

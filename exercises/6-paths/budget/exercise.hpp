@@ -28,7 +28,7 @@ struct Search {
     std::set<std::tuple<double, double, std::size_t>> open{}; ///< f, h, node; the most promising one first
     std::vector<std::size_t> closed{};                        ///< in the order in which they came
 };
-/// A search that has the start on its open list, and has looked at nothing yet.
+/// A search that has the start on its open list, and has expanded nothing yet.
 inline Search begin(Graph graph, std::vector<double> h, std::size_t start, std::size_t goal) {
     const std::size_t nodes = graph.size();
     Search s{std::move(graph), std::move(h), start, goal,
@@ -45,7 +45,7 @@ inline std::size_t take(Search& s) {
     s.closed.push_back(p);
     return p;
 }
-/// Looks at all edges that lead out of a node, which puts their ends on the open list: this is what costs the time.
+/// Follows all edges that lead out of a node, which puts their ends on the open list: this is what costs the time.
 inline void expand(Search& s, std::size_t p) {
     for (const Edge& edge : s.graph[p]) {
         const double g = s.g[p] + edge.cost, h = s.h[edge.to];
@@ -72,8 +72,8 @@ struct Looked {
     std::size_t node;
     double g, h;
 };
-/// Where to go when a search is given up: to the node, of those that it has looked at, from which the rest of the way
-/// is estimated to be the shortest; of several to the one that was looked at first. There is one at least, the start.
+/// Where to go when a search is given up: to the node, of those that it has expanded, from which the rest of the way
+/// is estimated to be the shortest; of several to the one that was expanded first. There is one at least, the start.
 inline std::size_t nearest(const std::vector<Looked>& closed) {
     return todo(2);
 }

@@ -33,7 +33,7 @@ using Roads = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, 
                                     boost::property<boost::edge_weight_t, double>>;
 using Estimate = ansatz::paths::By<std::function<double(std::size_t)>>;
 
-/// What an AStar looks at, which must stay where it is.
+/// What an AStar reads, which must stay where it is.
 struct Running {
     Roads roads;
     ansatz::paths::AStar<Roads, Estimate> search;

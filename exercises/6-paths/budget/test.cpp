@@ -156,7 +156,7 @@ const Lists& start_is_nearest() {
 void expect_nearest(const Lists& lists, const std::string& why) {
     for (const auto& list : lists) {
         const Looked* right = &list[0];
-        std::string text = "looked at, one after the other\n";
+        std::string text = "expanded, one after the other\n";
         for (const Looked& l : list) {
             std::ostringstream line;
             line << "    node " << l.node << "  g " << l.g << "  h " << l.h << '\n';
@@ -223,7 +223,7 @@ TEST_CASE("without a limit it finds the best path", "[task-1][best]") {
                 "lesser f and is taken first.");
 }
 
-TEST_CASE("and looks at nothing behind the goal", "[task-1][goal-ends-it]") {
+TEST_CASE("and expands nothing behind the goal", "[task-1][goal-ends-it]") {
     const Scene corridor = map_of({"S..G......"});
     expect_count(corridor.picture + "nodes on the closed list in the end", run(corridor, without_end).closed.size(), 4,
                  "When the goal is taken, all is done, whatever is left of the budget.");
@@ -234,8 +234,8 @@ TEST_CASE("where nothing is left on the open list, there is no path", "[task-1][
         if (best_cost(s) < infinity) continue;
         const Run yours = run(s, without_end);
         expect_outcome(s, without_end, yours.outcome, Outcome::no_path, "No way leads to G.");
-        expect_count(legend(s) + "nodes that were looked at", yours.closed.size(), reachable(s),
-                     "That there is no path is known when all that can be reached was looked at, and not before.");
+        expect_count(legend(s) + "nodes that were expanded", yours.closed.size(), reachable(s),
+                     "That there is no path is known when all that can be reached was expanded, and not before.");
     }
 }
 
@@ -258,10 +258,10 @@ TEST_CASE("in slices it is the same search, node by node", "[task-1][same-search
                 s, most, sliced.outcome, at_once.outcome,
                 "That is what yours says in one call. With nothing lost between two calls, and nothing begun "
                 "anew, slices come to the same. (Asked no more than 400 times.)");
-            expect_count(legend(s) + slices(most) + ", nodes that were looked at", sliced.closed.size(),
+            expect_count(legend(s) + slices(most) + ", nodes that were expanded", sliced.closed.size(),
                          at_once.closed.size(), "So many they are in one call.");
             expect(sliced.closed == at_once.closed, legend(s) + slices(most) +
-                                                        ", yours looks at other nodes than in one call.\nWhere the "
+                                                        ", yours expands other nodes than in one call.\nWhere the "
                                                         "search stops, the next call must go on.");
         }
 }
@@ -285,11 +285,11 @@ TEST_CASE("it takes as many frames as the budget says", "[task-1][frames]") {
 
 TEST_CASE("the nearest is the one with the least h", "[task-2][least-h]") {
     expect_nearest(round_a_wall(), "h is the estimate of what is left to go. How far a node is from the start does not "
-                                   "matter, nor when it was looked at.");
+                                   "matter, nor when it was expanded.");
 }
 
 TEST_CASE("of several that are equally near the first one", "[task-2][first]") {
-    expect_nearest(equally_near(), "Several have the same h. The one that was looked at first has been asked for.");
+    expect_nearest(equally_near(), "Several have the same h. The one that was expanded first has been asked for.");
 }
 
 TEST_CASE("it may be the start", "[task-2][start]") {
@@ -321,12 +321,12 @@ TEST_CASE("the path costs at most w times the best", "[task-3][bound]") {
         }
 }
 
-TEST_CASE("and it looks at less", "[task-3][less]") {
+TEST_CASE("and it expands less", "[task-3][less]") {
     std::size_t plain = 0, with_weight = 0;
     for (const Scene& s : maps())
         if (best_cost(s) < infinity) plain += hasty(s, 1).looked_at, with_weight += hasty(s, 3).looked_at;
     expect(4 * with_weight <= 3 * plain,
-           "nodes looked at, on all maps that have a path\n    yours, with w = 1  " + std::to_string(plain) +
+           "nodes expanded, on all maps that have a path\n    yours, with w = 1  " + std::to_string(plain) +
                "\n    yours, with w = 3  " + std::to_string(with_weight) + "\n    right, with w = 3  " +
                std::to_string(3 * plain / 4) +
                " or less\nAn estimate that counts more draws the search to the goal: that is what the weight is for.");

@@ -82,7 +82,7 @@ inline std::vector<Slot> slots_at(const Map& map, Tile leader, const std::vector
 }
 
 /// The most tiles that each member must go while the leader goes one. `slots[k]` is where everybody is, in their order,
-/// when the leader has gone k tiles; it may have gone none. A tile has eight neighbours, and walls are not looked at.
+/// when the leader has gone k tiles; it may have gone none. A tile has eight neighbours, and walls are not tested.
 inline std::vector<int> catch_up_speeds(const std::vector<std::vector<Slot>>& slots) {
     // task 3: return todo(3);
     std::vector<int> most(slots[0].size(), 0);

@@ -29,7 +29,7 @@ inline int unmet(State state, const Goal& goal) {
 }
 
 /// A cost that no plan from this state to the goal is below: the least that one fact of the goal costs, for each that
-/// is not as the goal wants it. 0 where no action settles any.
+/// is not as the goal wants it. 0 where no action meets any.
 inline double estimate(State state, const Goal& goal, const std::vector<Action>& actions) {
     return todo(2);
 }

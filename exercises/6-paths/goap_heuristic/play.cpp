@@ -33,7 +33,7 @@ struct Workshop {
         want(clean);
         domain.action("fetch tools", 2).makes(tools);
         domain.action("fetch wood", 3).makes(wood, !clean);
-        domain.action("sweep", 0.5).makes(clean);
+        domain.action("clean", 0.5).makes(clean);
         for (int i = 0; i < 3; ++i) {
             const std::string n = " " + std::to_string(i);
             const auto seat = domain.fact("seat" + n), legs = domain.fact("legs" + n), chair = domain.fact("chair" + n),

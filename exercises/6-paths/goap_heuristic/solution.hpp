@@ -31,13 +31,13 @@ inline int unmet(State state, const Goal& goal) {
 }
 
 /// A cost that no plan from this state to the goal is below: the least that one fact of the goal costs, for each that
-/// is not as the goal wants it. 0 where no action settles any.
+/// is not as the goal wants it. 0 where no action meets any.
 inline double estimate(State state, const Goal& goal, const std::vector<Action>& actions) {
     // task 2: return todo(2);
     double least = std::numeric_limits<double>::infinity();
     for (const Action& a : actions) {
-        const int settled = std::popcount(a.care & goal.care & ~(a.value ^ goal.value));
-        if (settled > 0 && a.cost / settled < least) least = a.cost / settled;
+        const int met = std::popcount(a.care & goal.care & ~(a.value ^ goal.value));
+        if (met > 0 && a.cost / met < least) least = a.cost / met;
     }
     if (least == std::numeric_limits<double>::infinity()) return 0;
     return unmet(state, goal) * least;

@@ -182,7 +182,7 @@ TEST_CASE("never more than the cheapest plan, and 0 in the goal", "[task-2][neve
     for_each_state(random_ones(), [](const Problem& p, State s, double truth, double yours) {
         std::ostringstream text;
         text << said(p, s) << "\n    yours              " << yours << "\n    the cheapest plan  " << truth
-             << "\nAn estimate above it may lead A* to a plan that is not the best: an action can settle several "
+             << "\nAn estimate above it may lead A* to a plan that is not the best: an action can meet several "
                 "facts, and may cost little.";
         expect(yours <= truth + 1e-9 && yours >= 0, text.str());
     });

@@ -105,7 +105,7 @@ TEST_CASE("eight neighbours: no less than the straight distance", "[task-2][not-
         const double yours = exercise::eight_neighbours(dx, dy), straight = std::hypot(dx, dy);
         std::ostringstream text;
         text << said(dx, dy) << "\n    yours              " << yours << "\n    straight distance  " << straight
-             << "\nNobody is faster than along the straight line: an estimate below it looks at more of the map than "
+             << "\nNobody is faster than along the straight line: an estimate below it expands more of the map than "
                 "it needs.";
         expect(yours >= straight - 1e-9, text.str());
     });

@@ -49,7 +49,7 @@ int main() {
     std::cout << "G is the guard, o what it sees, # a wall; ? is where you and the library disagree.\n\n";
 
     workbook::Play table("What the guard at (14, 4) sees of 32 x 8 tiles.", {"tiles seen"});
-    table.timed("ns a look around");
+    table.timed("ns for all around");
     volatile double sink = 0;
     table.row("yours", {seen(yours)}, 1, [&] { sink = seen(yours); });
     table.row("library", {seen(library)}, 1, [&] { sink = seen(library); });

@@ -35,7 +35,7 @@ Numbers costs_to(const std::vector<Edge>& edges, std::size_t nodes, std::size_t 
 }
 Numbers true_costs(const Scene& s) { return costs_to(s.edges, s.h.size(), s.h.size() - 1); }
 
-/// Whether h falls between any two nodes by more than the cheapest way costs. No single edge is looked at.
+/// Whether h falls between any two nodes by more than the cheapest way costs. No single edge is tested.
 bool falls_too_much(const Scene& s) {
     for (std::size_t to = 0; to < s.h.size(); ++to) {
         const Numbers cost = costs_to(s.edges, s.h.size(), to);
@@ -132,7 +132,7 @@ TEST_CASE("the worst of several overestimates is found", "[task-1][worst]") {
 
 TEST_CASE("the true cost itself is not too much, and nothing below it", "[task-1][admissible]") {
     expect_worst({8, 6, 3, 1, 0}, {8, 6, 3, 1, 0}, exercise::nobody,
-                 "h may be exact: then A* looks at nothing but a best path.");
+                 "h may be exact: then A* expands nothing but a best path.");
     expect_worst({0, 2, 3, 0, 0}, {8, 6, 3, 1, 0}, exercise::nobody,
                  "An underestimate, however low, never hides the best path. It only costs time.");
 }
@@ -160,7 +160,7 @@ TEST_CASE("the true costs are consistent", "[task-2][exact]") {
 TEST_CASE("an admissible h may be inconsistent", "[task-2][admissible-is-less]") {
     expect_consistent(four_nodes, false,
                       "No h is more than the true cost, but from B to C it falls by 6, over an edge of 3. C is closed "
-                      "for 8 before the way over B, which costs 6, is looked at.");
+                      "for 8 before the way over B, which costs 6, is expanded.");
 }
 
 TEST_CASE("away from the goal h may rise by any amount", "[task-2][rises]") {
@@ -185,7 +185,7 @@ TEST_CASE("and with a larger one it is not", "[task-3][no-less]") {
         const double w = exercise::factor(s.edges, s.h);
         std::ostringstream text;
         text << said(s) << "\nYour factor is " << w << ", but with " << 1.01 * w
-             << " h would still be consistent.\nThe lower h is, the more of the map A* looks at: take no more from it "
+             << " h would still be consistent.\nThe lower h is, the more of the map A* expands: take no more from it "
                 "than you must.";
         expect(w >= 1 || (w > 0 && falls_too_much(with(s, 1.01 * w))), text.str());
     }

@@ -18,7 +18,7 @@ struct Event {
     double before = 1, after = 1;
 };
 
-/// The library's routes look at the graph itself, on which the event takes place while somebody walks.
+/// The library's routes read the graph itself, on which the event takes place while somebody walks.
 inline bool asks(const std::vector<std::size_t>& path, std::size_t at, const Event& event, ansatz::paths::Replan rule) {
     using namespace ansatz;
     paths::Waypoints<> map;

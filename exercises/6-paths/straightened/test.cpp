@@ -295,7 +295,7 @@ TEST_CASE("on open ground a zigzag becomes one line", "[task-3][zigzag]") {
 
 TEST_CASE("from each corner on, as far as possible", "[task-3][round]") {
     expect_corners(round_the_pillar, {{2, 2}, {2, 3}, {4, 3}, {4, 1}},
-                   "The next corner is looked for from the last one, not from where the path begins.");
+                   "The next corner is searched for from the last one, not from where the path begins.");
 }
 
 TEST_CASE("behind a tile that cannot be reached one may be that can", "[task-3][behind]") {

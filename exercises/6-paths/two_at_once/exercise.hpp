@@ -31,7 +31,7 @@ inline std::vector<Both> next_pairs(const Room& room, const Both& now) {
     return todo(1);
 }
 
-/// An estimate of the steps until both are at their goals: as much as can be said without looking at walls or at the
+/// An estimate of the steps until both are at their goals: as much as can be said without regard to walls or to the
 /// other, and never too much. In a step both walk.
 inline int estimate(const Both& now, const Both& goals) {
     return todo(2);

@@ -23,7 +23,7 @@ struct Neighbours {
     ansatz::Quantity<ansatz::unit::Length> west, east, south, north;
 };
 
-/// One sweep of the library's loop over nine columns; that in the middle is asked for.
+/// One pass of the library's loop over nine columns; that in the middle is asked for.
 inline ansatz::Quantity<ansatz::unit::Velocity>
 next_rate(ansatz::Quantity<ansatz::unit::Velocity> rate, ansatz::Quantity<ansatz::unit::Length> height,
           const Neighbours& around, ansatz::Quantity<ansatz::unit::Velocity> c,

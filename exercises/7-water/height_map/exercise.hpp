@@ -30,7 +30,7 @@ inline Vector<double, 3> normal(const Map& map, Quantity<unit::Length> x, Quanti
     return todo(2);
 }
 
-/// 7.4: the same surface with the sides of its cells divided into so many parts.
+/// 7.4: the same surface with the sides of its cells divided into so many lengths.
 inline Map tessellated(const Map& map, int factor) {
     return todo(3);
 }

@@ -94,11 +94,11 @@ TEST_CASE("by the square of what is left", "[task-1][shape]") {
     for (const auto& [column, right] :
          {std::pair(5, 1.0), std::pair(6, 0.5625), std::pair(4, 0.5625), std::pair(7, 0.0)})
         expect_near("the weight of column " + std::to_string(column) +
-                        " for a body over column 5, in parts of that one's",
+                        " for a body over column 5, as a fraction of that one's",
                     weights[std::size_t(column)] / weights[5], right, 1e-12,
                     "The columns are 0.3 m apart, and the footprint reaches for 0.6 m: (1 - (0.3 / 0.6)^2)^2.");
     const auto beside = exercise::weights(waves(), 1.6 * metre, reach);
-    expect_near("the weight of column 6 for a body 0.2 m beside it, in parts of that of column 5, 0.1 m beside",
+    expect_near("the weight of column 6 for a body 0.2 m beside it, as a fraction of that of column 5, 0.1 m beside",
                 beside[6] / beside[5], std::pow(1 - 1 / 9.0, 2) / std::pow(1 - 1 / 36.0, 2), 1e-12,
                 "(1 - (0.2 / 0.6)^2)^2 and (1 - (0.1 / 0.6)^2)^2.");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The scene of section 7.2.2 with your walls in it: a hump parts, and each half meets a wall.
+// The scene of section 7.2.2 with your walls in it: a hump divides, and each half meets a wall.
 
 #include "play.hpp"
 #include "plot.hpp"

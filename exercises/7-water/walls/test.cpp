@@ -134,7 +134,7 @@ TEST_CASE("between solid walls no water is lost", "[task-4][kept]") {
 }
 
 TEST_CASE("each wall sends back what it should", "[task-4][sent-back]") {
-    // The hump parts; each half is at its wall after 10 m, and after 13 m 3 m from it again.
+    // The hump divides; each half is at its wall after 10 m, and after 13 m 3 m from it again.
     using exercise::End;
     for (const auto& [kind, right, name] : {std::tuple{End::solid, 0.05, "solid"}, std::tuple{End::held, -0.05, "held"},
                                             std::tuple{End::open, 0.0, "open"}})

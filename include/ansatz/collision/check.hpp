@@ -11,9 +11,11 @@
 #include <ansatz/collision/narrowphase/pairs.hpp>
 #include <ansatz/world/check.hpp>
 
+#include <type_traits>
+
 namespace ansatz::detail {
 
-/// What is looked at in a policy of each role.
+/// What is checked in a policy of each role.
 template <class Role> struct ChecksOfCollision;
 
 // ------------------------------------------------------------------ broadphase
@@ -33,7 +35,7 @@ template <class F, class S> struct CheckFilter {
     using Facts = FilterFacts<F, S>;
     static_assert(
         Facts::columns,
-        "Ansatz: a collision filter without columns; declare what it looks at, e.g. `using reads = Columns<Member>;`");
+        "Ansatz: a collision filter without columns; declare what it reads, e.g. `using reads = Columns<Member>;`");
     static_assert(
         Facts::binds,
         "Ansatz: a collision filter that cannot be bound to a space; it needs `template <class S> struct In` with a "
@@ -110,13 +112,20 @@ template <class... T, class S> struct ListFacts<Types<T...>, S> {
 template <class N, class S> struct NarrowphaseFacts {
     using List = ListFacts<typename ShapesNamedBy<N>::type, S>;
     static constexpr bool list = List::some && List::once && List::shapes && List::meet && List::pairs;
-    static constexpr bool
-    has_verbs() { // not with ||: g++ looks at both sides, and reads the noise behind a broken list
+    static constexpr bool has_verbs() { // not with ||: g++ checks both sides, and reads the noise behind a broken list
         if constexpr (list) return NarrowphaseIn<N, S>;
         return true;
     }
     static constexpr bool verbs = has_verbs();
-    static constexpr bool ok = list && verbs;
+    static constexpr bool old_name = requires { N::sweeps; } && !requires { N::continuous; };
+    // Loops over bodies and contacts are marked `flatten`. g++ then inlines the arithmetic of big numbers as well, and
+    // takes 19 GB for it.
+#if defined(__OPTIMIZE__) && defined(__GNUC__) && !defined(__clang__)
+    static constexpr bool compiles = std::is_floating_point_v<typename S::Scalar>;
+#else
+    static constexpr bool compiles = true;
+#endif
+    static constexpr bool ok = list && verbs && !old_name && compiles;
 };
 template <class N, class S> struct CheckNarrowphaseList {
     using List = typename NarrowphaseFacts<N, S>::List;
@@ -130,6 +139,13 @@ template <class N, class S> struct CheckNarrowphaseList {
     static_assert(NarrowphaseFacts<N, S>::verbs,
                   "Ansatz: a narrowphase with a wrong signature; it needs all that NarrowphaseIn names "
                   "(collision/concepts.hpp); Narrowphase<Sphere, Plane> has it, and yours may wrap it");
+    static_assert(!NarrowphaseFacts<N, S>::old_name,
+                  "Ansatz: a narrowphase that says `sweeps`, which is `continuous` now; write `static constexpr bool "
+                  "continuous = true;`");
+    static_assert(
+        NarrowphaseFacts<N, S>::compiles,
+        "Ansatz: bodies that collide in numbers of Boost.Multiprecision are too much for g++ where it "
+        "optimises (it inlines their arithmetic until memory runs out); take float or double, clang++, or -O0");
 };
 template <class N, class S> constexpr auto sentences_about_narrowphase() {
     using Facts = NarrowphaseFacts<N, S>;
@@ -153,8 +169,7 @@ template <class R, class S> struct ResponseFacts {
     static constexpr bool writes = !columns || !answers || (DeclaresWrites<R> && changes_its_level<R>);
     static constexpr bool binds = !columns || !level || Binds<R, S>;
     static constexpr bool before = level && columns && writes && binds;
-    static constexpr bool
-    copies() { // not with &&: the compilers look at both sides, and columns that are none are an error there
+    static constexpr bool copies() { // not with &&: columns that are none are an error on its right-hand side
         if constexpr (before && answers) return RespondsToCopies<R, S>;
         return false;
     }
@@ -179,10 +194,9 @@ template <class R, class S> struct CheckResponse {
                   "Ansatz: a response that does not say on what it acts; write e.g. `static constexpr Level level = "
                   "Level::velocities;` "
                   "(an impulse), Level::positions (a projection) or Level::accelerations (a force of the next step)");
-    static_assert(
-        Facts::columns,
-        "Ansatz: a response whose columns the world cannot read; declare what it looks at, e.g. `using reads = "
-        "Columns<Restitution>;`, or `Columns<>` for nothing");
+    static_assert(Facts::columns,
+                  "Ansatz: a response whose columns the world cannot read; declare what it needs, e.g. `using reads = "
+                  "Columns<Restitution>;`, or `Columns<>` for nothing");
     static_assert(
         Facts::writes,
         "Ansatz: a response that does not change what it acts on; at Level::velocities it says `using writes = "
@@ -234,7 +248,7 @@ template <class... P> struct CheckCollisionCounts {
     static_assert(Facts::filters <= 1, "Ansatz: World has more than one collision filter; keep one");
     static_assert(Facts::narrowphases <= 1, "Ansatz: World has more than one narrowphase; keep one");
     static_assert(Facts::broadphases == 0 || Facts::narrowphases >= 1,
-                  "Ansatz: World has a broadphase but no narrowphase to look at its pairs; add one");
+                  "Ansatz: World has a broadphase but no narrowphase to test its pairs; add one");
     static_assert(Facts::narrowphases == 0 || Facts::broadphases >= 1,
                   "Ansatz: World has a narrowphase but no broadphase to find its pairs; add one");
     static_assert(Facts::responses == 0 || Facts::narrowphases >= 1,
@@ -243,15 +257,15 @@ template <class... P> struct CheckCollisionCounts {
                   "Ansatz: World finds contacts but has no response to them; add one");
     static_assert(Facts::filters == 0 || Facts::broadphases >= 1,
                   "Ansatz: World has a collision filter but no broadphase whose pairs it could filter; add one");
+    static_assert(Facts::in_substeps <= 1, "Ansatz: World has more than one response that takes a step in substeps; "
+                                           "keep one, e.g. SoftSubsteps<Friction>{}");
     static_assert(
-        Facts::in_substeps <= 1,
-        "Ansatz: World has more than one response that takes a step in parts; keep one, e.g. SoftSubsteps<Friction>{}");
-    static_assert(Facts::in_substeps == 0 || Facts::in_next_step == 0,
-                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one whose contacts are "
-                  "forces of the next step (Penalty), which "
-                  "would hold the same bodies twice; keep one of the two");
+        Facts::in_substeps == 0 || Facts::in_next_step == 0,
+        "Ansatz: World has a response that takes a step in substeps (SoftSubsteps) and one whose contacts are "
+        "forces of the next step (Penalty), which "
+        "would hold the same bodies twice; keep one of the two");
     static_assert(Facts::in_substeps == 0 || Facts::at_velocities == 0,
-                  "Ansatz: World has a response that takes a step in parts (SoftSubsteps) and one that changes "
+                  "Ansatz: World has a response that takes a step in substeps (SoftSubsteps) and one that changes "
                   "velocities at its end (Impulse), which would "
                   "answer the same contacts twice; keep one of the two");
 };

@@ -7,7 +7,7 @@
 ///     positions -> boxes -> broadphase -> filter -> narrowphase -> contacts, by the ids of their bodies -> events
 ///
 /// It is a part of a world's data and exists only where there is a Narrowphase. Bodies that are fixed or at rest are
-/// not looked at with each other; the contacts that a body had when it fell asleep are kept, and hold it.
+/// not tested with each other; the contacts that a body had when it fell asleep are kept, and hold it.
 
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/concepts.hpp>
@@ -20,6 +20,7 @@
 #include <ansatz/collision/response/contact_pushes.hpp>
 #include <ansatz/collision/sleep.hpp>
 #include <ansatz/collision/still_boxes.hpp>
+#include <ansatz/collision/unbounded.hpp>
 #include <ansatz/collision/world_contacts.hpp>
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/cache.hpp>
@@ -55,14 +56,14 @@ public:
     using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
 
     Shapes shapes;                 ///< of the bodies, by their ids
-    typename S::Time expected{};   ///< the length of the step for which bodies are looked at, s
-    int parts = 1;                 ///< into how many the last step was divided
-    detail::Movers had_velocities; ///< when a response that owns substeps placed the bodies
+    typename S::Time expected{};   ///< the length of the step for which bodies are tested, s
+    int parts = 1;                 ///< the number of substeps of the last step
+    detail::Movers had_velocities; ///< which slots had one when a response that owns substeps placed the bodies
 
     /// Whether steps of this world divide bodies.
     static constexpr bool divides = detail::any_brings_bodies<typename C::keepers, S>;
 
-    /// Room for so many bodies; where steps make some, in all that a step looks at them with.
+    /// Room for so many bodies; where steps make bodies, also in what a step tests them with.
     void reserve(std::size_t n) {
         detail::reserve_each(n, shapes, sensors_);
         if constexpr (divides) {
@@ -86,7 +87,7 @@ public:
         shapes.make_room_for_more(n);
         detail::make_room_for_copies(contacts.acting, contacts.asleep());
     }
-    /// A body has been divided (division.hpp). What acts in the next step is looked for again.
+    /// A body has been divided (division.hpp). What acts in the next step is searched for again.
     void body_divided(const Bodies& bodies, std::uint32_t id, std::uint32_t part) {
         shapes.copy(id, part);
         sensors_[part] = sensors_[id];
@@ -97,9 +98,9 @@ public:
                               bodies.handle(bodies.slot_of_id(part)));
         stale_ = true;
     }
-    /// Whether assigning cannot fail where there is room.
+    /// Whether an assignment cannot fail where there is room.
     static constexpr bool assigns_in_place = Shapes::assigns_in_place;
-    /// Room for what another holds, so that assigning it cannot fail.
+    /// Room for the contents of another, so that assigning it cannot fail.
     void make_room_for(const Collisions& other) {
         shapes.make_room_for(other.shapes);
         contacts.make_room_for(other.contacts);
@@ -114,9 +115,9 @@ public:
         Contact<S> contact;
         return Narrowphase::template collide_bodies<S>(shapes, a, at(a), b, at(b), contact);
     }
-    /// Whether a body only notices.
+    /// Whether a body is a sensor.
     bool is_sensor(std::uint32_t id) const { return sensors_[id] != 0; }
-    /// Says so.
+    /// Makes it one.
     void set_sensor(std::uint32_t id, bool is) { sensors_[id] = is; }
     /// A removed body takes its shape with it. Its contacts end in the next step: a caller may be iterating over them.
     void body_removed(std::uint32_t id) {
@@ -126,7 +127,7 @@ public:
         if (id < pulls_.size()) pulls_[id] = S::template zero_vector<unit::Acceleration>(); // for the next body
         this->body_gone(id);
     }
-    /// What pulled at a resting body when it fell asleep, m/s^2; nothing, if it was added so.
+    /// The acceleration that pulled at a resting body when it fell asleep, m/s^2; zero for one that was added asleep.
     typename S::Acceleration pull_when_it_slept(std::uint32_t id) const {
         return id < pulls_.size() ? pulls_[id] : S::template zero_vector<unit::Acceleration>();
     }
@@ -134,16 +135,16 @@ public:
     void slept(std::uint32_t id, const typename S::Acceleration& pull) { pulls_[id] = pull; }
     /// Velocities before a pass over the contacts.
     auto& before_solving() { return working_.value.before; }
-    /// What contacts that are answered together are solved with.
+    /// The solver of contacts that are answered together.
     auto& pushes() { return working_.value.pushes; }
-    /// The pairs that all but touch.
+    /// The pairs that nearly touch.
     auto& near() { return working_.value.near; }
     /// The parameters of the broadphase have changed.
     void new_broadphase() { working_.value.finder.reset(); }
 
     /// Finds the contacts of the present positions.
     /// \param pull a function of a slot: the acceleration of an awake body, m/s^2
-    /// \param later whether this is a part of a step and not the first
+    /// \param later whether this is a substep and not the first
     template <class Data, class Policies, class Pull>
     void detect(Data& data, const Policies& policies, const Pull& pull, bool later) {
         if (working_.value.as_before && !stale_ && !this->any_gone() && !data.bodies.any_goes())
@@ -156,14 +157,14 @@ public:
         if constexpr (C::acts_next) {
             hand_over(data, NextStep{}, working_.value.found);
             const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
-            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting, working_.value.touching);
-            this->compare(working_.value.touching, later);
-        } else this->compare(working_.value.found, later);
+            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting);
+        }
+        this->compare(working_.value.found, later);
         working_.value.as_before = !data.bodies.any_goes();
         this->put_contacts_to_sleep(data, std::exchange(working_.value.kept, {}).asleep);
     }
-    /// Bodies were added or changed between two steps: what acts in the next one follows them.
-    /// \return whether it was found anew
+    /// Bodies were added or changed between two steps: brings the contacts of the next step up to date.
+    /// \return whether contacts were found anew
     template <class Data, class Policies, class Pull>
     bool refresh(Data& data, const Policies& policies, const Pull& pull) {
         if (!stale_) return false;
@@ -182,13 +183,13 @@ public:
             if (refresh(data, policies, [](Bodies::Slot) { return S::template zero_vector<unit::Acceleration>(); }))
                 stale_ = true;
     }
-    /// A step of this length is about to be taken: what may come to touch in it is looked for.
+    /// A step of this length is about to be taken: what may come to touch in it is searched for.
     void expect(const typename S::Time& dt) {
         if (dt != expected)
-            stale_ = true; // a shorter one, too: a world that was loaded looks again, and finds the same
+            stale_ = true; // a shorter one, too: a world that was loaded searches again, and finds the same
         expected = dt;
     }
-    /// Bodies are not where they were.
+    /// Bodies were moved.
     void make_stale() { stale_ = true; }
 
 private:
@@ -201,13 +202,13 @@ private:
         w.found.clear();
         if constexpr (C::holds_near) w.near.all.clear();
         if (data.bodies.any_goes()) find_among_moving(data, policies, pull);
-        if constexpr (C::sweeps)
+        if constexpr (C::continuous)
             static_cast<typename Narrowphase::template Collisions<C>&>(*this).add_impacts(data, w.found);
         const auto before = w.found.size();
         w.kept = detail::keep_contacts_at_rest(data, w.found);
         w.order.sort(w.found, data.bodies.ids(), w.found.size() - before);
         if constexpr (C::holds_near) w.order.sort(w.near.all, data.bodies.ids());
-        if (C::sweeps || w.kept.twice)
+        if (C::continuous || w.kept.twice)
             detail::keep_the_first_of_each_pair(w.found); // of what the discrete functions found and what was added
     }
     template <class Data, class Policies, class Pull>
@@ -220,14 +221,14 @@ private:
             w.near.begin(data.bodies, pull,
                          [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
         gather(data);
-        auto pair = [&](std::size_t i, std::size_t j) { look(data, policies, w.ids[i], w.ids[j]); };
+        auto pair = [&](std::size_t i, std::size_t j) { test(data, policies, w.ids[i], w.ids[j]); };
+        if constexpr (Narrowphase::any_unbounded) unbounded(data, policies); // first: ground and walls have low ids
         if constexpr (Narrowphase::any_bounded) {
             if (!w.finder) detail::make_finder<divides>(w.finder, std::get<Broadphase>(policies), w.ids.capacity());
             Unfinished unfinished{&w.finder};
             w.finder->find(w.boxes, pair);
             unfinished.finder = nullptr;
         }
-        if constexpr (Narrowphase::any_unbounded) unbounded(data, policies);
     }
     template <class Data, class... R>
     void hand_over([[maybe_unused]] Data& data, Types<R...>, [[maybe_unused]] const std::vector<Contact<S>>& all) {
@@ -236,21 +237,21 @@ private:
 
     struct Working {
         Boxes<S> boxes;                 // the awake, the moving, then the resting and the fixed
-        std::vector<std::uint32_t> ids; // whose they are
+        std::vector<std::uint32_t> ids; // the bodies of these boxes
         std::optional<typename Broadphase::template In<S>> finder;
         std::vector<Contact<S>> found;
         detail::ContactsKept kept;
         ContactOrder<S> order;
         std::vector<Vector<Scalar, S::dimension>> before; // velocities, by slot
         [[no_unique_address]] std::conditional_t<C::anticipates, LookAhead<S>, detail::NotAhead> ahead;
-        StillBoxes<S> still;              // boxes of bodies that are fixed or at rest
-        bool as_before = false;           // whether no body could move when contacts were found last
-        std::vector<Contact<S>> touching; // what follows only where it is used
+        StillBoxes<S> still;    // boxes of bodies that are fixed or at rest
+        bool as_before = false; // whether no body could move when contacts were found last
+        // Only where they are used.
         [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes;
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near;
     };
 
-    /// A search that was broken off leaves nothing behind that the next one could stumble over.
+    /// A search that was broken off leaves nothing behind that disturbs the next one.
     struct Unfinished {
         std::optional<typename Broadphase::template In<S>>* finder;
         ~Unfinished() {
@@ -275,7 +276,7 @@ private:
         for (const auto motion : {Motion::resting, Motion::fixed}) n = gather_range(data, motion, n);
         resize(n);
     }
-    /// Whether to look for the still bodies that are near to moving ones, instead of giving all of them to the
+    /// Whether to search for the still bodies that are near to moving ones, instead of giving all of them to the
     /// broadphase. Not where a plane moves, since it may meet every body.
     template <class Data> bool most_are_still(const Data& data, std::size_t active) {
         if (C::rests && data.bodies.size() >= StillBoxes<S>::fewest) // room before they are asleep
@@ -304,7 +305,7 @@ private:
                                   w.ids.push_back(id);
                               });
     }
-    /// The box of a body, if it has one and it is finite; World::status tells of those that are not.
+    /// The box of a body, if it has one and it is finite; World::status reports the others.
     /// \return whether there is one
     template <class Data>
     [[gnu::always_inline]] bool box_of(const Data& data, std::size_t slot, auto& lower, auto& upper) const {
@@ -346,7 +347,7 @@ private:
 
     /// The narrowphase of two bodies.
     template <class Data, class Policies>
-    [[gnu::always_inline]] void look(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i,
+    [[gnu::always_inline]] void test(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i,
                                      std::uint32_t j) {
         const auto a = i < j ? i : j, b = i < j ? j : i;
         const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
@@ -359,7 +360,7 @@ private:
             if (!come_near(data, a, slot_a, b, slot_b, contact)) return;
         } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b,
                                                             data.lanes.template get<Position>(slot_b), contact)) {
-            if constexpr (C::holds_near) working_.value.near.template look<Narrowphase>(data, a, slot_a, b, slot_b);
+            if constexpr (C::holds_near) working_.value.near.template test<Narrowphase>(data, a, slot_a, b, slot_b);
             return;
         }
         contact.first = data.bodies.handle(slot_a);
@@ -372,22 +373,24 @@ private:
         return detail::passes<S>(std::get<F>(policies), data, a, b);
     }
 
-    /// Planes and their like meet everything that has a box.
+    /// Shapes without a box, such as planes, are tested against all that have one, but for those that they surely miss.
     template <class Data, class Policies> void unbounded(const Data& data, const Policies& policies) {
         auto& w = working_.value;
         Narrowphase::for_each_kind([&]<class Kind>() {
             if constexpr (!Kind::bounded)
                 for (const auto id : shapes.template owners<Kind>()) {
-                    const bool goes = data.bodies.goes(data.bodies.slot_of_id(id));
-                    const std::size_t n = goes ? w.ids.size() : w.boxes.active();
-                    for (std::size_t i = 0; i < n; ++i) look(data, policies, id, w.ids[i]);
+                    const auto slot = data.bodies.slot_of_id(id);
+                    const auto* still = data.bodies.goes(slot) ? nullptr : &shapes.template get<Kind>(id);
+                    detail::each_box_near(w.boxes, still ? w.boxes.active() : w.boxes.size(), still,
+                                          data.lanes.template get<Position>(slot),
+                                          [&](std::size_t i) { test(data, policies, id, w.ids[i]); });
                 }
         });
     }
 
     friend struct CollisionArchive;
     template <class> friend class SweptCollisions;
-    bool stale_ = false;                          // what follows from where the bodies are does not any more
+    bool stale_ = false;                          // the contacts do not belong to the present positions
     std::vector<std::uint8_t> sensors_;           // by id
     std::vector<typename S::Acceleration> pulls_; // by id
     detail::Cache<Working> working_;

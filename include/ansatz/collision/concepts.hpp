@@ -64,7 +64,7 @@ inline constexpr bool changes_its_level =
     (!acts_at<R>(Level::velocities) || (contains<Velocity, writes_of<R>> && !contains<Position, writes_of<R>>)) &&
     (!acts_at<R>(Level::positions) || contains<Position, writes_of<R>>);
 
-/// \tparam A, B how the bodies are handed over: by reference, or as a value that nobody can change
+/// \tparam A, B how the bodies are handed over: by reference, or as a value that cannot be changed
 template <class R, class S, class A, class B>
 concept RespondsTo = requires(const Bound<R, S>& response, const Contact<S>& contact, A a, B b,
                               const ContactContext<S, PullProbe<S>>& meeting) {
@@ -116,13 +116,13 @@ concept SolvesContactsIn = Binds<R, S> && KeepsContactsIn<R, S> &&
                                contacts.all;
                            };
 
-/// A filter that looks at tables beside the columns of two bodies.
+/// A filter that reads tables beside the columns of two bodies.
 template <class F, class S> constexpr bool passes_by_tables() {
     return requires(const Bound<F, S>& filter, const ObserverView<S, F>& view, std::size_t slot) {
         { filter.passes(view, slot, slot) } -> std::convertible_to<bool>;
     };
 }
-/// Whether the bodies in two slots are looked at.
+/// Whether the bodies in two slots are tested.
 template <class S, class F, class Data>
 [[gnu::always_inline]] inline bool passes(const F& policy, const Data& data, std::size_t a, std::size_t b) {
     const Bound<F, S> filter(policy);
@@ -144,7 +144,7 @@ template <class F, class S> constexpr bool passes_in() {
 } // namespace detail
 
 /// A filter in space `S`: declares `reads`, and `In<S>`, made from the policy, answers `passes(a, b)`, whether two
-/// bodies are looked at, from the declared columns of both: `a.template get<Column>()`. It must answer the same for
+/// bodies are tested, from the declared columns of both: `a.template get<Column>()`. It must answer the same for
 /// `(b, a)`. One that sees tables (`using sees = Types<Springs<>>;`) answers `passes(view, a, b)`, by slots, in steps;
 /// what asks from outside (`world.query()`) is no body, and passes it.
 ///
@@ -194,8 +194,8 @@ template <class R, class S>
 concept ForceResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::accelerations) &&
                           CouplingIn<R, S> && detail::KeepsContactsIn<R, S>;
 
-/// A response in space `S` that takes a step in parts and solves all contacts between them. `SoftSubsteps` is one, and
-/// says what each of the verbs is for.
+/// A response in space `S` that takes a step in substeps and solves all contacts between them. `SoftSubsteps` is one,
+/// and says what each of the verbs is for.
 template <class R, class S>
 concept SubstepResponseIn =
     PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::substeps) && detail::SolvesContactsIn<R, S>;

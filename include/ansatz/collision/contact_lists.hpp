@@ -3,7 +3,7 @@
 
 /// \file
 /// `ContactLists`: the contacts of a world in two lists, those that act in a step and those of bodies that sleep (notes
-/// 1.1), and as one where somebody asks for them.
+/// 1.1), and as one where they are asked for.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/sleeping_contacts.hpp>

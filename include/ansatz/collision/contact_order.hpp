@@ -42,6 +42,11 @@ public:
     /// \param ordered how many, at the end, are in order among themselves
     void sort(std::vector<Contact<S>>& contacts, std::size_t ids, std::size_t ordered = 0) {
         const std::size_t found = contacts.size() - ordered;
+        if (ordered == 0 && are_in_order(contacts)) {
+            reserve(ids); // for the first that are not
+            sorted_.reserve(contacts.capacity());
+            return;
+        }
         if (found < ids / 8) sort_few(contacts, found);
         else sort_many(contacts, found, ids);
         if (ordered == 0) {
@@ -62,6 +67,11 @@ private:
     };
     static std::uint64_t ids_of(const Contact<S>& c) { return std::uint64_t(c.first.id) << 32 | c.second.id; }
 
+    /// As those of pairs that are kept from step to step often are.
+    static bool are_in_order(const std::vector<Contact<S>>& contacts) {
+        return std::is_sorted(contacts.begin(), contacts.end(),
+                              [](const Contact<S>& a, const Contact<S>& b) { return ids_of(a) < ids_of(b); });
+    }
     /// By comparing them: the work does not grow with the number of bodies.
     void sort_few(const std::vector<Contact<S>>& contacts, std::size_t found) {
         keys_.clear();
@@ -118,10 +128,10 @@ private:
 
 namespace detail {
 
-/// Which contacts are new, which go on, and which have ended. What happened in any part of a step is news of that step.
+/// Which contacts are new, which go on, and which have ended. What happened in any substep is reported for the step.
 /// \param known, found both in order; those found are told how long they have lasted
 /// \param ended        pairs of handles, to which those that have ended are added
-/// \param later        whether this is a part of a step and not the first
+/// \param later        whether this is a substep and not the first
 template <class S>
 void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<S>>& found, auto& ended, bool later) {
     auto old = known.cbegin();
@@ -146,25 +156,29 @@ template <class S> void keep_the_first_of_each_pair(std::vector<Contact<S>>& con
     contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
 }
 
-/// Of the contacts that were found, those of bodies that touch now: not those that may begin in the next step.
+/// Leaves of the contacts that were found those of bodies that touch now: not those that may begin in the next step.
 /// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
 /// \param acting   what a response keeps of them; in order, too
 template <bool Presses, class S>
-void keep_those_that_touch(const std::vector<Contact<S>>& found, [[maybe_unused]] const auto& acting,
-                           std::vector<Contact<S>>& touching) {
-    touching.clear();
+void keep_those_that_touch(std::vector<Contact<S>>& found, [[maybe_unused]] const auto& acting) {
     [[maybe_unused]] std::size_t next = 0;
-    for (const auto& contact : found) {
-        bool touches = contact.depth.value() > typename S::Scalar(0);
+    const auto only_near = [&](const Contact<S>& contact) {
+        if (contact.depth.value() > typename S::Scalar(0)) return false;
         if constexpr (Presses) {
             const auto& all = acting.all;
             const auto ids = std::pair(contact.first.id, contact.second.id);
             while (next != all.size() && std::pair(all[next].a, all[next].b) < ids) ++next;
-            touches = touches || (next != all.size() && std::pair(all[next].a, all[next].b) == ids &&
-                                  all[next].impulse > typename S::Scalar(0));
+            return next == all.size() || std::pair(all[next].a, all[next].b) != ids ||
+                   !(all[next].impulse > typename S::Scalar(0));
+        } else return true;
+    };
+    std::size_t kept = 0; // not std::remove_if, which may ask in any order
+    for (std::size_t n = 0; n < found.size(); ++n)
+        if (!only_near(found[n])) {
+            if (kept != n) found[kept] = found[n];
+            ++kept;
         }
-        if (touches) touching.push_back(contact);
-    }
+    found.resize(kept);
 }
 
 } // namespace detail

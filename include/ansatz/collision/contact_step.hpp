@@ -7,7 +7,7 @@
 ///
 /// A response answers one contact at a time, in the order of the bodies' ids: it is given where and how the two
 /// intersect and the columns of both that it declared, and changes the ones that it writes. Here its answer is brought
-/// to the bodies: a velocity through the integrator, which owns what velocity means, and a new place with the history
+/// to the bodies: a velocity through the integrator, which defines it, and a new place with the history
 /// that belongs to it. What rests or is fixed has no inverse mass here.
 
 #include <ansatz/collision/facts.hpp>
@@ -89,14 +89,14 @@ public:
                     answer<R>(response, contact);
     }
 
-    /// Puts a body somewhere, with its history.
+    /// Moves a body, with its history.
     void place(Slot slot, const typename S::Position& to) {
         data_.displace(slot, to - data_.lanes.template get<Position>(slot));
     }
 
-    /// Once contacts have given some bodies a velocity, every other body is given the one that it has, too. The forces
-    /// between bodies change by what the contacts did. A velocity that is derived from a history would change with them
-    /// by half a step, and one that was given would not, so that momentum would be lost.
+    /// Once contacts, or being stopped on the way, have given some bodies a velocity, every other body is given the one
+    /// that it has, too. The forces between bodies change by what was done. A velocity that is derived from a history
+    /// would change with them by half a step, and one that was given would not, so that momentum would be lost.
     void hold_velocities() {
         if constexpr (C::history && C::coupled)
             if (!data_.starts.none())
@@ -112,7 +112,7 @@ private:
         if constexpr (requires { response.sweeps; }) return response.sweeps;
         return 1;
     }
-    /// All contacts together, and those that all but touch.
+    /// All contacts together, and pairs that nearly touch.
     template <class R> void respond_as_one(const detail::Bound<R, S>& response) {
         constexpr bool moves = detail::contains<Position, writes_of<R>>;
         auto& pushes = data_.collisions.pushes();
@@ -130,7 +130,7 @@ private:
         }
         if (pushes.pushes.empty()) return;
         pushes.arrange();
-        response.answer(pushes, dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts,
+        response.answer(pushes, dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::separates,
                         [&](const auto& push) {
                             const auto of = [&](std::uint32_t n) {
                                 return pull_at(pushes.bodies[n].slot, pushes.bodies[n].weight > Scalar(0));
@@ -193,7 +193,7 @@ private:
         const auto pull = [&] { return dot(pull_at(slot_a, free_a) - pull_at(slot_b, free_b), now.normal); };
         response.respond(now, a, b,
                          ContactContext<S, decltype(pull)>{
-                             dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::parts, pull});
+                             dt_, Scalar(detail::velocity_leads<typename C::Integrator>()), C::separates, pull});
         if (free_a) store<R>(slot_a, was_a, a);
         if (free_b) store<R>(slot_b, was_b, b);
     }

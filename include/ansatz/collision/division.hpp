@@ -5,8 +5,8 @@
 /// What becomes of contacts where a step divides a body (a vertex of cloth splits): the new one has the contacts that
 /// the other has, its share of their impulses, and is left alone by the other.
 ///
-/// For both lie in each other as deep as they can, and to part them would be a push from nowhere. So bodies that were
-/// one do not collide with each other until one has been out of all that it was one with: `Siblings`.
+/// For both lie in each other as deep as they can, and to separate them would be a push from nowhere. So bodies that
+/// were one do not collide with each other until one has been out of all that it was one with: `Siblings`.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/hash.hpp>
@@ -21,8 +21,8 @@
 
 namespace ansatz {
 
-/// Who was one body with whom, by ids: rings, of which each body knows the next one, so that dividing one needs no
-/// memory.
+/// Which bodies were one body before, by ids: rings, of which each body knows the next one, so that dividing one needs
+/// no memory.
 class Siblings {
 public:
     /// Room for a body with this id, which has none.
@@ -33,7 +33,7 @@ public:
     void reserve(std::size_t n) { next_.reserve(n); }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const Siblings& other) { next_.reserve(other.next_.size()); }
-    /// Whether anybody has some.
+    /// Whether any body has some.
     bool any() const { return count_ > 0; }
     /// Whether a body has some.
     [[gnu::always_inline]] bool has(std::uint32_t id) const { return next_[id] != id; }
@@ -97,13 +97,13 @@ template <bool Divides> class Division {
 public:
     /// Whether two are left alone because they were one.
     [[gnu::always_inline]] bool were_one(std::uint32_t a, std::uint32_t b) const { return siblings_.are(a, b); }
-    /// Adds who was one body with whom to a hash.
+    /// Adds which bodies were one to a hash.
     void add_siblings_to(StateHash& hash) const { siblings_.add_to(hash); }
 
 protected:
     /// Those that are out of all that they were one with collide again.
     template <class Meet> void part_siblings(Meet&& meet) { siblings_.part(meet); }
-    Siblings siblings_; ///< who was one with whom
+    Siblings siblings_; ///< which bodies were one
 };
 /// The same, where none does.
 template <> class Division<false> {

@@ -22,8 +22,8 @@ public:
     /// Stays what it is until the next step, in which those of a removed body end: `contains(contact.first)` tells
     /// whether it is there.
     std::span<const Contact<typename C::S>> contacts() const { return inside().data.collisions.contacts.all(); }
-    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any part. Stays
-    /// until the next.
+    /// Which ended in the last step, or with a body that was removed before it; of a divided step, in any substep.
+    /// Stays until the next.
     std::span<const ContactEnd> contacts_ended() const { return inside().data.collisions.ended; }
     /// Calls `f(shape)` with the shape of a body as it was given, e.g. a Sphere; not at all, if it has none.
     /// \throws std::out_of_range for a stale handle

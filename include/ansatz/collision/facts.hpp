@@ -37,23 +37,26 @@ template <class... R> constexpr bool any_answers_as_one(Types<R...>) { return (a
 template <class... P> struct CollisionFacts {
     using Narrowphase = typename detail::FirstIn<detail::filter<detail::IsNarrowphase, P...>>::type; ///< finds contacts
     using Broadphase = typename detail::FirstIn<detail::filter<detail::IsBroadphase, P...>>::type;   ///< finds pairs
-    using filters = detail::filter<detail::IsFilter, P...>; ///< which pairs are looked at
+    using filters = detail::filter<detail::IsFilter, P...>; ///< which pairs are tested
     /// The responses that act on something.
     template <Level At> using responses = detail::filter<detail::RespondsAt<At>::template Is, P...>;
-    static constexpr bool substeps = responses<Level::substeps>::size > 0; ///< whether a response takes a step in parts
-    static constexpr bool acts_next =
-        substeps || responses<Level::accelerations>::size > 0; ///< whether contacts act in the step that follows
-    static constexpr bool anticipates = acts_next;             ///< whether bodies are looked at that do not touch yet
-    static constexpr bool sweeps =
-        requires { requires Narrowphase::sweeps; }; ///< whether bodies are followed through the step
-    static constexpr bool parts = responses<Level::positions>::size > 0; ///< whether bodies that meet are moved apart
+    /// Whether a response takes a step in substeps.
+    static constexpr bool substeps = responses<Level::substeps>::size > 0;
+    /// Whether contacts act in the step that follows.
+    static constexpr bool acts_next = substeps || responses<Level::accelerations>::size > 0;
+    /// Whether bodies that do not touch yet are tested.
+    static constexpr bool anticipates = acts_next;
+    /// Whether bodies are followed through the step.
+    static constexpr bool continuous = requires { requires Narrowphase::continuous; };
+    /// Whether bodies that meet are moved apart.
+    static constexpr bool separates = responses<Level::positions>::size > 0;
     /// The policies that give rows to the solver of the substeps: joints.
     using row_givers =
         std::conditional_t<substeps, detail::filter<detail::GivesRowsIn<space_of<P...>>::template Is, P...>, Types<>>;
     /// Whether a response answers all contacts together.
     static constexpr bool as_one =
         detail::any_answers_as_one(detail::joined_types<responses<Level::velocities>, responses<Level::positions>>{});
-    /// Whether those that touch, and all but touch, are parted as one: what lies on each other is found before it
+    /// Whether those that touch, and all but touch, are separated as one: what lies on each other is found before it
     /// intersects.
     static constexpr bool holds_near = !anticipates && detail::any_answers_as_one(responses<Level::positions>{});
     /// Whether a column means something to a filter or a response.

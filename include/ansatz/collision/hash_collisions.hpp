@@ -5,7 +5,7 @@
 /// What the hash of a world holds of its shapes and contacts: a part of `World::hash`.
 ///
 /// The same numbers as are written to a file (save_collisions.hpp), because a world goes on from them: a contact that
-/// had begun does not begin again, the impulses along and across it act in the next step, and bodies are looked at by
+/// had begun does not begin again, the impulses along and across it act in the next step, and bodies are tested by
 /// their shapes.
 
 #include <ansatz/world/hash.hpp>
@@ -43,7 +43,7 @@ template <class C, class Data> void add_collisions_to(StateHash& hash, const Dat
             for (int k = 0; k < C::S::dimension; ++k) hash.add_number(collisions.pull_when_it_slept(id).value()[k]);
     }
     for (const auto& c : collisions.contacts.all()) {
-        if (!collisions.lasts(data.bodies, c)) continue; // a file does not know it either
+        if (!collisions.lasts(data.bodies, c)) continue; // it says nothing of how the world goes on
         hash.add(std::uint64_t(c.first.id) << 32 | c.second.id);
         hash.add(c.steps);
         hash.add_number(c.depth.value());

@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// `HitSleepers`: which sleeping bodies will be hit in a part of a step, by a response that owns substeps. (Beyond the
+/// `HitSleepers`: which sleeping bodies will be hit in a substep, by a response that owns substeps. (Beyond the
 /// notes.)
 ///
 /// Such a response stops what comes near before it touches. A sleeper would take that like a wall and sleep on: so it
-/// wakes before it is hit, or behind the part in which another was pushed into it.
+/// wakes before it is hit, or behind the substep in which another was pushed into it.
 
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/motion/rest_step.hpp>
@@ -17,7 +17,7 @@
 
 namespace ansatz {
 
-/// The sleepers that are hit in a part of a step.
+/// The sleepers that are hit in a substep.
 /// \tparam C        the composition
 /// \tparam Contacts what the response keeps of them
 template <class C, class Contacts> class HitSleepers {
@@ -26,7 +26,7 @@ public:
     using Scalar = typename S::Scalar;
     using Slot = Bodies::Slot; ///< a body's place in the lanes
 
-    /// Of a part of length `dt`, whose bodies have been gathered into `contacts`.
+    /// Of a substep of length `dt`, whose bodies have been gathered into `contacts`.
     HitSleepers(WorldData<C>& data, Contacts& contacts, const typename S::Time& dt)
         : data_(data), contacts_(contacts), dt_(dt), h_(dt.value()) {}
 
@@ -44,9 +44,9 @@ public:
     }
 
 private:
-    static constexpr Scalar ahead =
-        Scalar(1.25); // parts of a step, for what others add to a speed: who is woken in vain falls asleep again
-    static constexpr Scalar noted = Scalar(-1); // instead of a speed: a sleeper that has been found
+    // In substeps, and more than one, for what others add to a speed: a body that is woken in vain falls asleep again.
+    static constexpr double ahead = 1.25;
+    static constexpr int noted = -1; // instead of a speed: a sleeper that has been found
 
     bool rests(Slot slot) const { return data_.bodies.motion(slot) == Motion::resting; }
     /// Into `hit`, each once.
@@ -60,27 +60,27 @@ private:
         find_touched(struck, hit);
         if (find_strikers(struck)) find_struck(struck, hit);
     }
-    /// Those that are pressed already, or touched before the part ends.
+    /// Those that are pressed already, or touched before the substep ends.
     void find_touched(auto& struck, auto& hit) {
         contacts_.each_acting([&](const auto& c) {
             const bool a_rests = rests(Slot(c.slot_a));
             if (!a_rests && !rests(Slot(c.slot_b))) return;
-            const Scalar way = ahead * h_ * contacts_.along(c);
+            const Scalar way = Scalar(ahead) * h_ * contacts_.along(c);
             if (!(c.impulse > Scalar(0)) && !(contacts_.apart(c) + way < Scalar(0))) return;
             if (data_.collisions.has_contact(c.a, c.b)) return;
             auto& mark = struck[a_rests ? c.slot_a : c.slot_b];
             if (mark == Scalar(0)) hit.push_back(a_rests ? c.a : c.b);
-            mark = noted;
+            mark = Scalar(noted);
         });
     }
-    /// Bodies that meet another one before the part ends: with what that gives them, they may be as fast as twice their
-    /// approach.
+    /// Bodies that meet another one before the substep ends: with what that gives them, they may be as fast as twice
+    /// their approach.
     /// \return whether there are any
     bool find_strikers(auto& struck) const {
         bool any = false;
         contacts_.each_acting([&](const auto& c) {
             const Scalar approach = -contacts_.along(c);
-            if (c.impulse > Scalar(0) || !(contacts_.apart(c) < ahead * h_ * approach)) return;
+            if (c.impulse > Scalar(0) || !(contacts_.apart(c) < Scalar(ahead) * h_ * approach)) return;
             for (const auto& [one, other] : {std::pair(c.slot_a, c.slot_b), std::pair(c.slot_b, c.slot_a)})
                 if (data_.bodies.motion(one) == Motion::awake && disturbs(data_, Slot(other), false, dt_)) {
                     struck[one] = std::max(struck[one], 2 * approach);
@@ -97,7 +97,7 @@ private:
                 const auto reached = [&](Slot from, Slot to) {
                     if (!(struck[from] > std::max(struck[to], Scalar(0)))) return;
                     if (to >= data_.bodies.end(Motion::resting)) return;
-                    if (!(contacts_.apart(c) < ahead * h_ * struck[from])) return;
+                    if (!(contacts_.apart(c) < Scalar(ahead) * h_ * struck[from])) return;
                     if (rests(to) && struck[to] == Scalar(0)) hit.push_back(data_.bodies.id(to));
                     struck[to] = struck[from];
                     more = true;

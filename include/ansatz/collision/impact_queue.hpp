@@ -31,7 +31,7 @@ public:
     using Point = typename S::Position;                      ///< m
     using Shapes = typename Narrowphase::template Shapes<S>; ///< by kind
 
-    /// A body: from `since` on it is at `at` and moves at `rate`. Times are parts of the step.
+    /// A body: from `since` on it is at `at` and moves at `rate`. Times are fractions of the step.
     struct Traveller {
         std::uint32_t id;                ///< of the body
         std::uint32_t slot;              ///< its slot
@@ -64,7 +64,7 @@ public:
         travellers.reserve(n);
         slow_.reserve(n);
     }
-    /// Nobody travels, and nobody has met.
+    /// No body travels, and none have met.
     void clear() {
         boxes.clear();
         travellers.clear();
@@ -82,7 +82,7 @@ public:
         });
     }
     /// The fast are complete: what is found follows from them. The slow come behind them.
-    /// \return whether anybody is fast
+    /// \return whether any body is fast
     bool add_slow(const Shapes& shapes) {
         boxes.set_active(travellers.size());
         if (travellers.empty()) return false;
@@ -121,7 +121,7 @@ public:
         pushed_ = pushed;
         by_force_ = by_force;
         events_.clear();
-        for (std::size_t p = 0; p < pairs_.size(); ++p) look(shapes, std::uint32_t(p), Scalar(0));
+        for (std::size_t p = 0; p < pairs_.size(); ++p) find_touch(shapes, std::uint32_t(p), Scalar(0));
         while (!events_.empty()) {
             std::pop_heap(events_.begin(), events_.end());
             const Event e = events_.back();
@@ -190,10 +190,10 @@ private:
     }
     void look_again(const Shapes& shapes, std::uint32_t i, const Scalar& time) {
         for (auto p = travellers[i].first_link; p != none; p = pairs_[p].a == i ? pairs_[p].next_a : pairs_[p].next_b)
-            look(shapes, p, time);
+            find_touch(shapes, p, time);
     }
     /// When the two of a pair first touch, from a time on.
-    void look(const Shapes& shapes, std::uint32_t p, const Scalar& from) {
+    void find_touch(const Shapes& shapes, std::uint32_t p, const Scalar& from) {
         const auto &a = travellers[pairs_[p].a], &b = travellers[pairs_[p].b];
         if (a.count >= most_stops || b.count >= most_stops) return;
         const Scalar left = Scalar(1) - from;

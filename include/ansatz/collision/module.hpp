@@ -72,9 +72,9 @@ struct Collision {
     using stands_on = Types<Motion>;
     static constexpr bool relates_bodies = true;     ///< those that touch sleep and wake together
     static constexpr bool changes_velocities = true; ///< behind the integration
-    /// Whether the laws are asked before the integrator asks, or what they said to it is looked at behind it.
+    /// Whether the laws are asked before the integrator asks, or what they said to it is read behind it.
     template <class... P> static constexpr bool asks_first = CollisionFacts<P...>::substeps;
-    /// And sleepers that a force pulls at are looked for in each part of a step, before its contacts are solved.
+    /// And sleepers that a force pulls at are searched for in each substep, before its contacts are solved.
     template <class... P> static constexpr bool wakes_pulled = CollisionFacts<P...>::substeps;
     template <class... P> static constexpr bool solves_rows = CollisionFacts<P...>::substeps;
     template <class... P> static constexpr bool looks_at_own = CollisionFacts<P...>::holds_near;
@@ -96,7 +96,7 @@ struct Collision {
     template <class C, class Data> using State = CollisionState<C>;
     template <class W, class C> using Door = CollisionDoor<W, C>;
     template <class C>
-    using systems = detail::joined_types<detail::only_if<C::sweeps, detail::RememberPlaces>,
+    using systems = detail::joined_types<detail::only_if<C::continuous, detail::RememberPlaces>,
                                          detail::only_if<C::substeps, detail::Substeps>, Types<detail::Collide>>;
 
     // Room.
@@ -115,7 +115,7 @@ struct Collision {
     }
     static void on(hook::MakeRoom, auto& data, std::uint32_t id, bool) { data.collisions.make_room(id); }
     template <class C> static void on(hook::ReserveNotes, WorldData<C>& data, [[maybe_unused]] std::size_t n) {
-        if constexpr (C::rests) data.collisions.reserve_neighbours(n); // who is disturbed wakes
+        if constexpr (C::rests) data.collisions.reserve_neighbours(n); // disturbed bodies wake
     }
     static void on(hook::MakeRoomFor, auto& data, const auto& other) {
         data.collisions.make_room_for(other.collisions);
@@ -142,7 +142,7 @@ struct Collision {
     }
     template <class C>
     static void on(hook::Divided, WorldData<C>& data, std::uint32_t id, std::uint32_t part, const auto& /*share*/) {
-        data.collisions.wake_contacts_of(data, id); // the part takes them along
+        data.collisions.wake_contacts_of(data, id); // the new body takes them along
         data.collisions.body_divided(data.bodies, id, part);
     }
     static void on(hook::Removed, auto& data, std::uint32_t slot) {
@@ -161,7 +161,7 @@ struct Collision {
                 if (sleeper == id || data.collisions.is_sensor(sleeper) ||
                     !data.collisions.intersect(data, id, sleeper))
                     continue;
-                // The first sleeping body, which was looked at, takes this place.
+                // The first sleeping body, which was visited, takes this place.
                 inside.template tell<hook::Wake>(std::uint32_t(slot));
             }
         }
@@ -192,14 +192,14 @@ struct Collision {
     }
 
     // A step.
-    static void on(hook::LookAround, const auto& inside, const auto& dt) {
+    static void on(hook::BeforeStep, const auto& inside, const auto& dt) {
         inside.data.collisions.wake_contacts(inside.data);
         look_around(inside, dt);
     }
     template <class C> static void on(hook::RefreshBetweenSteps, WorldData<C>& data, const auto& policies) {
         if constexpr (!C::substeps) data.collisions.refresh_between_steps(data, policies);
     }
-    template <class I> static void on(hook::NextParts, const I& inside, int& parts) {
+    template <class I> static void on(hook::NextSubsteps, const I& inside, int& parts) {
         using C = typename I::Composition_;
         if constexpr (C::substeps) {
             using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;

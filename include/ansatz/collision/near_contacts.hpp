@@ -3,8 +3,8 @@
 
 /// \file
 /// `NearContacts`: the pairs that all but touch: what pulls at them, or their speed, closes the gap within a step.
-/// Where contacts are answered together they are held as well. Otherwise a pile that was parted exactly would lie on
-/// its lowest bodies alone, and a body that is parted from one that it ran into would be pushed into the next.
+/// Where contacts are answered together they are held as well. Otherwise a pile that was separated exactly would lie on
+/// its lowest bodies alone, and a body that is separated from one that it ran into would be pushed into the next.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/world/bodies.hpp>
@@ -41,13 +41,13 @@ public:
         for (std::size_t slot = 0; slot < bodies.end(Motion::awake); ++slot) {
             auto& reach = reach_[slot];
             reach.pulled = norm(pull(Bodies::Slot(slot))).value() * step * step;
-            // Twice its way: a body that is parted from one that came towards it is moved by both of their ways.
+            // Twice its way: a body that is separated from one that came towards it is moved by both of their ways.
             const Scalar way = norm(velocity(Bodies::Slot(slot))).value() * step;
             reach.all = reach.pulled + Scalar(2) * std::max(Scalar(0), way - reach.pulled);
         }
     }
     /// A body's box, made as much larger. It is not widened by more than it is thick: a faster body goes through
-    /// others in a step, or is swept.
+    /// others in a step, or is detected continuously.
     void widen(std::size_t slot, typename S::Position& lower, typename S::Position& upper) {
         auto& reach = reach_[slot];
         const Scalar thick = (upper - lower).value().minCoeff() / Scalar(2);
@@ -57,9 +57,9 @@ public:
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
     }
-    /// Looks at two that do not intersect.
+    /// Tests two that do not intersect.
     template <class Narrowphase, class Data>
-    void look(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b) {
+    void test(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b) {
         const Scalar margin = reach_[slot_a].all + reach_[slot_b].all;
         if (!(margin > Scalar(0))) return;
         auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
@@ -74,7 +74,7 @@ public:
             return;
         if (turned) contact.normal = -contact.normal;
         if (-contact.depth.value() <= (reach_[slot_a].pulled + reach_[slot_b].pulled) / 64)
-            contact.depth = {}; // they touch; a little apart is what parting them left
+            contact.depth = {}; // they touch; a little apart is what separating them left
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
         all.push_back(contact);

@@ -6,13 +6,15 @@
 ///
 /// The notes write ax + by + cz + d = 0 with N = (a, b, c). Here a plane is given by N and by how far its surface lies
 /// from the body's position along N, `offset` = -d: N . (x - position) = offset. It has no end and no box, so that
-/// every body is tested against it: have a few, not a thousand. Solid is the side that N points away from; whatever
+/// it is held against every body: have a few, not a thousand. Solid is the side that N points away from; whatever
 /// is below the surface, however deep, is pushed out along N.
 
 #include <ansatz/core/error.hpp>
 #include <ansatz/units.hpp>
 #include <ansatz/units/requirements.hpp>
 
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace ansatz {
@@ -33,7 +35,7 @@ struct Plane {
     template <class N, class X> static Plane through(const X& point, const N& normal) {
         Plane plane{normal, {}};
         const VectorParameter<unit::Length> x(point);
-        plane.offset = Quantity<unit::Length>::from_value(plane.normal.value().normalized().dot(x.value()));
+        plane.offset = Quantity<unit::Length>::from_value(plane.normal.value().stableNormalized().dot(x.value()));
         return plane;
     }
 
@@ -72,6 +74,21 @@ struct Plane {
         [[gnu::always_inline]] typename S::Length height(const typename S::Position& point,
                                                          const typename S::Position& x) const {
             return dot(point - x, normal) - offset;
+        }
+        /// Whether a box is above the surface of the plane at position `x` by more than rounding, so that nothing in it
+        /// touches the plane. All in m.
+        [[gnu::always_inline]] bool misses(const Vector<typename S::Scalar, S::dimension>& lower,
+                                           const Vector<typename S::Scalar, S::dimension>& upper,
+                                           const Vector<typename S::Scalar, S::dimension>& x) const {
+            using std::abs;
+            using Scalar = typename S::Scalar;
+            Scalar height = -offset.value(), size = abs(height); // of the box's lowest corner along the normal
+            for (int k = 0; k < S::dimension; ++k) {
+                const Scalar up = normal[k] > Scalar(0) ? normal[k] : Scalar(0), down = normal[k] - up;
+                height += up * lower[k] + down * upper[k] - normal[k] * x[k];
+                size += abs(normal[k]) * (abs(lower[k]) + abs(upper[k]) + abs(x[k]));
+            }
+            return height > 32 * std::numeric_limits<Scalar>::epsilon() * size;
         }
     };
 };

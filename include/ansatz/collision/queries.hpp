@@ -93,7 +93,10 @@ bool ray_hits(const Sphere::In<S>& sphere, const RayIn<S>& ray, const typename S
     if (!detail::point_meets_sphere(from.value(), ray.direction, reach, time) || time > ray.longest.value())
         return false;
     touch.distance = S::Length::from_value(time);
-    return detail::unit_vector(Vector<Scalar, S::dimension>(from.value() + time * ray.direction), touch.normal);
+    // From so far that the scalar does not tell the surface from the centre, it is hit all the same.
+    if (!detail::unit_vector(Vector<Scalar, S::dimension>(from.value() + time * ray.direction), touch.normal))
+        touch.normal = -ray.direction;
+    return true;
 }
 /// A plane.
 template <class S>

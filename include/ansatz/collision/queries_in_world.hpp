@@ -4,13 +4,13 @@
 /// \file
 /// `Query`: what `World::query()` answers: ray casts and overlaps, of all bodies as they are now.
 ///
-/// A plain loop over the bodies. The broadphases of this library look for all pairs at once and are made anew in each
-/// step, because everything moves; to make one for a single ray costs about as much as to look at every body, or a
+/// A plain loop over the bodies. The broadphases of this library find all pairs at once and are made anew in each
+/// step, because everything moves; to make one for a single ray costs about as much as a test of every body, or a
 /// multiple. Measured with 1000, 10 000 and 100 000 spheres (g++ 12, -O2, two cores with other work): a ray 155, 153
 /// and 125 ns a body, the overlap of a sphere 103, 94 and 94 ns, and the fastest broadphase on the same boxes 88, 681
 /// and 661 ns a body. For thousands of rays a step in a scene of many bodies that stand still, keep a tree of your own.
 ///
-/// Behind the ray or the shape stand options in any order: `with_sensors`, and what the world's filter looks at, as
+/// Behind the ray or the shape stand options in any order: `with_sensors`, and what the world's filter reads, as
 /// if the ray were a body: `ignores(1 << 3)`, `member_of(2)` for `Layers`. Nothing is allocated: lists go into a vector
 /// of yours.
 
@@ -137,7 +137,7 @@ private:
     template <class F, class... Option> void each(F&& f, const Option&... option) const {
         constexpr bool known = (is_known<Option> && ...);
         static_assert(known, "Ansatz: query: an option that means nothing here; it is with_sensors, or something that "
-                             "the world's filter looks at, e.g. ignores(1 << 3) "
+                             "the world's filter reads, e.g. ignores(1 << 3) "
                              "in a world with Layers{}");
         if constexpr (known) {
             Row<S, filter_columns> asking{};

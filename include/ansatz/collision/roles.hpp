@@ -17,7 +17,7 @@ namespace roles {
 struct Broadphase {
     using module = modules::Collision; ///< it comes with
 };
-/// Which pairs are looked at; at most one.
+/// Which pairs are tested; at most one.
 struct Filter {
     using module = modules::Collision; ///< it comes with
 };

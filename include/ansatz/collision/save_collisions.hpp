@@ -22,7 +22,7 @@
 
 namespace ansatz {
 
-/// The one that may look into what a world holds of collisions, to save and load it.
+/// The one that may read what a world holds of collisions, to save and load it.
 struct CollisionArchive {
     /// Shapes by body, contacts by their two bodies.
     /// \tparam Files what writes a file (world/save.hpp)
@@ -45,7 +45,6 @@ struct CollisionArchive {
         if constexpr (C::rests) write_pulls_of_shapeless<C, Files>(file, data);
         auto& contacts = file["contacts"] = Json::array();
         for (const auto& c : collisions.contacts.all()) {
-            if (!collisions.lasts(data.bodies, c)) continue;
             Json one{{"first", c.first.id},
                      {"second", c.second.id},
                      {"steps", c.steps},
@@ -54,6 +53,8 @@ struct CollisionArchive {
                 one["point"].push_back(Files::number(c.point.value()[k]));
                 one["normal"].push_back(Files::number(c.normal[k]));
             }
+            if (!collisions.lasts(data.bodies, c)) // it ends in the next step, which tells who they were
+                one["generations"] = Json::array({c.first.generation, c.second.generation});
             contacts.push_back(std::move(one));
         }
         if constexpr (std::remove_cvref_t<decltype(collisions)>::divides) {
@@ -92,11 +93,11 @@ struct CollisionArchive {
         for (std::size_t i = 0; i < most; ++i) {
             const auto json = contacts.at(i);
             Contact<typename C::S> contact;
-            const auto a = body(data, json.at("first")), b = body(data, json.at("second"));
-            if (a >= b || (i > 0 && std::pair(a, b) <= last))
+            read_bodies(data, json, contact);
+            const std::pair ids(contact.first.id, contact.second.id);
+            if (ids.first >= ids.second || (i > 0 && ids <= last))
                 json.refuse_here("contacts in the order of their bodies' ids, the smaller first");
-            last = {a, b};
-            const auto sa = data.bodies.slot_of_id(a), sb = data.bodies.slot_of_id(b);
+            last = ids;
             auto point = contact.point.value();
             json.at("point").size_is(std::size_t(C::S::dimension), "numbers");
             json.at("normal").size_is(std::size_t(C::S::dimension), "numbers");
@@ -108,8 +109,6 @@ struct CollisionArchive {
                 json.at("normal").refuse_here("a unit vector");
             contact.point = C::S::Position::from_value(point);
             contact.depth = C::S::Length::from_value(json.at("depth").template number<typename C::S::Scalar>());
-            contact.first = data.bodies.handle(sa);
-            contact.second = data.bodies.handle(sb);
             contact.steps = std::uint32_t(json.at("steps").whole(0xffffffffu));
             collisions.contacts.acting.push_back(contact);
         }
@@ -145,6 +144,25 @@ private:
                 json.at("body").refuse_here("a body that has no shape");
             detail::field_from_file(data.collisions.pulls_[id], json.at("pull"));
         }
+    }
+    /// The two of a contact; of a body that was removed since, the file has the generation.
+    template <class Data, class File> static void read_bodies(Data& data, const File& json, auto& contact) {
+        constexpr const char* generations = "generations";
+        if (!json.has(generations)) {
+            contact.first = data.bodies.handle(data.bodies.slot_of_id(body(data, json.at("first"))));
+            contact.second = data.bodies.handle(data.bodies.slot_of_id(body(data, json.at("second"))));
+            return;
+        }
+        const auto both = json.at(generations);
+        both.size_is(2, "numbers");
+        const std::size_t most = data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1;
+        contact.first.id = std::uint32_t(json.at("first").whole(most));
+        contact.second.id = std::uint32_t(json.at("second").whole(most));
+        contact.first.generation = std::uint32_t(both.at(std::size_t(0)).whole(0xffffffffu));
+        contact.second.generation = std::uint32_t(both.at(std::size_t(1)).whole(0xffffffffu));
+        if (data.bodies.contains(contact.first) && data.bodies.contains(contact.second))
+            both.refuse_here("generations where a body was removed; both are in the file");
+        data.collisions.some_are_gone();
     }
     template <class Data, class File> static std::uint32_t body(const Data& data, const File& json) {
         const auto id = json.whole(data.bodies.ids() == 0 ? 0 : data.bodies.ids() - 1);

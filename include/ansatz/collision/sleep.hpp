@@ -2,7 +2,8 @@
 #pragma once
 
 /// \file
-/// What contacts mean for sleep (motion/sleep.hpp): bodies that touch are of one island, and a contact can hold a body.
+/// How contacts decide about sleep (motion/sleep.hpp): bodies that touch are of one island, and a contact can hold a
+/// body.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/facts.hpp>
@@ -19,7 +20,7 @@ namespace detail {
 /// Bodies that touch are of one island.
 template <class C> void join_by_contacts(const WorldData<C>& data, SleepScratch<typename C::S>& scratch) {
     using S = typename C::S;
-    constexpr bool push_unknown = C::template responses<Level::velocities>::size > 0 || C::parts;
+    constexpr bool push_unknown = C::template responses<Level::velocities>::size > 0 || C::separates;
     const auto awake = data.bodies.end(Motion::awake);
     const auto meets = [&](Bodies::Slot slot, [[maybe_unused]] const auto& outwards, Bodies::Slot other) {
         if (slot >= awake) return;
@@ -44,7 +45,7 @@ struct ContactsKept {
     bool twice = false;     ///< whether some may be there twice
 };
 /// Two bodies of which none moves are in contact as they were. One that sleeps on a platform that stands still is
-/// looked at with it, but may lie there without any depth.
+/// tested with it, but may lie there without any depth.
 /// \param found takes them
 template <class C>
 ContactsKept keep_contacts_at_rest([[maybe_unused]] const WorldData<C>& data,

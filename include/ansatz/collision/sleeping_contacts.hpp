@@ -4,7 +4,7 @@
 /// \file
 /// `SleepingContacts`: contacts of bodies that sleep, apart from those that act (notes 1.1: nothing is computed for
 /// what rests). They stay as they are until a body of them wakes, and no step goes through them. Those of one body are
-/// found without a look at the others, so that waking a pile costs what the pile is.
+/// found without visiting the others, so that waking a pile costs what the pile is.
 
 #include <ansatz/collision/contact.hpp>
 
@@ -19,7 +19,7 @@
 namespace ansatz {
 
 namespace detail {
-/// A list that is made for the first that asks; several threads may ask at once. Its room is kept.
+/// A list that is made when it is first asked for; several threads may ask at once. Its room is kept.
 template <class T> class MadeWhenAsked {
 public:
     using List = std::vector<T>;
@@ -33,7 +33,7 @@ public:
         delete made_.load();
         delete spare_.load();
     }
-    /// What it was made from has changed.
+    /// Marks the list as out of date.
     void forget() {
         if (made_.load(std::memory_order_relaxed)) delete spare_.exchange(made_.exchange(nullptr));
     }
@@ -75,12 +75,12 @@ public:
             nodes_.reserve(std::max(needed, 2 * nodes_.capacity()));
         if (first_.size() < ids) first_.resize(ids, none);
     }
-    /// Room for what another holds, so that assigning it cannot fail.
+    /// Room for the contents of another, so that assigning it cannot fail.
     void make_room_for(const SleepingContacts& other) {
         nodes_.reserve(other.nodes_.size());
         first_.reserve(other.first_.size());
     }
-    /// Takes pairs out of those that act. With room for them in `make_room`, it cannot fail.
+    /// Takes pairs out of the acting ones. With room for them in `make_room`, it cannot fail.
     /// \param sleeps a function of a pair: whether neither of its bodies moves
     void take(std::vector<T>& acting, const auto& sleeps) {
         std::erase_if(acting, [&](const T& pair) {
@@ -95,7 +95,7 @@ public:
     /// @{
     /// Room for all to leave.
     void make_room_to_leave() { order_.reserve(marks_.count); }
-    /// The pairs of a body leave. They are here until they are merged, but no body has them. It cannot fail.
+    /// The pairs of a body leave. They stay here until they are merged, but belong to no body. It cannot fail.
     /// \param f is called with the place of each
     void leave(std::uint32_t id, auto&& f) {
         each_place_of(id, [&](std::uint32_t place, std::size_t side) {
@@ -116,7 +116,7 @@ public:
         });
         return order_;
     }
-    /// They take their places among those that act. With room for them, it cannot fail.
+    /// Merges them with the acting pairs. With room for them, it cannot fail.
     /// \param as what to make of each
     void merge(std::vector<T>& acting, const auto& as) {
         if (!any_left()) return;

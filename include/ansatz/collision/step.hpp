@@ -2,15 +2,15 @@
 #pragma once
 
 /// \file
-/// What a step does where bodies collide: contacts are found and handed to the responses, and what was hit wakes. What
-/// a response does that owns substeps is in substep_driver.hpp.
+/// What a step does where bodies collide: contacts are found and handed to the responses, and bodies that were hit
+/// wake. What a response does that owns substeps is in substep_driver.hpp.
 
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/motion/rest_step.hpp>
 
 namespace ansatz {
 
-/// Collisions in a step, or in a part of one.
+/// Collisions in a step, or in a substep.
 template <class StepT> class CollisionStep : public MotionStep<StepT> {
     using Base = MotionStep<StepT>;
 
@@ -34,7 +34,7 @@ public:
 
     /// Contacts are found where the bodies are now; they wake sleeping bodies, and the responses answer them.
     void collide() {
-        if constexpr (C::sweeps) hold_back();
+        if constexpr (C::continuous) hold_back();
         const auto next = context_.later(1.0);
         const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
             return this->acceleration_at(slot, row, next);
@@ -64,9 +64,9 @@ public:
         };
         respond(typename C::template responses<Level::velocities>{});
         contacts.hold_velocities();
-        if constexpr (C::sweeps && C::parts) data_.collisions.remember(data_);
+        if constexpr (C::continuous && C::separates) data_.collisions.remember(data_);
         respond(typename C::template responses<Level::positions>{});
-        if constexpr (C::sweeps && C::parts) { // a body that was pushed far must not be pushed through another
+        if constexpr (C::continuous && C::separates) { // a body that was pushed far must not be pushed through another
             data_.collisions.hold_back(
                 data_, policies_, true,
                 [&](Slot slot, const typename S::Position& to, const auto&...) { contacts.place(slot, to); });
@@ -75,7 +75,7 @@ public:
         if constexpr (C::coupled) data_.coupled.current = false;
     }
 
-    /// Where everybody is before they move.
+    /// Where bodies are before they move.
     void remember() { data_.collisions.remember(data_); }
     /// Wakes the neighbours of bodies that were woken between two steps.
     void wake_touching() {
@@ -85,7 +85,7 @@ public:
         ContactStep<C, Policies, decltype(acceleration)> contacts(data_, policies_, context_.dt(), acceleration);
         contacts.wake([&](Slot slot) { wake_resting(data_, slot); }, false);
     }
-    /// What contacts did in the last substep, per time: friction, too.
+    /// The accelerations by contacts in the last substep, friction included.
     void add_pushes([[maybe_unused]] const auto& add) const {
         if constexpr (C::substeps) {
             using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
@@ -108,7 +108,7 @@ protected:
 
     /// Bodies that may come to touch are found by velocities and forces, so that a change that waits to be made good is
     /// made good first.
-    void settle() {
+    void refresh_forces() {
         if constexpr (C::coupled)
             if (C::substeps || data_.coupled.changed)
                 refresh_coupled(
@@ -118,7 +118,7 @@ protected:
 
 private:
     /// Bodies that would have passed each other are kept where they touched, with the velocity that they had there:
-    /// what the laws did to it on the way that is taken back is taken back, so that energy is what it was. With v_a
+    /// the work of the laws on the way that is taken back is taken back too, so that the energy is kept. With v_a
     /// along the acceleration a and the way back delta, v_a^2 changes by 2 a . delta.
     void hold_back() {
         const typename S::Time dt = context_.dt(), last = dt / Scalar(C::substeps ? data_.collisions.parts : 1);
@@ -150,11 +150,15 @@ private:
                 data_.put(slot, to);
                 if (C::history || size.value() > Scalar(0)) data_.set_velocity(slot, v);
             });
+        const auto acceleration = [&](Slot slot, const typename Data::Body& row) {
+            return this->acceleration_at(slot, row, next);
+        };
+        ContactStep<C, Policies, decltype(acceleration)>(data_, policies_, last, acceleration).hold_velocities();
     }
 };
 template <class StepT> CollisionStep(StepT&) -> CollisionStep<StepT>; ///< of a step
 
-/// Contacts that are forces are looked for anew where bodies were changed, or a step is longer than the last one was.
+/// Contacts that are forces are searched for anew where bodies were changed, or a step is longer than the last one was.
 template <class InsideT>
 void look_around([[maybe_unused]] const InsideT& inside, [[maybe_unused]] const TimeStep<typename InsideT::S>& dt) {
     using C = typename InsideT::Composition_;

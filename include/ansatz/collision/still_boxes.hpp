@@ -3,7 +3,7 @@
 
 /// \file
 /// `StillBoxes`: the boxes of bodies that are fixed or at rest (notes 1.1), kept from step to step, so that a step
-/// looks only at those which a moving body comes near to. A broadphase (notes 2.1.1) is given these and the bodies that
+/// tests only those which a moving body comes near to. A broadphase (notes 2.1.1) is given these and the bodies that
 /// move: a level of ten thousand fixed boxes costs what is met of it.
 ///
 /// It is a spatial hash with several grids, each four times as coarse as the one before. A box is in the cell of its

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `SubstepDriver`: a step in parts, by a response that owns substeps (`SoftSubsteps`). Before each part contacts and
-/// joints take away what is wrong with the velocities; behind it, what only corrected. (Beyond the notes.)
+/// `SubstepDriver`: a step in substeps, by a response that owns substeps (`SoftSubsteps`). Before each substep contacts
+/// and joints take away what is wrong with the velocities; behind it, what only corrected. (Beyond the notes.)
 
 #include <ansatz/collision/hit_sleepers.hpp>
 #include <ansatz/collision/step.hpp>
@@ -45,10 +45,10 @@ public:
           last_(context_.dt().previous) {}
 
     /// The step.
-    /// \param inside what stands in the schedule between its beginning and the contacts: forces and integrator
+    /// \param inside the systems between its beginning and the contacts: forces and integrator
     template <class Inside> void run(const Inside& inside) {
         look_ahead();
-        bool found = false; // not while everybody sleeps: their contacts keep their impulses
+        bool found = false; // not while all bodies sleep: their contacts keep their impulses
         for (int part = 0; part < response_.parts(); ++part) {
             begin_part(part);
             if (!found && (constrained || data_.bodies.any_goes())) {
@@ -66,10 +66,11 @@ public:
             const bool struck = bounce();
             hold(part);
             move(part, inside);
-            if constexpr (C::rests) // here: a body that is being parted is not slow, though `let_go` takes that back
-                if (part + 1 == response_.parts()) RestStep<StepT>(step_).look_at_speed();
+            if constexpr (C::rests) // before `let_go` takes it back: a body that is being pushed out is not slow
+                if (part + 1 == response_.parts()) RestStep<StepT>(step_).note_speed();
             let_go(struck);
         }
+        if constexpr (requires { contacts_.finish(); }) contacts_.finish();
         if (bounces_) contacts_.note_impacts();
         data_.collisions.parts = response_.parts();
         context_ = whole_;
@@ -79,7 +80,7 @@ public:
 private:
     using R = typename detail::FirstIn<typename C::template responses<Level::substeps>>::type;
     using Contacts = std::remove_cvref_t<decltype(std::declval<Data&>().template state<R>())>;
-    /// How the acceleration of a body is asked for while contacts are solved.
+    /// The acceleration of a body while contacts are solved.
     struct Acceleration {
         const SubstepDriver* driver;
         typename S::Acceleration operator()(Slot slot, [[maybe_unused]] const typename Data::Body& row) const {
@@ -87,31 +88,31 @@ private:
             else return driver->expected(slot, driver->acceleration(slot, row));
         }
     };
-    /// With what a solver of positions will do, too: what it did in the last part.
+    /// The push of a solver of positions included: that of the last substep.
     typename S::Acceleration expected(Slot slot, const typename S::Acceleration& a) const {
         if constexpr (C::template stores<HeldAcceleration>) return a + data_.lanes.template get<HeldAcceleration>(slot);
         else return a;
     }
     static constexpr double leads = detail::velocity_leads<I>();
 
-    /// When a part begins.
+    /// When a substep begins.
     typename S::ClockTime time_of(int part) const {
         return start_ + S::ClockTime::from_value(typename S::ClockScalar(part) * typename S::ClockScalar(h_));
     }
     /// The pairs that may come to touch in the whole step.
     void look_ahead() {
         data_.collisions.expect(context_.dt());
-        this->settle();
+        this->refresh_forces();
         find_near(context_.dt().previous);
         woken_ = data_.bodies.woken();
     }
-    /// \param last the length of the step, or of the part, before
+    /// \param last the length of the step, or of the substep, before
     void find_near(const typename S::Time& last) {
         data_.collisions.refresh(data_, policies_, [&](Slot slot) {
             return expected(slot, this->acceleration(slot, data_.load(slot, last)));
         });
     }
-    /// The contacts and their bodies, for all parts.
+    /// The contacts and their bodies, for all substeps.
     void find_contacts() {
         data_.collisions.wake_contacts(data_);
         bodies_.place(contacts_.bodies, contacts_.kicks);
@@ -132,7 +133,7 @@ private:
         if constexpr (C::rests && C::coupled) // before contacts are solved, which then hold them, too
             RestStep<StepT>(step_).wake_pulled();
     }
-    /// Positions, and the mean velocities over this part, were there no contacts.
+    /// Positions, and the mean velocities over this substep, were there no contacts.
     void see_bodies() { bodies_.gather(contacts_.bodies, before_, 0.5 + leads, dt_, last_, &contacts_.kicks); }
     /// Something pulls at a sleeper: it goes on from here with its contacts and neighbours.
     /// \return whether any body was woken
@@ -144,7 +145,7 @@ private:
             return true;
         } else return false;
     }
-    /// The same where bodies were woken: they stand in other slots now, and what they may come to touch was not looked
+    /// The same where bodies were woken: they are in other slots now, and what they may come to touch was not searched
     /// for while they slept.
     void see_who_woke() {
         woken_ = data_.bodies.woken();
@@ -161,20 +162,20 @@ private:
         if constexpr (C::history) this->complete_starts();
         see_bodies();
     }
-    /// Sleepers that will be hit in this part of the step.
+    /// Sleepers that will be hit in this substep.
     /// \return whether any body was woken
     bool wake_the_hit() {
         if (!HitSleepers<C, Contacts>(data_, contacts_, dt_).wake()) return false;
         RestStep<StepT>(step_).wake_neighbours();
         return true;
     }
-    /// \return whether any two met within this part
+    /// \return whether any two bodies collided within this substep
     bool bounce() {
         const bool struck = bounces_ && response_.bounce(contacts_, h_);
         if (struck) bodies_.scatter_late(contacts_.bodies, before_, contacts_.impacts, -1 / h_, last_);
         return struck;
     }
-    /// Contacts and joints take away what is wrong with the velocities, and part what is in each other.
+    /// Contacts and joints take away what is wrong with the velocities, and separate what is in each other.
     void hold(int part) {
         if constexpr (constrained) {
             find_rows();
@@ -188,7 +189,7 @@ private:
         if constexpr (constrained) data_.rows.value.take_out(contacts_.bodies, contacts_.pushed);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
     }
-    /// Forces and integrator: everybody moves.
+    /// Forces and integrator: all bodies move.
     template <class Inside> void move(int part, const Inside& inside) {
         last_ = dt_;
         if (part + 1 < response_.parts()) {
@@ -199,13 +200,13 @@ private:
             data_.coupled.current = false;
             refresh_coupled(data_, policies_, step_.after());
         }
-        if constexpr (shares && (C::history || leads != 0.5)) { // the next part begins with what they say now
+        if constexpr (shares && (C::history || leads != 0.5)) { // the next substep begins with what they say now
             context_ = Context<S>(time_of(part + 1), TimeStep<S>(dt_, last_));
             bound_.prepare(context_);
             this->know_own_again(context_);
         }
     }
-    /// What only parted bodies or corrected joints is taken back, and energy that contacts have given.
+    /// Takes back velocity that only separated bodies or corrected joints, and energy that contacts have added.
     void let_go(bool struck) {
         bodies_.gather(contacts_.bodies, before_, leads - 0.5, dt_, last_);
         if (struck) bodies_.scatter_late(contacts_.bodies, before_, contacts_.impacts, 1 / h_, last_);
@@ -221,7 +222,7 @@ private:
     /// Whether joints are solved with the contacts.
     static constexpr bool constrained = C::row_givers::size > 0;
 
-    /// What joints ask of the bodies where they are now.
+    /// The rows of joints at the present positions.
     void find_rows() {
         auto& rows = data_.rows.value;
         rows.clear();
@@ -232,7 +233,7 @@ private:
         };
         [&]<class... P>(Types<P...>) { (of_one.template operator()<P>(), ...); }(typename C::row_givers{});
     }
-    /// By slot: velocities to which contacts have done nothing in this pass.
+    /// By slot: velocities without the contacts of this pass.
     const auto& without_contacts() const {
         if constexpr (constrained) return data_.rows.value.without_contacts();
         else return before_;
@@ -250,9 +251,9 @@ private:
     std::remove_reference_t<decltype(std::declval<Data&>().collisions.before_solving())>& before_;
     typename S::ClockTime start_;
     Context<S> whole_;
-    Scalar h_;                // s, a part
+    Scalar h_;                // s, a substep
     typename S::Time dt_;     // the same
-    typename S::Time last_;   // the part before
+    typename S::Time last_;   // the substep before
     bool bounces_ = false;    // whether anything may, in this step
     std::uint64_t woken_ = 0; // bodies, when they were seen last
 };

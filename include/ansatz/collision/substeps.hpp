@@ -76,7 +76,7 @@ public:
     }
     /// What impacts have changed. A body that was struck within the substep moves with its new velocity for the rest of
     /// the substep only.
-    /// \param factor 1/s, of the part of the substep before the impact
+    /// \param factor 1/s, of the time in the substep before the impact
     template <class Body>
     void scatter_late(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, const auto& impacts,
                       const Scalar& factor, const Time& last) {

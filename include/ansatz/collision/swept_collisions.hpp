@@ -47,7 +47,7 @@ public:
             detail::reserve_each(n, w.moved, w.queue, w.finder);
         }
     }
-    /// Where everybody is before they move.
+    /// Where bodies are before they move.
     template <class Data> void remember(const Data& data) {
         auto& moved = sweep_.value.moved;
         moved.clear();
@@ -92,7 +92,7 @@ public:
 private:
     using Queue = ImpactQueue<S, Narrowphase>;
     using Traveller = typename Queue::Traveller;
-    /// Whether only forces part bodies, so that they have to be in each other.
+    /// Whether only forces separate bodies, so that they have to be in each other.
     static constexpr bool by_force = C::template responses<Level::velocities>::size == 0 && !C::substeps &&
                                      C::template responses<Level::accelerations>::size > 0;
 
@@ -106,8 +106,8 @@ private:
         std::optional<typename Broadphase::template In<S>> finder;
     };
 
-    /// Everybody, and the boxes of those that have one: the fast first, each around the way from where it was.
-    /// \return whether anybody is fast
+    /// All bodies, and the boxes of those that have one: the fast first, each around the way from where it was.
+    /// \return whether any body is fast
     template <class Data> bool gather(const Data& data) {
         auto& w = sweep_.value;
         w.queue.clear();

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `WorldContacts`: the contacts of a world from step to step. Those that go on are known again; those of bodies that
+/// `WorldContacts`: the contacts of a world from step to step. Those that go on are recognised; those of bodies that
 /// sleep are kept apart, with what responses keep of them, until a body wakes or is taken away (notes 1.1).
 
 #include <ansatz/collision/contact_lists.hpp>
@@ -27,13 +27,14 @@ public:
     using S = typename C::S;       ///< the space
     ContactLists<S> contacts;      ///< by the ids of their bodies; see `lasts`
     std::vector<ContactEnd> ended; ///< what was a contact before the last step and is none now
-    bool keeps_apart = true; ///< those of sleeping bodies; else a step goes through them, and comes to the same bits
+    /// Whether contacts of sleeping bodies are kept apart; the results are the same to the bit either way.
+    bool keeps_apart = true;
 
     /// Whether two bodies were in contact when the last step was done; the one with the smaller id first.
     bool has_contact(std::uint32_t a, std::uint32_t b) const { return contacts.has(a, b); }
     /// Whether both bodies of a contact are still there.
     bool lasts(const Bodies& bodies, const Contact<S>& c) const {
-        return !somebody_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
+        return !body_removed_ || (bodies.contains(c.first) && bodies.contains(c.second));
     }
     /// Room for the neighbours of a body among so many.
     void reserve_neighbours(std::size_t n) { neighbours_.value.reserve(n); }
@@ -47,9 +48,9 @@ public:
         std::sort(neighbours.begin(), neighbours.end());
         for (const auto neighbour : neighbours) f(neighbour);
     }
-    /// Where bodies have woken or gone since, their contacts that slept act again. Where it fails, none does.
+    /// Where bodies have woken or were removed since, their contacts act again. If it fails, none does.
     template <class Data> void wake_contacts(Data& data) {
-        if (woken_ == data.bodies.woken() && !somebody_removed_) return;
+        if (woken_ == data.bodies.woken() && !body_removed_) return;
         if (contacts.any_sleep()) {
             make_room_to_wake(data);
             for (std::size_t slot = 0; slot < data.bodies.end(Motion::awake); ++slot) leave(data, data.bodies.id(slot));
@@ -84,24 +85,26 @@ protected:
     using NextStep = std::conditional_t<C::substeps, typename C::template responses<Level::substeps>,
                                         typename C::template responses<Level::accelerations>>;
 
-    /// A body has been removed; what it was in contact with is told in the next step.
+    /// A body has been removed; the ends of its contacts are reported in the next step.
     void body_gone(std::uint32_t id) {
-        somebody_removed_ = true;
+        body_removed_ = true;
         contacts.leave(id);
     }
-    /// Whether one has been, since the last step.
-    bool any_gone() const { return somebody_removed_; }
-    /// Those that were found take the place of those that acted.
-    /// \param later whether this is a part of a step and not the first
+    /// The same of a world that is loaded, before there are contacts.
+    void some_are_gone() { body_removed_ = true; }
+    /// Whether a body was removed since the last step.
+    bool any_gone() const { return body_removed_; }
+    /// Replaces the acting contacts by those that were found.
+    /// \param later whether this is a substep and not the first
     void compare(std::vector<Contact<S>>& found, bool later) {
         detail::equal_room(contacts.acting, found);
         if (!later) ended.clear();
         detail::compare_contacts(contacts.acting, found, ended, later);
         contacts.acting.swap(found);
         contacts.changed();
-        somebody_removed_ = false;
+        body_removed_ = false;
     }
-    /// No body has moved since contacts were found: they are the same, a step older.
+    /// No body has moved since contacts were found: they stay, a step older.
     void go_on(bool later) {
         if (later) return;
         ended.clear();
@@ -123,7 +126,7 @@ protected:
     }
 
 private:
-    /// Whether all that keeps something of contacts for the next step can keep what sleeps apart.
+    /// Whether all responses that keep data of contacts can keep that of sleeping ones apart.
     template <class Data> static constexpr bool can_keep_apart() {
         if constexpr (!C::rests || !C::acts_next) return C::rests;
         else
@@ -150,8 +153,8 @@ private:
     }
 
     mutable detail::Cache<std::vector<std::uint32_t>> neighbours_; // ids
-    bool somebody_removed_ = false;                                // since the last step
-    std::uint64_t woken_ = 0;                                      // bodies, when their contacts were looked for last
+    bool body_removed_ = false;                                    // since the last step
+    std::uint64_t woken_ = 0;                                      // bodies, when their contacts were searched for last
 };
 
 } // namespace ansatz

@@ -7,7 +7,7 @@
 ///
 /// Every door of the library asks whether a number is finite, and "equal inputs give bit-equal results" rests on sums
 /// that are done in the order in which they are written. Under `-ffinite-math-only` the first question is answered
-/// without looking; under
+/// without a test; under
 /// `-fassociative-math` and `-freciprocal-math` the second does not hold. `-ffast-math` and `-Ofast` are all of them.
 /// Wanted for their speed are mostly `-fno-math-errno` and `-O3`, which are allowed.
 ///

@@ -4,7 +4,7 @@
 /// \file
 /// `ensemble`: one run for each of many parameters, and their results in the order of the parameters.
 ///
-/// A world is a value, so that what outgrows one core, or one machine, is mostly many worlds: sweeps over steps,
+/// A world is a value, so that what outgrows one core, or one machine, is mostly many worlds: scans of steps,
 /// coefficients and seeds, tournaments of machines and plans, crowds in separate regions. Write the run as a function
 /// of its parameter, which builds its world, steps it and gives back what is of interest:
 ///
@@ -16,7 +16,7 @@
 ///         },
 ///         steps, OnThreads{});
 ///
-/// Who runs them is the third argument: `OneByOne` (without it), `OnThreads` (on_threads.hpp, oneTBB) or `OnRanks`
+/// What runs them is the third argument: `OneByOne` (without it), `OnThreads` (on_threads.hpp, oneTBB) or `OnRanks`
 /// (on_ranks.hpp, MPI, across machines). The results are the same to the bit, because a run sees nothing but its
 /// parameter: it must not change what it shares with others, and takes its random numbers from a seed in its parameter.
 ///
@@ -47,7 +47,7 @@ struct EnsembleOptions {
     /// too: remove it when it is no longer wanted.
     std::filesystem::path kept{};
     /// What is run. It stands in the file; another text refuses the file. Change it when the run itself changes, for
-    /// which the file cannot look. (Parameters that are numbers are compared as well.)
+    /// which the file cannot check. (Parameters that are numbers are compared as well.)
     std::string name{};
     /// Called after each run, one at a time: how many are done, and of how many. See `ProgressLine`.
     std::function<void(std::size_t done, std::size_t all)> progress{};
@@ -71,7 +71,7 @@ struct OneByOne {
     }
 };
 
-/// Who runs an ensemble: `each<Result>(todo, run, take)` calls `run(i)` for each index of `todo`, anywhere, and
+/// What runs an ensemble: `each<Result>(todo, run, take)` calls `run(i)` for each index of `todo`, anywhere, and
 /// `take(i, result)` for each result, one at a time. What a run throws leaves it when no other is under way.
 ///
 /// Where several processes call `ensemble` together, `leads()` is true in the one that keeps the file and takes the
@@ -120,7 +120,7 @@ public:
             if (file_) file_->append(index, BytesOf<Result>::write(result));
         results_[index] = std::move(result);
         ++done_;
-        if (options_.progress) options_.progress(done_, results_.size());
+        if (options_.progress) tell();
     }
     /// What is added to a failure: what remains of the work.
     std::string kept() const {
@@ -137,6 +137,17 @@ public:
     }
 
 private:
+    /// What it throws is a sentence in any case: executors and other ranks wait for one.
+    void tell() const {
+        try {
+            options_.progress(done_, results_.size());
+        } catch (const std::exception&) {
+            throw;
+        } catch (...) {
+            throw std::runtime_error("EnsembleOptions::progress threw what is no std::exception");
+        }
+    }
+
     std::vector<std::optional<Result>> results_;
     const EnsembleOptions& options_;
     std::vector<std::size_t> todo_;
@@ -179,7 +190,7 @@ auto ensemble(const Run& run, const std::vector<Parameter>& parameters, Executor
 
     const auto one = [&](std::size_t i) -> Result {
         try {
-            return run(parameters[i]);
+            return std::invoke(run, parameters[i]);
         } catch (const std::exception& e) {
             detail::run_failed(i, parameters.size(), e.what());
         } catch (...) {
@@ -197,6 +208,17 @@ auto ensemble(const Run& run, const std::vector<Parameter>& parameters, Executor
     if constexpr (together) executor.share(results, failure);
     if (!failure.empty()) throw std::runtime_error(failure);
     return results;
+}
+/// A run that cannot be called with a parameter: a mistake.
+template <class Run, class Parameter, class Executor = OneByOne>
+    requires(!std::invocable<const Run&, const Parameter&>)
+auto ensemble(const Run&, const std::vector<Parameter>& parameters, Executor&& = OneByOne{},
+              const EnsembleOptions& = {}) {
+    constexpr bool takes_a_parameter = std::invocable<const Run&, const Parameter&>;
+    static_assert(takes_a_parameter,
+                  "Ansatz: the run of an ensemble is called with one parameter, by several threads at once, so that it "
+                  "must not be `mutable`; write e.g. ensemble([](double step) { return ...; }, steps)");
+    return parameters;
 }
 
 } // namespace ansatz

@@ -13,6 +13,7 @@
 
 #include <ansatz/core/error.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <cstddef>
@@ -22,6 +23,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view> // and with it std::ranges::enable_borrowed_range
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -29,10 +31,15 @@
 
 namespace ansatz::detail {
 
+/// Whether a value is where others are, and not those themselves: its bytes mean nothing to another program.
+template <class T>
+inline constexpr bool points_elsewhere =
+    std::is_pointer_v<T> || std::is_member_pointer_v<T> || std::ranges::enable_borrowed_range<T>; // a view of a text
+
 /// A result as bytes and back: trivially copyable values, vectors of them, and text. `known` is false for others.
 template <class T> struct BytesOf {
-    static constexpr bool known = std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T> &&
-                                  !std::is_pointer_v<T> && !std::is_member_pointer_v<T>;
+    static constexpr bool known =
+        std::is_trivially_copyable_v<T> && std::is_default_constructible_v<T> && !points_elsewhere<T>;
     static std::string write(const T& value) {
         std::string bytes(sizeof(T), '\0');
         std::memcpy(bytes.data(), &value, sizeof(T));
@@ -84,11 +91,21 @@ public:
 private:
     std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
+/// Adds what tells a number from others. A long double may have bytes that are no part of the number.
+template <class Number> void add_number(Fnv& fnv, Number number) {
+    if constexpr (std::is_same_v<Number, long double>)
+        for (int part = 0; part < 3; ++part) {
+            const auto digits = double(number);
+            fnv.add(&digits, sizeof digits);
+            number -= digits;
+        }
+    else fnv.add(&number, sizeof number);
+}
 /// What tells parameters apart that are numbers; 0 for others.
 template <class Parameter> std::uint64_t fingerprint(const std::vector<Parameter>& parameters) {
     Fnv fnv;
     if constexpr (std::is_arithmetic_v<Parameter>) {
-        for (const Parameter parameter : parameters) fnv.add(&parameter, sizeof parameter);
+        for (const Parameter parameter : parameters) add_number(fnv, parameter);
         return fnv.value();
     } else return 0;
 }
@@ -118,7 +135,9 @@ public:
         in.seekg(std::streamoff(header_.size()));
         if (!in) cannot("read");
         auto whole = std::uintmax_t(header_.size());
-        const std::uintmax_t size = std::filesystem::file_size(path_);
+        std::error_code failed;
+        const std::uintmax_t size = std::filesystem::file_size(path_, failed);
+        if (failed) cannot("read", failed); // it is no file, but a device
         std::string bytes;
         std::uint64_t head[2]{}, sum = 0;
         while (in.read(reinterpret_cast<char*>(head), sizeof head)) {
@@ -132,7 +151,8 @@ public:
             whole += sizeof head + bytes.size() + sizeof sum;
         }
         in.close();
-        if (whole < size) std::filesystem::resize_file(path_, whole);
+        if (whole < size) std::filesystem::resize_file(path_, whole, failed);
+        if (failed) cannot("written", failed);
         out_.open(path_, std::ios::binary | std::ios::app);
         if (!out_) cannot("written");
     }
@@ -155,8 +175,12 @@ private:
         in.read(line.data(), std::streamsize(line.size()));
         line.resize(std::size_t(in.gcount()));
         if (line == header_) return line;
-        if (!std::filesystem::is_directory(path_) && header_.compare(0, line.size(), line) == 0) return {};
-        other(line.substr(0, line.find('\n')));
+        std::error_code unknown; // whatever it is, the file cannot be written then
+        if (std::filesystem::is_directory(path_, unknown))
+            cannot("written", std::make_error_code(std::errc::is_a_directory));
+        if (header_.compare(0, line.size(), line) == 0) return {};
+        // Up to what no terminal shows: a sentence ends at a zero.
+        other({line.begin(), std::find_if(line.begin(), line.end(), [](char c) { return c >= 0 && c < ' '; })});
     }
     static std::uint64_t checksum(const std::uint64_t (&head)[2], const std::string& bytes) {
         Fnv fnv;
@@ -164,9 +188,9 @@ private:
         fnv.add(bytes.data(), bytes.size());
         return fnv.value();
     }
-    [[noreturn]] void cannot(const char* what) const {
+    [[noreturn]] void cannot(const char* what, const std::error_code& why = {errno, std::generic_category()}) const {
         refuse(Refusal::invalid_argument,
-               joined({"ensemble: ", path_.string(), " cannot be ", what, ": ", std::strerror(errno)}));
+               joined({"ensemble: ", path_.string(), " cannot be ", what, ": ", why.message()}));
     }
     [[noreturn]] void other(const std::string& line) const {
         const bool ours = line.rfind("ansatz-ensemble ", 0) == 0;

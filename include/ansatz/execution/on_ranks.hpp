@@ -7,9 +7,9 @@
 ///
 ///     boost::mpi::environment environment;
 ///     const boost::mpi::communicator ranks;
-///     const auto results = ensemble(run, parameters, OnRanks{ranks}, {.kept = "sweep.results"});   // on every rank
+///     const auto results = ensemble(run, parameters, OnRanks{ranks}, {.kept = "scan.results"});   // on every rank
 ///
-/// `mpirun -n 5 ./sweep` has rank 0 hand out the runs and keep their results, and four ranks run. Rank 0 runs nothing
+/// `mpirun -n 5 ./scan` has rank 0 hand out the runs and keep their results, and four ranks run. Rank 0 runs nothing
 /// where there are others, and sleeps while it waits, so that a machine of four cores takes five ranks. All ranks call
 /// `ensemble` with the same parameters, and all get all results, in the order of the parameters and the same to the bit
 /// for any number of ranks.

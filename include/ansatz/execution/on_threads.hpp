@@ -13,6 +13,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -56,11 +57,13 @@ struct OnThreads {
                     }
                 }
         };
-        oneapi::tbb::task_arena arena(threads_);
+        // No more than there are runs, nor than the sixteen bits in which oneTBB numbers the threads of an arena.
+        const int workers = int(std::min({std::size_t(threads_), todo.size(), std::size_t(1) << 14}));
+        oneapi::tbb::task_arena arena(std::max(workers, 1));
         // A worker is a task; one that begins late finds nothing left to do.
         arena.execute([&] {
             oneapi::tbb::parallel_for(
-                0, threads_, [&](int) { work(); }, oneapi::tbb::simple_partitioner{});
+                0, workers, [&](int) { work(); }, oneapi::tbb::simple_partitioner{});
         });
         if (failure) std::rethrow_exception(failure);
     }

@@ -31,7 +31,7 @@
 
 namespace ansatz {
 
-/// An Execution: the loops of a step, run in parts on a number of threads.
+/// An Execution: the loops of a step, run in ranges on a number of threads.
 ///
 ///     World world{Threads{}, RungeKutta4{}, Gravity{}, Drag{0.05 / second}};   // one thread for each core
 ///     World two{Threads{2}, VelocityVerlet{}, Gravity{}, Drag{0.05 / second}};
@@ -47,7 +47,8 @@ struct Threads {
     explicit Threads(int threads) : threads_(threads) {
         if (threads < 1)
             refuse_value("Threads", "threads", std::to_string(threads), "it is 1 or more; Threads{} takes every core");
-        if (threads > 1) arena_ = std::make_shared<oneapi::tbb::task_arena>(threads);
+        // oneTBB numbers the threads of an arena in sixteen bits.
+        if (threads > 1) arena_ = std::make_shared<oneapi::tbb::task_arena>(std::min(threads, 1 << 14));
     }
 
     /// How many threads there may be.

@@ -5,7 +5,7 @@
 /// `Attraction`: bodies attract each other (Newton's law of gravitation), and so show his third law (notes 1.3, 1.4).
 ///
 /// Use it for a handful of planets, or to see a force that couples bodies: what the first feels, the second feels with
-/// the opposite sign, and the momentum of all of them together stays what it was. Every pair is looked at, so a
+/// the opposite sign, and the momentum of all of them together stays what it was. Every pair is visited, so a
 /// thousand bodies are half a million pairs a stage. Near the ground take gravity.hpp. Not provided: a tree or a mesh
 /// for many bodies, and a Jacobian, so an implicit integrator refuses it.
 ///

@@ -3,7 +3,7 @@
 
 /// \file
 /// `BoundMotion`: the integrator, the forces and the effects of a world, bound to its space and prepared once for each
-/// part of a step.
+/// substep.
 
 #include <ansatz/motion/facts.hpp>
 #include <ansatz/motion/integration.hpp>

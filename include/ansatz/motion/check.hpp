@@ -133,7 +133,7 @@ template <class P, class S> constexpr auto check_of_motion() {
         return std::type_identity<FactsAndSentences<DegreeFacts<P, S>, CheckDegree<P, S>>>{};
     else if constexpr (PlaysRole<P, roles::Effect>)
         return std::type_identity<FactsAndSentences<EffectFacts<P, S>, CheckEffect<P, S>>>{};
-    else return std::type_identity<FactsAndSentences<NoFacts, CheckNothing>>{}; // its systems are looked at below
+    else return std::type_identity<FactsAndSentences<NoFacts, CheckNothing>>{}; // its systems are checked below
 }
 
 /// A force under an integrator that solves with derivatives.

@@ -42,7 +42,7 @@ void derive_velocities([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] con
                                                 data.bodies.end(Motion::moving));
                 size = data.bodies.end(Motion::awake);
             }
-        in_parts<C>(policies, 0, size, [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies, 0, size, [&](std::size_t begin, std::size_t end) {
             detail::derive_velocities_of<C>(data, last, begin, end);
         });
     }
@@ -110,7 +110,7 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
         if constexpr (detail::keeps_still_forces<C>())
             if (!data.coupled.changed && data.still_forces.value.holds(data))
                 return data.still_forces.value.sum(data, policies, context);
-        in_parts<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
             for (int k = 0; k < C::S::dimension; ++k) {
                 auto* lane = data.lanes.template lane<CoupledForce>(k);
                 std::fill(lane + begin, lane + end, typename C::S::Scalar(0));

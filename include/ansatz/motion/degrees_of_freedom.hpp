@@ -21,7 +21,7 @@
 /// `x += v * dt`. All degrees of a body advance together, stage by stage: each law sees the state of its stage. An
 /// integrator that keeps a history instead of a velocity, or solves, is refused by a sentence.
 ///
-/// Bodies that are `fixed` do not turn, platforms go on as they are, and Rest looks at the velocity of translation
+/// Bodies that are `fixed` do not turn, platforms go on as they are, and Rest tests the velocity of translation
 /// alone: a body that only turns may fall asleep, and stands still then.
 
 #include <ansatz/motion/integration.hpp>

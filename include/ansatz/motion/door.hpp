@@ -83,7 +83,7 @@ public:
         const auto in = ready(body, "World::set_position");
         auto slot = in.data.bodies.slot_of_id(body.id);
         const auto where = detail::finite_vector<S, unit::Length>("World::set_position", "position", x);
-        detail::settle_for(in, slot);
+        detail::refresh_for(in, slot);
         const auto v = detail::velocity_at(in, slot);
         const auto kind = in.data.bodies.motion(slot);
         in.template tell<hook::BeforeChange<ansatz::Position>>();
@@ -98,6 +98,8 @@ public:
         if constexpr (C::template stores<DrawnPosition>) in.data.lanes.template set<DrawnPosition>(slot, where);
         in.template tell<hook::Wake>(slot);
         in.template tell<hook::Placed>(body.id);
+        // A rope that is taut now, and was not, pulls at sleepers and wakes them; what a solver holds pulls at nobody.
+        if constexpr (C::held_couplings::size > 0) detail::wake_hanging(in, body.id);
     }
     /// \throws std::invalid_argument also for a fixed body, which has no velocity (add it as `moving`)
     template <class Q> void set_velocity(Handle body, const Q& v) {
@@ -136,7 +138,7 @@ public:
         const auto impulse = detail::finite_vector<S, unit::Momentum>("World::apply_impulse", "impulse", j);
         const auto inverse = in.data.lanes.template get<ansatz::InverseMass>(slot);
         if (!(inverse.value() > typename S::Scalar(0))) return;
-        detail::settle_for(in, slot);
+        detail::refresh_for(in, slot);
         const auto v = detail::velocity_at(in, slot) + inverse * impulse;
         if (!is_finite(v)) refuse_value("World::apply_impulse", "impulse", j, "the velocity after it is finite");
         in.template tell<hook::BeforeChange<ansatz::Velocity>>();

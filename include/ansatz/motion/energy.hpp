@@ -4,7 +4,7 @@
 /// \file
 /// Energy and momentum of a world, as queries with units (notes 1.4).
 ///
-/// Use them to watch a simulation: what should be conserved and is not names the mistake. They look at every body when
+/// Use them to watch a simulation: what should be conserved and is not names the mistake. They visit every body when
 /// they are called and cost nothing otherwise. Bodies of infinite mass (fixed, moving) are left out: they are not part
 /// of the system but what acts on it from outside. They need the masses: a world whose policies do not gets
 /// `Keep<InverseMass>`.

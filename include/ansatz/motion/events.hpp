@@ -17,7 +17,7 @@ struct Event {
     /// What can happen.
     enum class Kind : std::uint8_t { slept, woke };
     Kind kind;                                                    ///< what happened
-    Handle body;                                                  ///< to whom
+    Handle body;                                                  ///< of which body
     friend bool operator==(const Event&, const Event&) = default; ///< the same thing to the same body
 };
 

@@ -71,7 +71,7 @@ template <class P> struct IsOnPlatforms : std::bool_constant < EffectAt<Place::b
     requires P::on_platforms;
 } > {};
 
-/// An effect of the whole step, which the later parts of a divided one leave alone.
+/// An effect of the whole step, which the later substeps of a divided one leave alone.
 template <class P> struct IsOfEveryPart : std::bool_constant < !requires {
     requires P::once_a_step;
 } > {};
@@ -129,7 +129,7 @@ template <class... M> constexpr bool relates_bodies(Types<M...>) { return (says_
 /// Whether a module of these policies changes velocities behind the integration.
 template <class M> inline constexpr bool says_changes = requires { requires M::changes_velocities; };
 template <class... M> constexpr bool changes_velocities(Types<M...>) { return (says_changes<M> || ...); }
-/// Whether a module asks the laws before the integrator does, or looks at what they said behind it.
+/// Whether a module asks the laws before the integrator does, or reads what they said behind it.
 template <class M, class... P> inline constexpr bool asks_first = requires { requires M::template asks_first<P...>; };
 template <class M, class... P>
 inline constexpr bool looks_at_own = requires { requires M::template looks_at_own<P...>; };
@@ -184,7 +184,7 @@ public:
     using held_couplings = detail::filter<detail::ActsAsForce<S_, detail::modules_of<P...>>::template IsNot, P...>;
     using resters = detail::filter<detail::IsRester, P...>; ///< the policies that put bodies to rest
     /// The effects of a place, by their turns, so that the order of the list means nothing.
-    /// Where contacts change velocities, Rest looks at the velocities behind them.
+    /// Where contacts change velocities, Rest tests the velocities behind them.
     template <Place At>
     using effects = typename detail::InTurn<detail::filter<detail::EffectAt<At, late>::template Is, P...>>::type;
 
@@ -193,7 +193,7 @@ public:
 
     /// The effects that also act on fixed bodies that move by themselves.
     using platform_effects = detail::filter<detail::IsOnPlatforms, P...>;
-    /// Those of a list that act in every part of a divided step, not in its first part alone.
+    /// Those of a list that act in every substep of a divided step, not in the first alone.
     template <class List> using in_every_part = typename detail::InEveryPart<List>::type;
 
     using Laws = typename detail::LawsFrom<S_, laws>::type; ///< the sum of the laws, bound to the space
@@ -230,7 +230,7 @@ public:
         detail::contains<Velocity,
                          union_of<std::conditional_t<PlaysRole<P, roles::Force> || detail::IsCoupling<P>::value,
                                                      reads_of<P>, Columns<>>...>>;
-    /// Which part of a step asks the laws of one body: once, wherever the answer can be shared.
+    /// Which place of a step asks the laws of one body: once, wherever the answer can be shared.
     static constexpr LawsAsked asked = detail::how_asked<Integrator, Laws, Effects<Place::before_forces>, P...>();
     /// The scratch that the integrator really has use for.
     using scratch = union_of<std::conditional_t<velocity_read, detail::scratch_of<Integrator>,

@@ -4,7 +4,7 @@
 /// \file
 /// `ForcesAtRest`: what forces between bodies would be if those that may fall asleep stood still (notes 1.1, 1.8).
 ///
-/// A body that creeps on a strong damper is slow, and the damper balances what pulls at it. But it holds nobody who
+/// A body that creeps on a strong damper is slow, and the damper balances what pulls at it. But it holds no body that
 /// stands still: asked with the velocities that bodies have, its force would let them fall asleep far from where they
 /// go.
 

@@ -4,7 +4,7 @@
 /// \file
 /// `Gathering`: the forces of elements between bodies (springs), summed by each body for itself.
 ///
-/// A loop over the elements adds to the sums of their ends, so that two parts of it may add to one sum. Where an
+/// A loop over the elements adds to the sums of their ends, so that two ranges of it may add to one sum. Where an
 /// Execution runs the loops, the forces of all elements are written down first, each in a place of its own; then each
 /// body adds those of its ends, in the order of the elements. It is the order in which the serial loop adds them, so
 /// that the sums are the same to the bit. It costs a number for each component of each end, and reading it back: two
@@ -82,11 +82,11 @@ public:
              const std::array<Scalar*, std::size_t(S::dimension)>& sums) {
         constexpr std::size_t n = ends_of_element<Force, View>;
         const std::size_t elements = force.element_count(view), bodies = view.size();
-        // Slots may have changed since, or been assigned from another world: each element is looked at anyway.
+        // Slots may have changed since, or been assigned from another world: each element is visited anyway.
         std::atomic<bool> others = ends_.size() != elements * n || first_.size() != bodies + 2;
         ends_.resize(elements * n);
         forces_.resize(elements * n * dimension);
-        in_parts<C>(policies, 0, elements, [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies, 0, elements, [&](std::size_t begin, std::size_t end) {
             bool moved = false;
             for (std::size_t k = begin; k < end; ++k) {
                 const auto ends = force.ends(view, k);
@@ -102,7 +102,7 @@ public:
             if (moved) others.store(true, std::memory_order_relaxed);
         });
         if (others) arrange(bodies);
-        in_parts<C>(policies, 0, bodies, [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies, 0, bodies, [&](std::size_t begin, std::size_t end) {
             for (std::size_t slot = begin; slot < end; ++slot)
                 for (std::size_t d = 0; d < dimension; ++d) {
                     Scalar sum = sums[d][slot];

@@ -24,7 +24,7 @@ template <int Number> struct Stage {};
 /// Where in the step an effect acts.
 enum class Place {
     before_forces,     ///< on the state that the step starts from
-    after_integration, ///< on the state that the integrator has just made, before contacts are looked for
+    after_integration, ///< on the state that the integrator has just made, before contacts are searched for
     end_of_step        ///< when everything else has been done
 };
 
@@ -32,7 +32,7 @@ enum class Place {
 enum class LawsAsked {
     here,      ///< the laws are asked, for the integrator alone
     and_left,  ///< the laws are asked, and their answers are kept for what follows the integration
-    beforehand ///< the driver of the parts has asked them already, for the same state
+    beforehand ///< the driver of the substeps has asked them already, for the same state
 };
 
 namespace detail {

@@ -21,8 +21,7 @@ struct Interpolation {
     using writes = Columns<DrawnPosition>;
     static constexpr Place place = Place::before_forces;
     static constexpr bool on_platforms = true; ///< bodies that are `moving` are drawn in between as well
-    static constexpr bool once_a_step =
-        true; ///< a step that is taken in parts (StepLimit) is drawn as the one that it is
+    static constexpr bool once_a_step = true;  ///< a step that is taken in substeps (StepLimit) is drawn as one
 
     template <class S> struct In {
         explicit In(const Interpolation&) {}

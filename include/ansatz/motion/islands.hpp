@@ -31,12 +31,12 @@ public:
         parent_.resize(n);
         for (std::uint32_t i = 0; i < n; ++i) parent_[i] = i;
     }
-    /// The number that stands for the island of `i`.
+    /// The number of the island of `i`.
     std::uint32_t of(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]]; // each look makes the next one shorter
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]]; // each search makes the next one shorter
         return i;
     }
-    /// Makes one island of two. The smallest number stands for it, so that the order of the calls does not matter.
+    /// Joins two islands. The smaller number is kept, so that the order of the calls does not matter.
     void unite(std::uint32_t i, std::uint32_t j) {
         i = of(i);
         j = of(j);
@@ -51,17 +51,17 @@ private:
 /// What is kept from step to step to find the bodies that fall asleep (sleep.hpp).
 template <class S> struct SleepScratch {
     Islands islands; ///< of the awake bodies, by slot
-    std::vector<typename S::Acceleration>
-        pulls; ///< by slot: what pulls at a body at rest, with what its contacts push where that is known
-    std::vector<decltype(norm(typename S::Acceleration()))>
-        trembles;                           ///< by slot: how much of it may remain where contacts carry
+    /// By slot: what accelerates a body that stands still, contacts included where their push is known.
+    std::vector<typename S::Acceleration> pulls;
+    /// By slot: how much of it may remain where contacts carry.
+    std::vector<decltype(norm(typename S::Acceleration()))> trembles;
     std::vector<std::uint8_t> held;         ///< by slot: whether something holds the body
     std::vector<std::uint8_t> goes_along;   ///< by slot: whether it touches a platform that moves, or hangs on one
     std::vector<std::uint8_t> restless;     ///< whether an island stays awake, by its root
     std::vector<std::uint32_t> sleepers;    ///< by id
     std::vector<typename S::Scalar> struck; ///< by slot: how fast a body may be that is struck in this substep, m/s
 
-    /// Nothing holds the awake ones; of others nobody asks.
+    /// Nothing holds the awake ones; others are not asked.
     void forget_held(std::size_t bodies, std::size_t awake) {
         if (held.size() < bodies) held.resize(bodies);
         std::fill_n(held.begin(), awake, std::uint8_t(0));

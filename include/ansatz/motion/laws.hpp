@@ -104,8 +104,8 @@ public:
     }
 
 private:
-    using List =
-        std::tuple<P...>; // by place, because two policies may be bound by one In, as a force and one derived from it
+    // By place, because two policies may be bound by one In, as a force and one derived from it.
+    using List = std::tuple<P...>;
 
     template <class L> static void prepare_one([[maybe_unused]] L& law, [[maybe_unused]] const auto& context) {
         if constexpr (requires { law.prepare(context); }) law.prepare(context);

@@ -19,17 +19,17 @@ namespace ansatz {
 
 namespace detail {
 
-/// Resting bodies wake at which something pulls that changes with time. Where bodies act on each other, who sums their
-/// forces asks instead: the first stage, or a driver of substeps in each part.
+/// Wakes resting bodies on which a force acts that changes with time. Where bodies act on each other, what sums their
+/// forces asks instead: the first stage, or a driver of substeps in each of them.
 struct WakePulled {
     static constexpr Phase phase = phases::wake;
-    static constexpr std::string_view name = "wake: who is pulled at";
+    static constexpr std::string_view name = "wake: bodies that are pulled at";
     static void run(auto& step) { RestStep(step).wake_pulled(); }
 };
-/// And so do their neighbours.
+/// Wakes the neighbours of bodies that woke.
 struct WakeNeighbours {
     static constexpr Phase phase = phases::wake;
-    static constexpr std::string_view name = "wake: who lies with one that woke";
+    static constexpr std::string_view name = "wake: neighbours of bodies that woke";
     static void run(auto& step) { RestStep(step).wake_neighbours(); }
 };
 /// Bodies advance: effects, forces and stages are one loop wherever they can be.
@@ -50,7 +50,7 @@ struct Break {
     static constexpr std::string_view name = "breaking";
     static void run(auto& step) { MotionStep(step).let_break(); }
 };
-/// The forces of the state that was made: Rest looks at them, queries read them, the next step begins with them.
+/// The forces of the state that was made: Rest reads them, queries read them, the next step begins with them.
 struct SumForces {
     static constexpr Phase phase = phases::sums;
     static constexpr std::string_view name = "forces for rest, queries and the next step";
@@ -254,7 +254,7 @@ struct Motion {
     }
     template <class C>
     static void on(hook::Hash, [[maybe_unused]] const WorldData<C>& data, [[maybe_unused]] auto& hash) {
-        if constexpr (C::history) hash.add_number(data.last_part.value());
+        if constexpr (C::history) hash.add_number(data.last_substep.value());
         if constexpr (C::history && C::coupled)
             if (data.coupled.changed) hash.add(1);
     }
@@ -267,7 +267,7 @@ struct Motion {
     }
     template <class C, class Files> static void on(hook::Save, const WorldData<C>& data, auto& file, const Files&) {
         file["unsolved"] = data.unsolved;
-        if constexpr (C::history) file["last part"] = Files::number(data.last_part.value());
+        if constexpr (C::history) file["last part"] = Files::number(data.last_substep.value());
         if constexpr (C::history && C::coupled)
             if (data.coupled.changed) detail::save_forces_before<Files>(data, file[detail::forces_before]);
     }
@@ -278,8 +278,8 @@ struct Motion {
         data.unsolved = file.at("unsolved").whole(std::numeric_limits<std::uint64_t>::max());
         if constexpr (C::history) {
             const auto last = file.at("last part");
-            data.last_part = C::S::Time::from_value(last.template number<typename C::S::Scalar>());
-            if ((data.clock.tick() > 0) != (data.last_part.value() > 0) || data.last_part.value() < 0)
+            data.last_substep = C::S::Time::from_value(last.template number<typename C::S::Scalar>());
+            if ((data.clock.tick() > 0) != (data.last_substep.value() > 0) || data.last_substep.value() < 0)
                 last.refuse_here("the length of the last step, or of its last part: 0 before the first");
         }
         if constexpr (C::history && C::coupled)

@@ -52,8 +52,8 @@ template <class Mass, class Velocity> auto momentum(const Mass& mass, const Velo
     }
 }
 
-/// \f$ \mathbf J = \mathbf F\,\Delta t \f$, in N s: by how much a constant force changes a momentum in a time. A third law for
-/// impulses follows from that for forces, and with it the conservation of momentum.
+/// \f$ \mathbf J = \mathbf F\,\Delta t \f$, in N s: by how much a constant force changes a momentum in a time. A
+/// third law for impulses follows from that for forces, and with it the conservation of momentum.
 template <class Force, class Time> auto impulse(const Force& force, const Time& dt) {
     constexpr bool units = detail::is_in<unit::Force, Force> && detail::is_scalar_in<unit::Time, Time>;
     static_assert(
@@ -109,7 +109,8 @@ template <PointMasses R> auto centre_of_mass_velocity(const R& bodies) {
     return total_momentum(bodies) / all;
 }
 
-/// \f$ \mu = m_1 m_2 / (m_1 + m_2) \f$: the one mass that two bodies have for their relative motion; at most the smaller.
+/// \f$ \mu = m_1 m_2 / (m_1 + m_2) \f$: the one mass that two bodies have for their relative motion; at most the
+/// smaller.
 /// \throws std::invalid_argument for a mass that is not finite and greater than zero
 template <class Scalar>
 auto reduced_mass(const Quantity<unit::Mass, Scalar>& first, const Quantity<unit::Mass, Scalar>& second) {
@@ -140,8 +141,8 @@ void require_collision(const PointMass<Scalar, Value>& first, const PointMass<Sc
 /// \f[ \mathbf v_1 = \mathbf u_1 - (1 + e) \frac{\mu}{m_1} (\mathbf u_1 - \mathbf u_2), \qquad
 ///     \mathbf v_2 = \mathbf u_2 + (1 + e) \frac{\mu}{m_2} (\mathbf u_1 - \mathbf u_2) \f]
 ///
-/// One impulse acts on both, with opposite signs, so momentum is conserved at *every* e, and they part with e times the
-/// speed at which they met. (The notes' 2.2.1 says that an inelastic collision dissipates momentum: it does not.)
+/// One impulse acts on both, with opposite signs, so momentum is conserved at *every* e, and they separate with e times
+/// the speed at which they met. (The notes' 2.2.1 says that an inelastic collision dissipates momentum: it does not.)
 /// Bodies of one velocity do not meet and keep it. Whether they approach is the caller's knowledge: only positions
 /// tell.
 ///
@@ -163,8 +164,8 @@ std::pair<PointMass<Scalar, Value>, PointMass<Scalar, Value>> collide(const Poin
     return {{first.mass, first.velocity - share1 * approach}, {second.mass, second.velocity + share2 * approach}};
 }
 
-/// \f$ \tfrac12 \mu (1 - e^2) |\mathbf u_1 - \mathbf u_2|^2 \f$, in J: the kinetic energy that such a collision turns into
-/// something else. Nothing at e = 1; at e = 0 all but the energy of the centre of mass.
+/// \f$ \tfrac12 \mu (1 - e^2) |\mathbf u_1 - \mathbf u_2|^2 \f$, in J: the kinetic energy that such a collision turns
+/// into something else. Nothing at e = 1; at e = 0 all but the energy of the centre of mass.
 /// \throws std::invalid_argument as `collide`
 template <class Scalar, class Value>
 Quantity<unit::Energy, Scalar> energy_lost(const PointMass<Scalar, Value>& first,

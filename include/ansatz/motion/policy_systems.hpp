@@ -13,7 +13,7 @@
 ///   (`view.state()`) and what other policies keep (`using sees = Types<...>`, `view.template state_of<Springs<>>()`),
 ///   and owns its loop: a wave step, a solver;
 /// - a **driver** has `until`, a phase, and `run(view, dt, part)`: it owns the systems up to that phase, and calls
-///   `part(h)` for each part that it divides the step into, `part.last(h)` for the last one.
+///   `part(h)` for each substep that it divides the step into, `part.last(h)` for the last one.
 ///
 /// The velocity and the position of a body go through the integrator: `view.template set<Velocity>` and
 /// `set<Position>` mean the same whatever it keeps.
@@ -150,7 +150,7 @@ public:
     /// \name What other policies keep, to change it (world/edited_elements.hpp)
     /// @{
 
-    /// The elements of a type that the system says it `edits`, to look at; `detail::absent` where no policy keeps them.
+    /// The elements of a type that the system says it `edits`, to read; `detail::absent` where no policy keeps them.
     template <class E> const auto& elements() const {
         edited<E>();
         return detail::elements_in<E>(std::as_const(step_.data));
@@ -222,7 +222,7 @@ template <class P, class Y> struct AsEffect : P {
     };
 };
 
-/// A part of a step, as a driver asks for it.
+/// A substep, as a driver asks for it.
 template <class StepT, class Inside> class PartOfStep {
 public:
     using Time = typename StepT::S::Time; ///< s
@@ -233,7 +233,7 @@ public:
     PartOfStep(const PartOfStep&) = delete;
     PartOfStep& operator=(const PartOfStep&) = delete;
 
-    /// A part, and not the last.
+    /// A substep, and not the last.
     void operator()(const Time& h) {
         begin(h);
         auto part = step_.template as<Columns<>, StepT::later>();

@@ -26,15 +26,21 @@ template <class I> const auto& at_present(const I& inside) {
     return std::as_const(inside.data);
 }
 
-/// The acceleration of a body whose velocity stands in the row.
+/// The slot of a body in other data of the same bodies: those of `at_present`. They may be older than what no force
+/// between bodies sees: a mass, an applied force, and which bodies are awake, with which they change places. Only sums
+/// and histories are read from them.
+template <class Data> std::uint32_t slot_in(const Data& other, const Data& data, std::uint32_t slot) {
+    return &other == &data ? slot : other.bodies.slot_of_id(data.bodies.id(slot));
+}
+
+/// The acceleration of a body whose values, and whose velocity, stand in the row.
 template <class C, class I>
 typename C::S::Acceleration acceleration_of(const I& inside, const WorldData<C>& data, std::uint32_t slot,
                                             const typename WorldData<C>::Body& row) {
     if (data.bodies.motion(slot) == Motion::moving || data.bodies.motion(slot) == Motion::fixed)
         return typename C::S::Acceleration();
     typename C::S::Acceleration a = inside.bound.laws.acceleration(row, inside.context());
-    if constexpr (C::coupled)
-        a += data.lanes.template get<InverseMass>(slot) * data.lanes.template get<CoupledForce>(slot);
+    if constexpr (C::coupled) a += row.template get<InverseMass>() * data.lanes.template get<CoupledForce>(slot);
     return a;
 }
 
@@ -58,10 +64,12 @@ typename C::S::Velocity velocity_in(const I& inside, const WorldData<C>& data, s
 
 /// What all forces together do to a body now.
 template <class I> auto acceleration_at(const I& inside, std::uint32_t slot) {
-    const auto& data = at_present(inside);
-    auto row = data.load(slot);
-    row.template get<Velocity>() = velocity_in(inside, data, slot);
-    return acceleration_of(inside, data, slot, row);
+    const auto& present = at_present(inside);
+    const auto there = slot_in(present, std::as_const(inside.data), slot);
+    auto row = inside.data.load(slot);
+    if constexpr (I::Composition_::history)
+        if (!inside.data.waiting(slot)) row.template get<Velocity>() = velocity_in(inside, present, there);
+    return acceleration_of(inside, present, there, row);
 }
 
 /// Whether what is known suffices to tell a body's velocity. A change that waits to be made good changes none: the
@@ -80,19 +88,20 @@ template <class I> auto velocity_at(const I& inside, std::uint32_t slot) {
     using C = typename I::Composition_;
     if constexpr (C::history)
         if (inside.data.waiting(slot)) return inside.data.raw_velocity(slot);
-    const bool known = knows_velocity(inside, slot);
-    return velocity_in(inside, known ? std::as_const(inside.data) : at_present(inside), slot);
+    if (knows_velocity(inside, slot)) return velocity_in(inside, std::as_const(inside.data), slot);
+    const auto& present = at_present(inside);
+    return velocity_in(inside, present, slot_in(present, std::as_const(inside.data), slot));
 }
 
 /// For verbs: the sums in place, so that asking for a velocity needs no copy.
-template <class I> void settle(const I& inside) {
+template <class I> void refresh(const I& inside) {
     using C = typename I::Composition_;
     if constexpr (C::history && C::coupled) refresh_coupled(inside.data, inside.policies, inside.context());
 }
 
 /// The same, if a body's velocity cannot be told without.
-template <class I> void settle_for(const I& inside, std::uint32_t slot) {
-    if (!knows_velocity(inside, slot)) settle(inside);
+template <class I> void refresh_for(const I& inside, std::uint32_t slot) {
+    if (!knows_velocity(inside, slot)) refresh(inside);
 }
 
 /// Before something changes what the laws do to one body: where velocity is derived from history with half a step of
@@ -100,7 +109,7 @@ template <class I> void settle_for(const I& inside, std::uint32_t slot) {
 template <class I> void hold_velocity(const I& inside, [[maybe_unused]] std::uint32_t slot) {
     if constexpr (I::Composition_::history)
         if (inside.data.bodies.motion(slot) == Motion::awake) {
-            settle_for(inside, slot);
+            refresh_for(inside, slot);
             inside.data.set_velocity(slot, velocity_at(inside, slot));
         }
 }
@@ -119,7 +128,7 @@ template <class I> void forces_change(const I& inside) {
     if constexpr (C::coupled) {
         if constexpr (C::history)
             if (inside.data.clock.tick() > 0 && !inside.data.coupled.changed) {
-                settle(inside);
+                refresh(inside);
                 inside.data.coupled.changed = true;
             }
         inside.data.coupled.current = false;
@@ -139,23 +148,30 @@ template <class I> void wake_slot(const I& inside, std::uint32_t slot) {
         data.move(slot, Motion::awake);
     }
 }
-/// Wakes everybody.
+/// Wakes all bodies.
 template <class I> void wake_all(const I& inside) {
     if constexpr (I::Composition_::rests)
         for (std::uint32_t id = 0; id < inside.data.bodies.ids(); ++id)
             if (inside.data.bodies.alive(id)) wake_slot(inside, inside.data.bodies.slot_of_id(id));
 }
+/// Wakes the bodies that hang together with one where it is now.
+template <class I> void wake_hanging(const I& inside, [[maybe_unused]] std::uint32_t id) {
+    using C = typename I::Composition_;
+    if constexpr (C::rests && C::islands) {
+        auto& data = inside.data;
+        if (data.bodies.count(Motion::resting) == 0) return;
+        const auto wake = [&](std::uint32_t other) { wake_slot(inside, data.bodies.slot_of_id(other)); };
+        for_each_element_of(data, id,
+                            [&](const auto& state, std::uint32_t element) { state.for_each_body(element, wake); });
+    }
+}
 /// Wakes the neighbours of a body: those that touch it, and those that hang together with it.
 template <class I> void wake_around(const I& inside, [[maybe_unused]] std::uint32_t id) {
-    using C = typename I::Composition_;
-    if constexpr (C::rests) {
+    if constexpr (I::Composition_::rests) {
         auto& data = inside.data;
         const auto wake = [&](std::uint32_t other) { wake_slot(inside, data.bodies.slot_of_id(other)); };
         data.template ask<hook::EachNeighbour>(id, wake);
-        if constexpr (C::islands)
-            if (data.bodies.count(Motion::resting) > 0)
-                for_each_element_of(
-                    data, id, [&](const auto& state, std::uint32_t element) { state.for_each_body(element, wake); });
+        wake_hanging(inside, id);
     }
 }
 

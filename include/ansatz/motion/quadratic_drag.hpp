@@ -5,8 +5,9 @@
 /// `QuadraticDrag`: the resistance of air or water, against the motion and with the square of the speed (beyond
 /// notes 1.7).
 ///
-/// Use it where a terminal speed matters: a falling body approaches \f$ \sqrt{m g / k} \f$. It is a force, so it needs masses, and
-/// an explicit integrator is stable only while 2 k |v| dt / m stays below about 2. For a cheap fade-out take drag.hpp.
+/// Use it where a terminal speed matters: a falling body approaches \f$ \sqrt{m g / k} \f$. It is a force, so it needs
+/// masses, and an explicit integrator is stable only while 2 k |v| dt / m stays below about 2. For a cheap fade-out
+/// take drag.hpp.
 ///
 /// | symbol | meaning                              | unit   |
 /// |--------|--------------------------------------|--------|
@@ -29,12 +30,12 @@ struct QuadraticDrag {
     Parameter<unit::QuadraticDrag> coefficient = 0.1 * kilogram_per_metre;
 
     /// From the density of the fluid, the drag coefficient of the shape (a sphere: about 0.47) and its frontal area.
-    static QuadraticDrag of(Quantity<unit::Density> density, double drag_coefficient, Quantity<unit::Area> area) {
+    static QuadraticDrag of(Parameter<unit::Density> density, double drag_coefficient, Parameter<unit::Area> area) {
         return {0.5 * drag_coefficient * density * area};
     }
     /// The one that lets a mass fall no faster than `speed` under gravity `g`.
-    static QuadraticDrag with_terminal_speed(Quantity<unit::Velocity> speed, Quantity<unit::Mass> m,
-                                             Quantity<unit::Acceleration> g) {
+    static QuadraticDrag with_terminal_speed(Parameter<unit::Velocity> speed, Parameter<unit::Mass> m,
+                                             Parameter<unit::Acceleration> g) {
         return {m * g / (speed * speed)};
     }
 

@@ -6,7 +6,7 @@
 /// step.
 ///
 /// Ask it before you decide on float or double, on the size of a world and on its step: at 1/240 s a float moves 0.05
-/// m/s rightly, within 1 %, out to 32 m, and 5 m/s to 2 km. `WorldRadius` has the world tell who is outside.
+/// m/s rightly, within 1 %, out to 32 m, and 5 m/s to 2 km. `WorldRadius` has the world tell which bodies are outside.
 
 #include <ansatz/motion/facts.hpp>
 #include <ansatz/motion/integrators/semi_implicit_euler.hpp>
@@ -39,13 +39,13 @@ namespace ansatz {
 /// \tparam S the space: its scalar and its dimension
 /// \tparam I the integrator; what it keeps of a position decides
 /// \param speed m/s, finite and greater than zero
-/// \param dt    s, finite and greater than zero: of the integrator, which is a part of the world's step where a
+/// \param dt    s, finite and greater than zero: of the integrator, which is a substep of the world's step where a
 ///              response or a StepControl divides it
 /// \param share of the way, from 16 times the epsilon of the scalar, which products cost anyhow, to less than 1
 /// \return zero, where the scalar has no normal number for the way of a step
 /// \throws std::invalid_argument for other values
 template <class S, class I = SemiImplicitEuler>
-Quantity<unit::Length> resolved_radius(const Quantity<unit::Velocity>& speed, const Quantity<unit::Time>& dt,
+Quantity<unit::Length> resolved_radius(const Parameter<unit::Velocity>& speed, const Parameter<unit::Time>& dt,
                                        double share = 0.01) {
     static_assert(!detail::derives_velocity<I>,
                   "Ansatz: an integrator that derives velocity from positions loses digits of them at any distance, "

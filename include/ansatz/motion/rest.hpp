@@ -26,13 +26,14 @@
 
 namespace ansatz {
 
-/// Slow (|v| < threshold) for `time`, and \f$ |\mathbf a(\mathbf x, \mathbf v = 0)| \le \f$ `pull`: asleep, with v = 0 exactly.
+/// Slow (|v| < threshold) for `time`, and \f$ |\mathbf a(\mathbf x, \mathbf v = 0)| \le \f$ `pull`: asleep, with v = 0
+/// exactly.
 struct Rest {
     using role = roles::Effect;
     using reads = Columns<Velocity>;
     using writes = Columns<RestTime>;
     static constexpr Place place = Place::after_integration;
-    static constexpr int turn = 2;             ///< looks at the velocity that is left
+    static constexpr int turn = 2;             ///< tests the velocity that is left
     static constexpr bool puts_to_rest = true; ///< it decides which bodies fall asleep
 
     /// m/s, finite, greater than zero; it says nothing about mass, so that a heavy body rests like a light one
@@ -55,17 +56,18 @@ struct Rest {
     }
 
     template <class S> struct In {
-        typename S::Speed threshold;
+        typename S::template ScalarOf<unit::SpecificEnergy> slow; ///< of |v|^2
         typename S::Time time;
         typename S::template ScalarOf<unit::Acceleration> pull;
         explicit In(const Rest& rest)
-            : threshold(S::convert(rest.threshold)), time(S::convert(rest.time)), pull(S::convert(rest.pull)) {}
+            : slow(detail::squared_threshold<typename S::Speed>(S::convert(rest.threshold))),
+              time(S::convert(rest.time)),
+              pull(S::convert(rest.pull)) {}
 
         [[gnu::always_inline]] void apply(typename S::Time& slow_for, const typename S::Velocity& v,
                                           const auto& context) const {
             const auto counted = slow_for + context.dt();
-            slow_for =
-                S::Time::from_value(squared_norm(v) < threshold * threshold ? counted.value() : typename S::Scalar(0));
+            slow_for = S::Time::from_value(squared_norm(v) < slow ? counted.value() : typename S::Scalar(0));
         }
         /// A sum of steps may end one rounding short of `time`; that is long enough.
         bool long_enough(const typename S::Time& slow_for) const {

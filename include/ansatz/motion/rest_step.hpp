@@ -35,7 +35,7 @@ template <class C> Bodies::Slot wake_resting(WorldData<C>& data, Bodies::Slot sl
     return data.move(slot, Motion::awake);
 }
 
-/// Rest in a step, or in a part of one.
+/// Rest in a step, or in a substep.
 template <class StepT> class RestStep : public MotionStep<StepT> {
     using Base = MotionStep<StepT>;
     using Base::bound_;
@@ -58,7 +58,7 @@ public:
     static constexpr bool pull_varies =
         C::coupled || C::Laws::time_dependent || detail::contains<Position, typename C::Laws::needs>;
 
-    /// Resting bodies at which something pulls that did not when they fell asleep.
+    /// Wakes resting bodies on which a force acts that did not act when they fell asleep.
     void wake_pulled() {
         auto behind = Slot(data_.bodies.end(Motion::resting)); // the first that is asked, from the last slot on
         if constexpr (keeps_still) {
@@ -74,7 +74,7 @@ public:
         for (auto slot = behind; slot-- > data_.bodies.begin(Motion::resting);) {
             if (stays(slot)) continue;
             wake_resting(data_, slot);
-            // The body that took this slot was at the beginning of the range: look at it too, unless it is the one
+            // The body that took this slot was at the beginning of the range: visit it too, unless it is the one
             // woken.
             if (slot >= data_.bodies.begin(Motion::resting) && slot < data_.bodies.end(Motion::resting)) ++slot;
         }
@@ -92,8 +92,8 @@ public:
                 if (data_.still_forces.value.holds(data_) && !data_.still_forces.value.any_mover(wakes_others)) return;
         } while (detail::wake_through_elements(data_, wakes_others, wake));
     }
-    /// Whoever moves fast now begins its time of rest anew, even if the step leaves it another velocity.
-    void look_at_speed() {
+    /// A body that moves fast now begins its time of rest anew, even if the step leaves it another velocity.
+    void note_speed() {
         const auto now = context_;
         context_ = Context<S>(now.time(), TimeStep<S>(S::Time::from_value(Scalar(0)), now.dt()));
         count_slow();
@@ -142,7 +142,7 @@ public:
     }
 
 private:
-    /// Whether what forces between bodies do to most sleepers is known to be what it was.
+    /// Whether the forces between bodies on most sleepers are known to be unchanged.
     static constexpr bool keeps_still = detail::keeps_still_forces<C>() && !C::Laws::time_dependent;
 
     /// For how long each has been slow; a step longer, or not at all.
@@ -155,9 +155,9 @@ private:
         data_.move(slot, Motion::resting);
         if constexpr (C::template couplings_read<Velocity>) data_.coupled.current = false;
     }
-    /// Who would fall asleep is asked once more, by what forces between bodies would do if they stood: `find` finds
-    /// those anew.
-    /// \param mark marks those whom a contact may hold, and `touched` says whether one is marked
+    /// A body that would fall asleep is tested once more, by what forces between bodies would do if they stood: `find`
+    /// finds those anew.
+    /// \param mark marks those that a contact may hold, and `touched` says whether one is marked
     void ask_again([[maybe_unused]] const auto& rest, [[maybe_unused]] const auto& mark,
                    [[maybe_unused]] const auto& touched, [[maybe_unused]] const auto& find) {
         if constexpr (C::template couplings_read<Velocity>) {
@@ -187,16 +187,15 @@ private:
     /// \param touched whether a contact may hold the body of a slot
     void begin_anew(const auto& rest, const auto& touched) {
         auto* time = data_.lanes.template lane<RestTime>();
-        in_parts<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
             for (std::size_t slot = begin; slot < end; ++slot)
                 if (time[slot] > Scalar(0) && !touched(slot) &&
                     !detail::balanced<S>(rest, pull_at_rest(Slot(slot), step_.after())))
                     time[slot] = Scalar(0);
         });
     }
-    /// What a solver of positions holds, it holds without a force: how strongly it pulls at a body that is slow, nobody
-    /// knows, so that the body stays awake. Not one that contacts hold: they take that pull up, and what they push with
-    /// says how strong it is.
+    /// A solver of positions holds bodies without a force. Its pull at a slow body is unknown, so that the body stays
+    /// awake, unless contacts hold it: they balance that pull, and their push says how strong it is.
     template <class... Q>
     void keep_awake([[maybe_unused]] const auto& slow, [[maybe_unused]] const auto& touched, Types<Q...>) {
         if constexpr (sizeof...(Q) > 0) {

@@ -35,7 +35,7 @@ template <class Scalar> Scalar smallest_step() {
 inline constexpr double lost_share = 1e-3, slowest_kept = 1e-3;
 
 /// The shortest step with which the history of every body holds its velocity, s; zero, where this one is long enough.
-/// \param dt s, the step of the integrator: a part of the world's where a response divides it
+/// \param dt s, the step of the integrator: a substep of the world's where a response divides it
 template <class C>
 typename C::S::Scalar shortest_that_keeps_velocities(const WorldData<C>& data, const typename C::S::Scalar& dt) {
     using std::abs;
@@ -47,7 +47,7 @@ typename C::S::Scalar shortest_that_keeps_velocities(const WorldData<C>& data, c
         const auto kind = data.bodies.motion(slot);
         if (kind != Motion::awake && kind != Motion::moving) continue;
         const auto row = data.load(Bodies::Slot(slot));
-        Scalar farthest(0), fastest(slowest_kept), lost(0);
+        Scalar farthest(0), fastest = static_cast<Scalar>(slowest_kept), lost(0);
         for (int k = 0; k < C::S::dimension; ++k) {
             const Scalar x = row.template get<Position>().value()[k], v = row.template get<Velocity>().value()[k],
                          before = x - v * dt;
@@ -73,8 +73,8 @@ void refuse_short_step([[maybe_unused]] const I& inside, const typename I::S::Ti
     };
     if constexpr (C::history) {
         int divided = 1;
-        inside.template tell<hook::NextParts>(divided);
-        const Scalar parts(divided);
+        inside.template tell<hook::NextSubsteps>(divided);
+        const auto parts = static_cast<Scalar>(divided);
         const Scalar enough = shortest_that_keeps_velocities(inside.data, Scalar(h.value() / parts));
         if (enough > Scalar(0))
             is_at_least("an integrator that keeps the last position would lose the velocity of a body in the rounding "

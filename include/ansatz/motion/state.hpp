@@ -50,7 +50,7 @@ struct Starts {
         if (state[id] == begun) list.push_back(id);
         state[id] = waits;
     }
-    /// It stays in the list until the next step: to look for it there would take a time that grows with the list.
+    /// It stays in the list until the next step: to search for it there would take a time that grows with the list.
     void forget(std::uint32_t id) {
         if (waiting(id)) state[id] = forgotten;
     }
@@ -109,14 +109,14 @@ private:
     mutable std::atomic<const Data*> made_{nullptr};
 };
 
-/// What the laws did to each awake body in this part of the step, by slot. It is room, not a part of the value.
+/// What the laws did to each awake body in this substep, by slot. It is room, not a part of the value.
 template <class S> struct OwnAccelerations {
     Lanes<S, Columns<OwnAcceleration>> lanes{};
     bool known = false; ///< for the state as it stands
 
     [[gnu::cold]] void reserve(std::size_t n) { lanes.reserve(n); }
 };
-/// In place of what a world does not keep; each of another type, or they would need an address each.
+/// Stands for a state that a world does not keep; each has a type of its own, so that it takes no space.
 template <int Which> struct NotKept {};
 template <class C, bool Together> struct TogetherOf {
     using type = NotKept<-1>;
@@ -130,7 +130,7 @@ template <class C> struct TogetherOf<C, true> {
 /// \tparam Data all that the world holds, of which this is a base
 template <class C, class Data> struct MotionState {
     using Integrator = typename C::Integrator; ///< the integrator
-    /// Every column of a body that some policy may look at, Velocity included where it is derived.
+    /// Every column of a body that some policy may read, Velocity included where it is derived.
     using AllColumns = union_of<typename C::needed, writes_of<Integrator>, Columns<Position, Velocity>>;
     using Body = Row<typename C::S, AllColumns>; ///< one body's values
 
@@ -158,14 +158,14 @@ template <class C, class Data> struct MotionState {
 
     /// Whether verbs and steps note anything about bodies, so that they need room for it.
     static constexpr bool takes_notes = C::history || C::rests || C::coupled || C::asked != LawsAsked::here;
-    /// For how many bodies there is; every verb asks.
+    /// For how many bodies there is room for notes; every verb makes sure that it suffices.
     [[no_unique_address]] std::conditional_t<takes_notes, detail::Room, detail::NotKept<7>> notes;
-    /// What the laws said, where others beside the integrator ask.
+    /// The accelerations by the laws, where others beside the integrator use them.
     [[no_unique_address]] std::conditional_t<C::asked != LawsAsked::here,
                                              detail::Cache<detail::OwnAccelerations<typename C::S>>, detail::NotKept<5>>
         own;
 
-    /// The velocities of awake bodies, axis by axis, while they are thought to stand still (forces_at_rest.hpp).
+    /// The velocities of awake bodies, axis by axis, while they are assumed to stand still (forces_at_rest.hpp).
     [[no_unique_address]] std::conditional_t<C::rests && C::template couplings_read<Velocity>,
                                              detail::Cache<std::vector<typename C::S::Scalar>>, detail::NotKept<9>>
         velocities;
@@ -174,21 +174,21 @@ template <class C, class Data> struct MotionState {
                                              detail::NotKept<10>>
         still_forces;
 
-    /// The length of the last step, or of its last part where a driver divides it: the time between a body's last two
-    /// positions. Kept where velocities are derived from them.
-    [[no_unique_address]] std::conditional_t<C::history, typename C::S::Time, detail::NotKept<4>> last_part{};
+    /// The length of the last step, or of its last substep where a driver divides it: the time between a body's last
+    /// two positions. Kept where velocities are derived from them.
+    [[no_unique_address]] std::conditional_t<C::history, typename C::S::Time, detail::NotKept<4>> last_substep{};
 
-    /// The length of the last step, or of its last part; none before the first.
+    /// The length of the last step, or of its last substep; none before the first.
     typename C::S::Time last_dt() const {
-        if constexpr (C::history) return last_part;
+        if constexpr (C::history) return last_substep;
         else return C::S::Time::from_value(static_cast<typename C::S::Scalar>(self().clock.last().value()));
     }
 
-    /// The length from which velocities are derived behind a step: a driver may have taken it in parts, and the last
-    /// two positions are those of the last part.
+    /// The length from which velocities are derived behind a step: a driver may have taken it in substeps, and the last
+    /// two positions are those of the last substep.
     /// \param whole the length of the step
     typename C::S::Time last_part_of([[maybe_unused]] const typename C::S::Time& whole) const {
-        if constexpr (C::history) return last_part;
+        if constexpr (C::history) return last_substep;
         else return whole;
     }
 
@@ -200,7 +200,7 @@ template <class C, class Data> struct MotionState {
 
     /// The values of one body. Where the velocity is derived, it is the mean over the last step.
     Body load(std::uint32_t slot) const { return load(slot, last_dt()); }
-    /// The same, where the last step's length is known better: in the first step, when there is none yet.
+    /// The same with the length of the last step given: in the first step there is none yet.
     Body load(std::uint32_t slot, [[maybe_unused]] const typename C::S::Time& last) const {
         Body row;
         load_columns(row, slot, typename C::stored{}, AllColumns{});
@@ -219,7 +219,7 @@ template <class C, class Data> struct MotionState {
         return C::S::Velocity::from_value(self().lanes.template get<PreviousPosition>(slot).value());
     }
 
-    /// Gives a body a velocity.
+    /// Sets the velocity of a body.
     void set_velocity(std::uint32_t slot, const typename C::S::Velocity& v) {
         if constexpr (C::history) {
             self().lanes.template set<PreviousPosition>(slot, C::S::Position::from_value(v.value()));
@@ -230,7 +230,7 @@ template <class C, class Data> struct MotionState {
     /// Stops a body exactly.
     void stop(std::uint32_t slot) {
         auto& lanes = self().lanes;
-        // Drawn where it lies from now on: the step no longer looks at it, and it may wake at any time.
+        // Drawn where it lies from now on: the step no longer visits it, and it may wake at any time.
         if constexpr (C::template stores<DrawnPosition>)
             lanes.template set<DrawnPosition>(slot, lanes.template get<Position>(slot));
         if constexpr (C::history) {

@@ -6,9 +6,9 @@
 ///
 ///     histories begin -> effects -> [ forces -> integrator ] x stages -> effects -> platforms
 ///
-/// It composes and owns no algorithm: laws, stages and effects are the policies', the loop is `sweep`. Where nothing
-/// couples bodies, the bracket and the effects around it are one loop that touches each lane once; where something
-/// couples, they run stage by stage.
+/// It composes and owns no algorithm: laws, stages and effects are the policies', the loop is `for_lanes`. Where
+/// nothing couples bodies, the bracket and the effects around it are one loop that touches each lane once; where
+/// something couples, they run stage by stage.
 
 #include <ansatz/motion/bound_motion.hpp>
 #include <ansatz/motion/coupled_system.hpp>
@@ -34,7 +34,7 @@ constexpr std::array<T, M + N> joined(const std::array<T, M>& a, const std::arra
 template <class StepT> class MotionStep;
 template <class StepT> void wake_pulled(MotionStep<StepT>& motion); // rest_step.hpp
 
-/// Motion in a step, or in a part of one.
+/// Motion in a step, or in a substep.
 template <class StepT> class MotionStep {
 public:
     using C = typename StepT::Composition_;     ///< of the world
@@ -58,9 +58,10 @@ public:
         else if constexpr (C::coupled) stage_by_stage();
         else body_by_body();
         advance_platforms();
-        // The sums are those of the places before: where a driver takes the step in parts, the next part asks anew.
+        // The sums are those of the places before: where a driver takes the step in substeps, the next substep asks
+        // anew.
         if constexpr (C::coupled) data_.coupled.current = false;
-        if constexpr (C::history) data_.last_part = context_.dt();
+        if constexpr (C::history) data_.last_substep = context_.dt();
         if constexpr (C::asked == LawsAsked::beforehand) data_.own.value.known = false;
     }
     /// The step.
@@ -79,18 +80,18 @@ public:
     void effects_at_the_end() { effects_between(bound_.end); }
 
     /// \name What the laws say, asked once
-    /// A part of a step that looks at accelerations before the integrator does asks the laws here; the integrator takes
-    /// in its first stage what they said. Forces of velocity are those of the velocity at the beginning of the part,
+    /// A substep that needs accelerations before the integrator does asks the laws here; the integrator takes
+    /// in its first stage what they said. Forces of velocity are those of the velocity at the beginning of the substep,
     /// for both.
     /// @{
 
     /// Asks the laws about every awake body as it stands, unless that is known.
-    /// \param then when that is, and how long the part of a step was that led here
+    /// \param then when that is, and how long the substep was that led here
     void know_own(const Context<S>& then) {
         if (data_.own.value.known) return;
         ask_laws(then, then.dt().previous, [](Slot, const auto&) {});
     }
-    /// Asks them about the state that a part of a step has just made. Where velocity is derived, a law that reads it is
+    /// Asks them about the state that a substep has just made. Where velocity is derived, a law that reads it is
     /// told the mean brought to the present by half a step of what the laws said at the beginning.
     void know_own_again(const Context<S>& then) {
         ask_laws(then, then.dt().previous, [&](Slot slot, auto& row) {
@@ -164,7 +165,7 @@ protected:
     template <class Needs> using loaded = intersection_of<Needs, typename C::stored>;
     /// Those others.
     template <class Needs> using locals = difference_of<Needs, typename C::stored>;
-    /// What is derived before anything looks at it.
+    /// What is derived before anything reads it.
     using derived = std::conditional_t<C::history, Columns<Velocity>, Columns<>>;
 
     /// Effects alone.
@@ -181,7 +182,7 @@ protected:
         if constexpr (C::history) {
             using Written = union_of<typename EffectsT::writes, writes_of<I>>;
             using Needs = union_of<Written, typename EffectsT::reads, derived>;
-            const auto last = data_.last_part; // none before the first step, when who does not wait stands still
+            const auto last = data_.last_substep; // none before the first step
             const auto over = last.value() > Scalar(0) ? last : typename S::Time(context_.dt());
             if (data_.starts.none()) return effects_only<Columns<>>(effects, over);
             walk<Needs, Written>(Motion::awake,
@@ -193,7 +194,7 @@ protected:
         const std::size_t begin = data_.bodies.begin(range), end = data_.bodies.end(range);
         if constexpr (C::executed) {
             std::atomic<std::uint64_t> unsolved = 0;
-            in_parts<C>(policies_, begin, end, [&](std::size_t first, std::size_t last) {
+            in_ranges<C>(policies_, begin, end, [&](std::size_t first, std::size_t last) {
                 Kernel part = kernel;
                 std::uint64_t of_part = 0;
                 if constexpr (requires { part.unsolved; }) part.unsolved = &of_part;
@@ -209,16 +210,16 @@ protected:
         using Load = loaded<Needs>;
         if constexpr (detail::contains<OwnAcceleration, Needs>) {
             using Own = Columns<OwnAcceleration>;
-            sweep<S, union_of<Load, Own>, Written, difference_of<locals<Needs>, Own>>(
+            for_lanes<S, union_of<Load, Own>, Written, difference_of<locals<Needs>, Own>>(
                 detail::joined(data_.lanes.pointers(Load{}), data_.own.value.lanes.pointers(Own{})), begin, end,
                 kernel);
-        } else sweep<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), begin, end, kernel);
+        } else for_lanes<S, Load, Written, locals<Needs>>(data_.lanes.pointers(Load{}), begin, end, kernel);
     }
 
     StepT& step_;             ///< the step
     Data& data_;              ///< the world
     Policies& policies_;      ///< its policies
-    BoundPolicies<C>& bound_; ///< prepared for this part of the step
+    BoundPolicies<C>& bound_; ///< prepared for this substep
     Context<S>& context_;     ///< when it begins, and how long it is
 
 private:
@@ -231,7 +232,7 @@ private:
     [[gnu::flatten]] void ask_laws(const Context<S>& then, const typename S::Time& last, const See& see) {
         auto& own = data_.own.value;
         make_room_for_own();
-        in_parts<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
+        in_ranges<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
             for (std::size_t slot = begin; slot < end; ++slot) {
                 auto row = data_.load(Slot(slot), last);
                 see(Slot(slot), row);
@@ -380,7 +381,7 @@ private:
     template <class Q> void let_break_one() {
         const detail::Bound<Q, S> force(std::get<Q>(policies_));
         auto& state = data_.template state<Q>();
-        const auto known = state.broken().size(); // in the parts of a step that were taken before
+        const auto known = state.broken().size(); // in the substeps before this one
         force.breaking(step_.template view_of<Q>(), [&](std::uint32_t id, const auto& tension, const auto& strain) {
             state.note_broken(id, tension, strain, data_.bodies);
         });

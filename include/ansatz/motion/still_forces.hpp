@@ -7,9 +7,9 @@
 ///
 /// An element whose ends all rest, or are fixed, pulls today as it did yesterday. Where most elements are such, a sum
 /// of forces goes through the others alone: those of bodies that move, and those of sleepers that hang on one. The sums
-/// of all other sleepers stay in their column, and nobody asks whether they still sleep. A change of any kind (a body
-/// that wakes, sleeps, comes, goes or is put elsewhere, an element that is another) is seen by numbers that change with
-/// it; then everything is summed once, and again once nothing has changed since.
+/// of all other sleepers stay in their column, and it is not asked whether they still sleep. A change of any kind (a
+/// body that wakes, sleeps, comes, goes or is put elsewhere, an element that is another) is seen by numbers that change
+/// with it; then everything is summed once, and again once nothing has changed since.
 
 #include <ansatz/motion/gathering.hpp>
 #include <ansatz/motion/state.hpp>
@@ -196,7 +196,7 @@ private:
         });
         std::sort(border_.begin(), border_.end(), std::greater<>());
     }
-    /// For all that may be looked for, so that a step in which bodies fall asleep needs none.
+    /// For all that may be searched for, so that a step in which bodies fall asleep needs none.
     void make_room(WorldData<C>& data) {
         const std::size_t n = data.bodies.size();
         if (summed_.capacity() < n) {
@@ -217,9 +217,9 @@ private:
 
     std::array<std::vector<std::uint32_t>, couplings> acting_; // of each force, in their order
     std::vector<std::uint8_t> summed_;                         // by slot: whether it is one of those below
-    std::vector<Bodies::Slot> border_;                         // sleepers that hang on who moves
-    std::vector<Bodies::Slot> hooks_;                          // fixed bodies on which somebody hangs who moves
-    std::vector<Bodies::Slot> movers_;                         // on whom sleepers hang
+    std::vector<Bodies::Slot> border_;                         // sleepers that hang on moving bodies
+    std::vector<Bodies::Slot> hooks_;                          // fixed bodies on which moving bodies hang
+    std::vector<Bodies::Slot> movers_;                         // bodies on which sleepers hang
     std::uint64_t changes_ = 0;                                // what those of the bodies were
     Elements elements_{};                                      // and of the elements
     bool tried_ = false, known_ = false, asked_ = false;

@@ -6,7 +6,7 @@
 ///
 /// Use it to see what the rule does, or in a scene without forces. Under gravity it stops a ball at the top of its
 /// flight: where one step adds less than the threshold (g dt < threshold) the ball goes on by no more than g dt^2 in a
-/// step, for ever. And it saves no work, since the body is looked at in the next step all the same. rest.hpp is the
+/// step, for ever. And it saves no work, since the body is computed in the next step all the same. rest.hpp is the
 /// rule made safe.
 
 #include <ansatz/motion/concepts.hpp>
@@ -31,11 +31,12 @@ struct StopBelow {
     void check() const { require_not_negative("StopBelow", "threshold", threshold); }
 
     template <class S> struct In {
-        typename S::Speed threshold;
-        explicit In(const StopBelow& stop) : threshold(S::convert(stop.threshold)) {}
+        typename S::template ScalarOf<unit::SpecificEnergy> limit; ///< of |v|^2
+        explicit In(const StopBelow& stop)
+            : limit(detail::squared_threshold<typename S::Speed>(S::convert(stop.threshold))) {}
 
         [[gnu::always_inline]] void apply(typename S::Velocity& v, const auto&) const {
-            const bool slow = squared_norm(v) < threshold * threshold;
+            const bool slow = squared_norm(v) < limit;
             auto components = v.value();
             for (int i = 0; i < S::dimension; ++i) components[i] = slow ? typename S::Scalar(0) : components[i];
             v = S::Velocity::from_value(components);

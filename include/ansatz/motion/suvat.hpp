@@ -197,10 +197,19 @@ template <class S> struct Formulas {
     }
     static Answer<S> sat(const Length& s, const Acceleration& a, const Time& t) {
         if (t == Time()) return {{}, s == Length() ? any_velocity : no_way};
-        // The product a t is kept with its rounding error: s - a t^2 / 2 may cancel.
-        const Velocity half = S(0.5) * a * t;
-        const Velocity rest = fused(S(0.5) * a, t, -half);
-        return one(s, (fused(-half, t, s) - rest * t) / t, (fused(half, t, s) + rest * t) / t, a, t);
+        // a t^2 / 2 as four parts that add up to it exactly: s may cancel the first, and what is left of it the others.
+        const Velocity half = S(0.5) * a * t, low = fused(S(0.5) * a, t, -half);
+        const Length parts[] = {half * t, fused(half, t, -half * t), low * t, fused(low, t, -low * t)};
+        const auto with = [&](const S& sign) {
+            Length sum = s, dropped{};
+            for (const Length& part : parts) {
+                const Length before = sum;
+                sum += sign * part;
+                dropped += ansatz::detail::dropped_from_sum(before, Length(sign * part), sum);
+            }
+            return (sum + dropped) / t;
+        };
+        return one(s, with(S(-1)), with(S(1)), a, t);
     }
     static Answer<S> uva(const Velocity& u, const Velocity& v, const Acceleration& a) {
         if (a == Acceleration())
@@ -247,8 +256,9 @@ template <class S> struct Formulas {
         return back;
     }
 
-    /// \f$ \sqrt{u^2 + 2 a s} \f$, or -1 m/s where it is not real. Scaled by powers of two, so that squares neither overflow
-    /// nor vanish; with the rounding errors of both products (W. Kahan's way), so that it is right where they cancel.
+    /// \f$ \sqrt{u^2 + 2 a s} \f$, or -1 m/s where it is not real. Scaled by powers of two, so that squares neither
+    /// overflow nor vanish; with the rounding errors of both products (W. Kahan's way), so that it is right where they
+    /// cancel.
     static Velocity end_speed(const Length& s, const Velocity& u, const Acceleration& a) {
         using std::frexp;
         using std::ldexp;
@@ -373,10 +383,11 @@ template <class... Name, class... Scalar> auto solve(const Known<Name, Scalar>&.
 }
 
 /// Quantities without a name: refused with the sentence that says how to name them.
-template <class... Q> void solve(const Q&...) {
+template <class... Q> auto solve(const Q&...) { // deduced: so this is the first that a compiler says
     static_assert(ansatz::detail::never<Q...>,
                   "Ansatz: suvat::solve takes named quantities, because two of the five are velocities; write e.g. "
                   "solve(suvat::initial_velocity(5 * metre_per_second), suvat::acceleration(...), suvat::time(...))");
+    return Solutions<double>();
 }
 
 } // namespace ansatz::suvat

@@ -3,10 +3,10 @@
 
 /// \file
 /// `WorldRadius`: declares the slowest motion that must be right, and with it how large the world is; `status()` tells
-/// who is outside.
+/// which bodies are outside.
 ///
 /// Use it in float worlds that bodies may leave, and while you build one: far from the origin motion stops without a
-/// sound. It only looks when `status()` is called, so that a step costs what it did. It mends nothing: for that take
+/// sound. It only checks when `status()` is called, so that a step costs what it did. It mends nothing: for that take
 /// Compensated, double, or keep the origin near. Beside an integrator that keeps no velocity (Verlet) a call of
 /// `status()` does not compile, by a sentence: there is no such radius.
 
@@ -46,7 +46,7 @@ struct WorldRadius {
         std::size_t count = 0;           ///< how many are there; bodies that are `fixed` move nowhere and do not count
         Handle first{};                  ///< the one with the smallest id
     };
-    /// Who is outside.
+    /// The bodies outside.
     /// \param dt s, greater than zero: the step of the integrator
     template <class World_> Outside outside(const World_& world, const Quantity<unit::Time>& dt) const {
         using S = typename World_::S;

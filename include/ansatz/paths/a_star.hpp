@@ -23,8 +23,8 @@
 /// | Weights    | `WeightsOf{map}`, `UnitWeights`            | the graph's own, else 1 for every edge              |
 /// | Index      | `IndexOf{map, count}`                      | the graph's own, else vertices are hashed           |
 ///
-/// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it looks at, and
-/// allocates nothing once they have grown. It looks at the graph and does not copy it; a change of the graph counts
+/// %Keep the object: its arrays are stamped and not cleared, so that the next query costs only what it visits, and
+/// allocates nothing once they have grown. It reads the graph and does not copy it; a change of the graph counts
 /// from the next `begin` or `find` on. A copy of a search is a search of its own.
 
 #include <ansatz/core/error.hpp>
@@ -170,7 +170,7 @@ public:
     /// As many expansions as it takes.
     static constexpr std::size_t without_end = std::numeric_limits<std::size_t>::max();
 
-    /// \param graph looked at, never copied: it must live as long as this
+    /// \param graph read, never copied: it must live as long as this
     explicit AStar(const Graph& graph, Policies... policies)
         : heuristic_(detail::take<roles::Heuristic, DefaultEstimate>(policies...)),
           goals_(detail::take<roles::Goals, OneGoal>(policies...)),
@@ -189,7 +189,7 @@ public:
         begin(start, goal, visitor);
         return run(most, visitor);
     }
-    /// The same with nobody watching.
+    /// The same without a visitor.
     Outcome find(const Vertex& start, const Wanted& goal, std::size_t most = without_end) {
         Visitor nobody;
         return find(start, goal, most, nobody);
@@ -201,7 +201,7 @@ public:
         begin(starts, goal, visitor);
         return run(most, visitor);
     }
-    /// The same with nobody watching.
+    /// The same without a visitor.
     Outcome find(std::span<const Vertex> starts, const Wanted& goal, std::size_t most = without_end) {
         Visitor nobody;
         return find(starts, goal, most, nobody);
@@ -262,7 +262,7 @@ public:
         const auto* last = path_.empty() ? nullptr : node(path_.back());
         return last ? last->g : detail::infinite<Cost>;
     }
-    std::size_t expanded() const { return search_.expanded; }   ///< nodes whose neighbours were looked at
+    std::size_t expanded() const { return search_.expanded; }   ///< nodes whose neighbours were visited
     std::size_t generated() const { return search_.generated; } ///< nodes that were ever on the open list
     std::size_t reopened() const { return search_.reopened; } ///< how often a closed node was reached on a cheaper way
     /// The outcome in a sentence, with the place.
@@ -275,7 +275,7 @@ public:
     const NodeOf* node(const Vertex& v) const { return search_.seen(v); }
     bool is_open(const Vertex& v) const { return has_stamp(v, search_.nodes.stamps().open()); }
     bool is_closed(const Vertex& v) const { return has_stamp(v, search_.nodes.stamps().closed()); }
-    /// The open list by ascending f, of equal f by h. For looking at: it is made anew by each call.
+    /// The open list by ascending f, of equal f by h. For inspection: it is made anew by each call.
     std::vector<Vertex> open_list() const;
     /// The closed list, in the order of the graph's vertices; in which order they were closed a `Trace` tells.
     std::vector<Vertex> closed_list() const;
@@ -339,13 +339,14 @@ private:
 template <class Graph, class... Policies> AStar(const Graph&, Policies...) -> AStar<Graph, Policies...>;
 
 template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph, Policies...>::why() const {
+    if (outcome_ == Outcome::not_begun) return "no search was begun"; // there is no vertex yet that has a name
     const Graph& g = search_.graph();
     auto name = [&](const Vertex& v) { return detail::name_of_vertex(v, g); };
     const std::size_t starts = search_.starts.size();
     std::string way = starts > 1 ? "from any of " + std::to_string(starts) + " starts" : "from " + name(search_.start);
     way += goals_.in_words(g, search_.goal);
     switch (outcome_) {
-    case Outcome::not_begun: return "no search was begun";
+    case Outcome::not_begun: break;
     case Outcome::running: return "the search " + way + " goes on after " + std::to_string(expanded()) + " expansions";
     case Outcome::found:
         if constexpr (!std::is_same_v<Goals, OneGoal>)
@@ -353,7 +354,7 @@ template <class Graph, class... Policies> [[gnu::cold]] std::string AStar<Graph,
         return "the path " + way + " costs " + detail::name_of_cost(cost(), g);
     case Outcome::no_path:
         return "there is no path " + way + ": all " + std::to_string(expanded()) +
-               " nodes that can be reached were looked at";
+               " nodes that can be reached were expanded";
     case Outcome::gave_up:
         return "the search " + way + " gave up after " + std::to_string(expanded()) + " expansions; nearest came " +
                name(search_.nearest);

@@ -22,7 +22,7 @@ namespace ansatz::paths {
 /// \tparam Queue   of the search along the tiles: `Heap`, `Buckets`
 template <class Map, class Queue = Heap> class AnyAngle {
 public:
-    /// \param map looked at, never copied: it must live as long as this
+    /// \param map read, never copied: it must live as long as this
     explicit AnyAngle(const Map& map, Queue queue = {}) : along_tiles_(map, queue), straight_(map, LazyTheta{}) {}
     explicit AnyAngle(const Map&&, Queue = {}) = delete; // a map that is gone after this line
 

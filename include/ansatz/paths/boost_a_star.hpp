@@ -60,7 +60,7 @@ template <class Work, class Distances> struct BoostVisitor : boost::default_asta
     std::size_t most;
     template <class V, class Graph> void examine_vertex(const V& v, const Graph&) {
         if (!(get(distances, v) < infinite<typename Work::Cost>))
-            throw BoostStop{}; // only what nobody can reach is left
+            throw BoostStop{}; // only what cannot be reached is left
         if (work->is_goal(v)) {
             work->reach(v, get(distances, v));
             throw BoostStop{};
@@ -98,7 +98,7 @@ struct BoostAStar {
         using Vertex = typename Work::Vertex;
         using Cost = typename Work::Cost;
         static_assert(std::is_same_v<typename Work::Successors, EveryEdge>,
-                      "Ansatz paths: BoostAStar looks at every edge; with JumpPoints take OwnLoop, the default engine");
+                      "Ansatz paths: BoostAStar visits every edge; with JumpPoints take OwnLoop, the default engine");
         static_assert(Work::numbered, "Ansatz paths: BoostAStar needs a graph whose vertices are numbered and listed");
         const detail::BoostIndex<Work> index{&work};
         const std::size_t n = work.count();
@@ -128,7 +128,7 @@ struct BoostAStar {
     }
 
 private:
-    /// Writes what it found into the search's own nodes, so that the lists and values can be looked at.
+    /// Writes what it found into the search's own nodes, so that the lists and values can be read.
     template <class Work, class Parents, class Costs, class Colours, class Watcher>
     static void keep(Work& work, const Parents& parents, const Costs& g, const Colours& colours, Watcher&) {
         work.each_vertex([&](const typename Work::Vertex& v) {

@@ -12,10 +12,10 @@
 /// needs `Reopening`, which is the default; `NoReopening` is refused in a sentence.
 ///
 /// The best width is a fraction of the cheapest usual edge: too wide and nodes are expanded twice, too narrow and empty
-/// buckets are looked at. A grid says its own; for other graphs it is the first argument, in the unit of the weights.
+/// buckets are visited. A grid says its own; for other graphs it is the first argument, in the unit of the weights.
 ///
 /// An inconsistent heuristic lets f fall below what has come out already. Such entries come out before all others, and
-/// among themselves by g and not by f: whoever comes out then is reached no cheaper by another of them, so that far
+/// among themselves by g and not by f: a node that comes out then is reached no cheaper by another of them, so that far
 /// fewer nodes are opened again (algorithm B).
 ///
 /// \see R. B. Dial, "Algorithm 360: shortest-path forest with topological ordering", Comm. ACM 12 (1969).
@@ -218,8 +218,8 @@ struct Buckets {
         std::vector<Far> later_;                ///< the same beyond that ring, or before it: a heap by g
         std::vector<Far> far_;                  ///< beyond the ring
         std::uint64_t far_least_ = nothing_far; ///< the first bucket of those beyond
-        std::uint64_t soon_ =
-            nothing_far; ///< where the ring does not suffice: that, or 0 where something lies before it
+        /// Where the ring does not suffice: that, or 0 where something lies before it.
+        std::uint64_t soon_ = nothing_far;
         double chosen_;
         std::uint64_t shift_ = 0; ///< wide, so that no write to a node can be one to it
         Cost width_ = 1, per_width_ = 1;

@@ -29,7 +29,7 @@ template <class Map> class ClusterGraph {
 public:
     using default_cost = std::uint32_t;                        ///< as on a grid
     using default_heuristic = typename Map::default_heuristic; ///< as on the grid
-    /// \param clusters looked at, never copied
+    /// \param clusters read, never copied
     explicit ClusterGraph(const Clusters<Map>& clusters) : clusters_(&clusters) {}
     const Clusters<Map>& clusters() const { return *clusters_; } ///< without start and goal
     /// The least that a step costs: what Octile and Manhattan ask for.

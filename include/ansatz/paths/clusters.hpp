@@ -3,15 +3,15 @@
 
 /// \file
 /// `Clusters`: a grid cut into squares, and the few tiles by which one gets from square to square, as a graph: what
-/// `GateSearch` searches (HPA*, Botea, Mueller and Schaeffer 2004; notes 6.3: the cost of a search grows with what it
-/// looks at).
+/// `GateSearch` searches (HPA*, Botea, Mueller and Schaeffer 2004; notes 6.3: the cost of a search grows with the
+/// nodes that it expands).
 ///
 /// Where two squares touch, tiles that are free on both sides make up an entrance. Of every entrance some pairs of
 /// tiles are gates. Between the gates of one square the cheapest ways inside of it are kept: what they cost, and for
 /// every tile of the square the next step to each gate. Ways that lead through another gate anyway are left out.
 ///
 /// There is a path from gate to gate where there is one on the grid, whatever its rule of corners, its ground and its
-/// blocked edges. `update` looks which squares are not as they were, and makes those again and no others; of their
+/// blocked edges. `update` finds which squares are not as they were, and makes those again and no others; of their
 /// neighbours only those whose gates change with them.
 
 #include <ansatz/core/error.hpp>
@@ -45,7 +45,7 @@ public:
     static constexpr std::uint8_t no_step = 255;               ///< where there is no way
     static constexpr Cost no_way = detail::infinite<Cost>;     ///< where there is no way
 
-    /// \param map  looked at, never copied: it must live as long as this
+    /// \param map  read, never copied: it must live as long as this
     /// \param side of a square, in tiles
     /// \throws std::invalid_argument for a side that is not from 4 to 64
     explicit Clusters(const Map& map, std::size_t side = 32) : map_(&map), side_(side) {
@@ -78,7 +78,7 @@ public:
         version_ = map_->version();
         return count;
     }
-    /// Whether the map is as it was when it was looked at.
+    /// Whether the map is as it was when it was read.
     bool is_current() const { return version_ == map_->version(); }
     const Map& map() const { return *map_; }                ///< what it is made of
     std::size_t side() const { return side_; }              ///< of a square, in tiles

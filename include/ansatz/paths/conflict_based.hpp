@@ -5,13 +5,13 @@
 /// `ConflictBased`: the plans for several agents on one grid whose costs have the least sum (Sharon, Stern, Felner and
 /// Sturtevant 2015; notes 6.3: A* is a method for a single agent).
 ///
-/// Everybody is planned alone first. Where two meet, one of them has to give way: the search tries both, each as a node
-/// of a tree, in which the one agent is planned again and must not do in that step what it did. The node whose plans
-/// cost least is looked at next, so that the first without a meeting is the best there is.
+/// Each agent is planned alone first. Where two meet, one of them has to give way: the search tries both, each as a
+/// node of a tree, in which the one agent is planned again and must not do in that step what it did. The node whose
+/// plans cost least is expanded next, so that the first without a meeting is the best there is.
 ///
 /// Take it for a few agents, and to hold other methods against: it finds plans where `Prioritised` finds none, since
-/// nobody has a rank, and its tree grows exponentially with the number of meetings. Where there is no plan the tree may
-/// have no end; therefore `find` takes a budget. For a crowd take `Prioritised`, or `Windowed`.
+/// no agent has a rank, and its tree grows exponentially with the number of meetings. Where there is no plan the tree
+/// may have no end; therefore `find` takes a budget. For a crowd take `Prioritised`, or `Windowed`.
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/flow_field.hpp>
@@ -94,7 +94,7 @@ struct MeetingWeights {
 /// \tparam Map a Grid on even ground
 template <class Map> class ConflictBased {
 public:
-    /// \param map looked at, never copied: it must live as long as this
+    /// \param map read, never copied: it must live as long as this
     explicit ConflictBased(const Map& map) : map_(&map) {
         static_assert(
             std::is_same_v<typename Map::ground, Even>,
@@ -103,8 +103,8 @@ public:
     explicit ConflictBased(const Map&&) = delete; // a map that is gone after this line
 
     /// Plans for all; what they cost together is the least there is. A step costs as on the grid, waiting as a straight
-    /// one, and who has come to its goal for good costs nothing more.
-    /// \param most how many nodes of the tree may be looked at before it gives up
+    /// one, and an agent that has come to its goal for good costs nothing more.
+    /// \param most how many nodes of the tree may be expanded before it gives up
     /// \return found, gave_up, or no_path where it is known that there is none
     /// \throws std::invalid_argument for no errand, for a tile outside the map, and for two who begin or end in one tile
     Outcome find(std::span<const Errand> errands, std::size_t most = 10000) {
@@ -147,8 +147,8 @@ public:
         for (const auto& plan : plans_) most = std::max(most, plan.size());
         return most == 0 ? 0 : most - 1;
     }
-    std::size_t tree() const { return looked_at_; }    ///< nodes of the tree that were looked at
-    std::size_t expanded() const { return expanded_; } ///< nodes looked at in space and time, in all searches
+    std::size_t tree() const { return looked_at_; }    ///< nodes of the tree that were expanded
+    std::size_t expanded() const { return expanded_; } ///< nodes expanded in space and time, in all searches
     /// In a sentence, what came of it.
     std::string why() const {
         switch (outcome_) {
@@ -196,7 +196,7 @@ private:
             for (std::size_t k = 0; k < i; ++k) pairs += detail::first_meeting(plans_[i], plans_[k], i, k).has_value();
         return pairs;
     }
-    /// Plans everybody alone. \return whether each has a path
+    /// Plans each agent alone. \return whether each has a path
     bool begin() {
         fields_.resize(errands_.size(), FlowField<Map>(*map_));
         forbidden_.clear();
@@ -292,7 +292,7 @@ private:
     const Map* map_;
     std::vector<Errand> errands_;
     std::vector<FlowField<Map>> fields_;   ///< to the goal of each
-    std::vector<std::vector<Cell>> plans_; ///< of the node that is looked at
+    std::vector<std::vector<Cell>> plans_; ///< of the node that is expanded
     std::vector<std::vector<Cell>> first_; ///< of the root
     std::vector<Branch> tree_;
     std::vector<std::uint32_t> open_; ///< a heap of places in the tree

@@ -45,7 +45,7 @@ template <class Cost> struct Tile {
 
 namespace detail {
 
-/// The dearest cost there is: of a node that nobody has reached.
+/// The dearest cost there is: of a node that was not reached.
 template <class Cost>
 inline constexpr Cost infinite =
     std::numeric_limits<Cost>::has_infinity ? std::numeric_limits<Cost>::infinity() : std::numeric_limits<Cost>::max();
@@ -67,6 +67,9 @@ template <class Cost> constexpr Cost times(std::size_t n, Cost cost) {
 template <class Cost, class Weight> [[gnu::always_inline]] constexpr Cost cost_of(const Weight& weight) {
     if constexpr (std::is_integral_v<Cost> && std::is_floating_point_v<Weight>)
         return weight >= Weight(infinite<Cost>) ? infinite<Cost> : Cost(weight);
+    else if constexpr (std::is_integral_v<Cost> &&
+                       std::numeric_limits<Weight>::digits > std::numeric_limits<Cost>::digits) // none is negative
+        return std::uintmax_t(weight) >= std::uintmax_t(infinite<Cost>) ? infinite<Cost> : Cost(weight);
     else return Cost(weight);
 }
 /// A number for estimates that may be more than any cost: of 64 bits where costs are whole.

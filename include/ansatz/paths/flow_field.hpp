@@ -12,11 +12,11 @@
 /// ```
 ///
 /// Take it where many walkers go to one goal, or to the nearest of several: it costs one search of all that can reach
-/// the goal, and then a look into a table for each. For a few walkers on a large map single searches are cheaper, since
-/// they look at less (\ref section_6_3_7 "6.3.7" has the number). Members of a squad who keep their places need one
+/// the goal, and then a table lookup for each. For a few walkers on a large map single searches are cheaper, since
+/// they expand less (\ref section_6_3_7 "6.3.7" has the number). Members of a squad who keep their places need one
 /// path and a `Formation`.
 ///
-/// It looks at the graph and does not copy it. After a change of the graph aim again: `is_current()` tells, on graphs
+/// It reads the graph and does not copy it. After a change of the graph aim again: `is_current()` tells, on graphs
 /// that count their changes. On a Grid nothing is allocated once warm; on other graphs the roads are turned round each
 /// time, since a graph that knows where its edges lead does not know where they come from.
 
@@ -29,6 +29,7 @@
 #include <ansatz/paths/roles.hpp>
 #include <ansatz/units/quantity.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -126,7 +127,7 @@ template <class Graph, class... Policies> class FlowField {
     static_assert(((HasRole<Policies, roles::Queue> || HasRole<Policies, roles::Cost> ||
                     HasRole<Policies, roles::Weights>)&&...),
                   "Ansatz paths: FlowField takes a queue (Heap{}, Buckets{}), CostIn<Number>{} and WeightsOf{map}; it "
-                  "looks at the whole graph, and has no use for a heuristic");
+                  "visits the whole graph, and has no use for a heuristic");
     static_assert(detail::AsksForWeights<Graph, Given>::ok);
     static_assert(detail::IsNumbered<Graph>,
                   "Ansatz paths: FlowField needs a graph whose vertices are numbered and listed");
@@ -144,7 +145,7 @@ public:
                   "Ansatz paths: the weights of this graph have fractions, which a whole-number cost would cut off; "
                   "take CostIn<double>");
 
-    /// \param graph looked at, never copied: it must live as long as this
+    /// \param graph read, never copied: it must live as long as this
     explicit FlowField(const Graph& graph, Policies... policies)
         : graph_(&graph),
           given_(detail::take<roles::Weights, detail::NotGiven>(policies...)),
@@ -152,8 +153,8 @@ public:
     explicit FlowField(const Graph&&, Policies...) = delete; // a graph that is gone after this line
 
     /// Finds the way from everywhere to the nearest of these. Blocked ones are passed over.
-    /// \return found, blocked where each of them is, or too_far where a way costs more than its number holds: such a
-    ///         way counts as none, so take CostIn<std::uint64_t> or CostIn<double>
+    /// \return found, blocked where each of them is, or too_far where all ways from somewhere cost more than its
+    ///         number holds: such a way counts as none, so take CostIn<std::uint64_t> or CostIn<double>
     /// \throws std::invalid_argument, and keeps what it had, for no goal, for one that the graph does not have, and
     ///         for a weight that is negative or no number
     Outcome aim(std::span<const Vertex> goals) {
@@ -167,7 +168,7 @@ public:
         queue_.begin(g);
         expanded_ = 0;
         version_ = version_of(g);
-        bool any = false, too_far = false;
+        bool any = false;
         for (const Vertex& goal : goals) {
             const std::size_t i = number(goal);
             if (detail::blocked(goal, g) || waits_[i] != 0) continue;
@@ -176,8 +177,10 @@ public:
             else queue_.start(Cost(0), Cost(0), goal);
             any = true;
         }
-        while (!queue_.empty()) spread(queue_.pop(), too_far);
-        return too_far ? Outcome::too_far : any ? Outcome::found : Outcome::blocked;
+        while (!queue_.empty()) spread(queue_.pop());
+        if (std::integral<Cost> && std::find(waits_.begin(), waits_.end(), beyond) != waits_.end())
+            return Outcome::too_far;
+        return any ? Outcome::found : Outcome::blocked;
     }
     /// The same for one goal.
     Outcome aim(const Vertex& goal) { return aim(std::span<const Vertex>(&goal, 1)); }
@@ -207,7 +210,7 @@ public:
     /// Whether the graph is as it was when the field was aimed. Graphs that do not count their changes
     /// (`version()`) are held to be.
     bool is_current() const { return !costs_.empty() && version_ == version_of(*graph_); }
-    std::size_t expanded() const { return expanded_; } ///< how often the edges into a vertex were looked at
+    std::size_t expanded() const { return expanded_; } ///< how often the edges into a vertex were followed
     const Graph& graph() const { return *graph_; }     ///< what is searched
 
 private:
@@ -226,9 +229,9 @@ private:
         if constexpr (requires { position_of(v, *graph_); }) return position_of(v, *graph_);
         else return graph_->position(v);
     }
-    /// Everybody who can step here knows a way now. In whatever order the queue has them: one whose cost falls again is
-    /// looked at again.
-    void spread(const Vertex& p, bool& too_far) {
+    /// From every vertex with an edge to this one a way is known now. In whatever order the queue has them: one whose
+    /// cost falls again is expanded again.
+    void spread(const Vertex& p) {
         const std::size_t at = number(p);
         if (waits_[at] == 0) return; // an old entry
         waits_[at] = 0;
@@ -238,7 +241,7 @@ private:
             const Cost through = detail::add(cost, weight);
             const std::size_t i = number(q);
             if constexpr (std::integral<Cost>)
-                if (through == detail::infinite<Cost> && costs_[i] == through) too_far = true;
+                if (through == detail::infinite<Cost> && costs_[i] == through) waits_[i] = beyond;
             if (!(through < costs_[i])) return;
             costs_[i] = through, next_[i] = p, waits_[i] = 1;
             queue_.push(through, Cost(0), q);
@@ -248,9 +251,12 @@ private:
     Given given_;
     typename QueuePolicy::template In<Cost, Vertex> queue_;
     Back back_;
-    std::vector<Cost> costs_;         ///< by the number of the vertex
-    std::vector<Vertex> next_;        ///< where there is a way
-    std::vector<std::uint8_t> waits_; ///< whether it is in the queue with a cost that nobody has heard of yet
+    std::vector<Cost> costs_;  ///< by the number of the vertex
+    std::vector<Vertex> next_; ///< where there is a way
+    /// 1 while it is in the queue with a cost that has not been passed on yet, `beyond` while all that is known is a
+    /// way that costs more than a number holds.
+    std::vector<std::uint8_t> waits_;
+    static constexpr std::uint8_t beyond = 2;
     std::size_t version_ = 0, expanded_ = 0;
 };
 /// The field of a graph, `FlowField{map, Buckets{}}`.

@@ -36,7 +36,7 @@ class Formation {
 public:
     /// One member for each offset.
     explicit Formation(std::vector<Offset> offsets) : offsets_(std::move(offsets)) {}
-    /// Of members who stand somewhere, around the centre of them all.
+    /// Of members at given places, around the centre of them all.
     /// \return the formation, and the tile of the centre
     static std::pair<Formation, Cell> around_centre(const std::vector<Cell>& members) {
         if (members.empty()) refuse_value("Formation", "the number of members", "0", "there must be one at least");
@@ -46,7 +46,7 @@ public:
         const Cell centre{std::uint16_t((x + n / 2) / n), std::uint16_t((y + n / 2) / n)};
         return {around(centre, members), centre};
     }
-    /// Of members who stand somewhere, seen from a leader.
+    /// Of members at given places, relative to a leader.
     static Formation around(Cell leader, const std::vector<Cell>& members) {
         std::vector<Offset> offsets;
         offsets.reserve(members.size());
@@ -57,7 +57,7 @@ public:
     /// Where each member stands.
     const std::vector<Offset>& offsets() const { return offsets_; }
 
-    /// Where everybody belongs while the leader, or the centre, is at this tile.
+    /// Where each member belongs while the leader, or the centre, is at this tile.
     /// \param slots one for each member, in their order; its memory is used again
     template <class Map> void at(const Map& map, Cell leader, std::vector<Slot>& slots) const {
         slots.clear();

@@ -10,14 +10,14 @@
 /// if (search.find(start, goal) == Outcome::found) walk(search.path());
 /// ```
 ///
-/// A search looks at gates (`Clusters`) where A* looks at tiles, and then follows ways that are known. What is found is
-/// longer than the best path by what gates are off it; `find` takes most of that back, part by part: the way between
-/// two places of it is searched again on the tiles, and the shorter one is kept. Whoever is near is searched on the
+/// A search expands gates (`Clusters`) where A* expands tiles, and then follows ways that are known. What is found is
+/// longer than the best path by what gates are off it; `find` takes most of that back, piece by piece: the way between
+/// two places of it is searched again on the tiles, and the shorter one is kept. A near goal is searched on the
 /// tiles at once.
 ///
 /// Take it where a map is large and paths are long; on MovingAI's maps they come out a few per cent longer at worst
 /// (\ref paths_costs "what it costs"), on uneven ground nothing is promised. Where the best path is wanted, or paths
-/// are short, take `AStar`. A change of the map is looked for before each search, and costs the squares that it
+/// are short, take `AStar`. Before each search the map is checked for changes; one costs the squares that it
 /// touches.
 
 #include <ansatz/paths/a_star.hpp>
@@ -38,9 +38,13 @@ namespace ansatz::paths {
 
 /// \tparam Map a Grid
 template <class Map> class GateSearch {
+    static_assert(
+        requires { typename Map::neighbours; },
+        "Ansatz paths: GateSearch cuts a map of tiles into squares; it needs a Grid. On any other graph take AStar");
+
 public:
     using Cost = std::uint32_t; ///< as on a grid
-    /// \param map  looked at, never copied: it must live as long as this
+    /// \param map  read, never copied: it must live as long as this
     /// \param side of a square, in tiles
     /// \throws std::invalid_argument for a side that is not from 4 to 64
     explicit GateSearch(const Map& map, std::size_t side = 32)
@@ -49,18 +53,18 @@ public:
           gates_(graph_, Buckets{}, CostIn<std::uint64_t>{}),
           tiles_(map, Buckets{}) {}
     explicit GateSearch(const Map&&, std::size_t = 32) = delete; // a map that is gone after this line
-    GateSearch(const GateSearch&) = delete;                      ///< its searches look at its own gates
+    GateSearch(const GateSearch&) = delete;                      ///< its searches read its own gates
     GateSearch& operator=(const GateSearch&) = delete;           ///< the same
 
     /// Finds a path.
-    /// \throws std::invalid_argument for a start or goal outside the map
+    /// \throws std::invalid_argument for a start or goal outside the map; the last path is kept
     Outcome find(Cell start, Cell goal) {
         const Map& map = clusters_.map();
+        detail::require_vertex("GateSearch::find", "start", map, start);
+        detail::require_vertex("GateSearch::find", "goal", map, goal);
         remade_ = clusters_.update();
         path_.clear();
         looked_at_ = 0;
-        detail::require_vertex("GateSearch::find", "start", map, start);
-        detail::require_vertex("GateSearch::find", "goal", map, goal);
         const std::size_t near = 4 * clusters_.side() * clusters_.side();
         outcome_ = Outcome::gave_up;
         if (apart(start, goal) <= 2 * clusters_.side()) {
@@ -88,10 +92,10 @@ public:
     std::span<const Cell> path() const { return path_; }
     /// What it costs, in tiles.
     double cost() const { return clusters_.map().cost(path_); }
-    std::size_t expanded() const { return looked_at_; }         ///< gates and tiles whose neighbours were looked at
+    std::size_t expanded() const { return looked_at_; }         ///< gates and tiles whose neighbours were visited
     std::size_t remade() const { return remade_; }              ///< squares that were made again before the last search
     const Clusters<Map>& clusters() const { return clusters_; } ///< what is searched first
-    bool improves = true; ///< whether the path is searched again part by part; without it is quicker, and longer
+    bool improves = true; ///< whether the path is searched again piece by piece; without is quicker, and longer
 
 private:
     static std::size_t apart(Cell a, Cell b) {
@@ -123,7 +127,8 @@ private:
                                               path_[i].x != path_[i - 1].x && path_[i].y != path_[i - 1].y));
         return sum;
     }
-    /// Searches parts of the path again on the tiles, each three quarters of a part further, and keeps what is shorter.
+    /// Searches pieces of the path again on the tiles, each begun three quarters of a piece further, and keeps what is
+    /// shorter.
     void shorten() {
         const std::size_t part = clusters_.side() * 3 / 4;
         const std::size_t most = clusters_.side() * clusters_.side();

@@ -181,7 +181,7 @@ struct AnyGoal {
 /// Any vertex that meets a condition: `AStar{map, GoalWhere{[&](Cell c) { ... }}}`, then `find(start)`.
 template <class Condition> struct GoalWhere {
     using role = roles::Goals;
-    static constexpr bool has_places = false; ///< nobody knows where it is met
+    static constexpr bool has_places = false; ///< it is unknown where it holds
     /// Nothing more: the policy has the condition.
     struct Nothing {};
     /// The condition.

@@ -278,7 +278,7 @@ template <class Graph, class Cost, class Given> decltype(auto) weights_of(const 
     else if constexpr (HasWeights<Graph>) return own_weights(g);
     else return OneEach<Cost>{};
 }
-/// The number that a graph's weights are, where nobody chose another.
+/// The number that a graph's weights are, where no other was chosen.
 template <class Graph, class Given> struct NaturalCost {
     using map =
         std::decay_t<decltype(weights_of<Graph, int>(std::declval<const Graph&>(), std::declval<const Given&>()))>;

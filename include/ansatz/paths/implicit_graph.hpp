@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `ImplicitGraphTraits`: what Boost.Graph asks of a graph whose edges are made while one looks at them: states of a
+/// `ImplicitGraphTraits`: what Boost.Graph asks of a graph whose edges are made on demand: states of a
 /// world, tiles and times, gates between squares. Such a graph has out edges and nothing else: no list of vertices, no
 /// edges inwards.
 ///

@@ -7,7 +7,7 @@
 /// A grid's path turns by 45 degrees. Theta* (Nash, Daniel, Koenig and Felner 2007) lets the parent of a node be any
 /// tile from which one can walk to it in a straight line, so that the path goes from corner to corner; its lazy form
 /// (Nash, Koenig and Tovey 2010), which this is, takes for granted that a node can be seen from the parent of its
-/// neighbour, and looks only when the node is closed: one line of sight a node instead of eight.
+/// neighbour, and checks only when the node is closed: one line of sight a node instead of eight.
 ///
 /// Take it where walkers go in straight lines and paths shall be short. It is slower than A*
 /// <!-- costs: paths any angle/*: LazyTheta > 2 "along the tiles" -->, and its path, though
@@ -30,7 +30,7 @@ namespace ansatz::paths {
 
 /// Paths of any angle: `AStar{map, LazyTheta{}}`. Its path holds the corners, not all the tiles between them, and costs
 /// count in tiles. Unless others are given, `Euclid` and `CostIn<double>` come with it. Closed nodes stay closed,
-/// whatever Reopening says: their parents were looked at.
+/// whatever Reopening says: their parents were checked.
 struct LazyTheta {
     using role = roles::Engine;
     static constexpr bool resumable = true;      ///< can be left and taken up again
@@ -44,7 +44,7 @@ struct LazyTheta {
     /// Expands up to `most` nodes.
     template <class Work, class Watcher>
     [[gnu::noinline]] static Outcome run(Work& work, std::size_t most, Watcher& watcher) {
-        require<Work>();
+        static_assert(Checked<Work>::ok);
         const auto place = work.place();
         const std::uint32_t open = work.nodes.stamps().open();
         for (std::size_t expanded = 0; !work.queue.empty();) {
@@ -68,20 +68,22 @@ struct LazyTheta {
     }
 
 private:
-    template <class Work> static void require() {
-        constexpr bool even = requires { requires std::is_same_v<typename Work::Graph::ground, Even>; };
+    /// A class and no function: its sentences come before what the compiler finds wrong in the loop.
+    template <class Work> struct Checked {
+        static constexpr bool even = requires { requires std::is_same_v<typename Work::Graph::ground, Even>; };
         static_assert(even,
                       "Ansatz paths: LazyTheta walks straight over the tiles of a grid on even ground, Grid<Eight<>, "
                       "Even>; elsewhere take OwnLoop, the default engine, and smooth()");
         static_assert(std::is_floating_point_v<typename Work::Cost>,
                       "Ansatz paths: LazyTheta counts lengths of any angle, which whole numbers would cut off; leave "
                       "CostIn out, or take CostIn<double>");
-        constexpr bool own_weights = std::is_same_v<typename Work::Weights, GridWeights<typename Work::Cost, Even>>;
+        static constexpr bool own_weights =
+            std::is_same_v<typename Work::Weights, GridWeights<typename Work::Cost, Even>>;
         static_assert(!even || own_weights, "Ansatz paths: LazyTheta counts lengths and cannot have WeightsOf");
-        static_assert(
-            Work::Queue::exact && std::is_same_v<typename Work::Successors, EveryEdge>,
-            "Ansatz paths: LazyTheta looks at every edge in the order of f; leave Buckets and JumpPoints out");
-    }
+        static_assert(Work::Queue::exact && std::is_same_v<typename Work::Successors, EveryEdge>,
+                      "Ansatz paths: LazyTheta visits every edge in the order of f; leave Buckets and JumpPoints out");
+        static constexpr bool ok = true;
+    };
     template <class Cost> static Cost tiles(Cell a, Cell b) {
         const double dx = double(a.x) - b.x, dy = double(a.y) - b.y;
         return Cost(std::sqrt(dx * dx + dy * dy));

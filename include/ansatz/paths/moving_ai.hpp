@@ -4,8 +4,8 @@
 /// \file
 /// Readers for the grid maps and scenarios of the MovingAI benchmarks: what path finders are compared on.
 ///
-/// '.' and 'G' are ground, 'S' is swamp, 'W' is water; '@', 'O' and 'T' are never passable. Who may walk where is a
-/// policy of `MovingAiMap::grid`: `LandOnly`, by which water is a wall, or `GroundByKind`, by which one wades into it
+/// '.' and 'G' are ground, 'S' is swamp, 'W' is water; '@', 'O' and 'T' are never passable. Which ground is passable is
+/// a policy of `MovingAiMap::grid`: `LandOnly`, by which water is a wall, or `GroundByKind`, by which one wades into it
 /// from a swamp. Files do not say which of both their lengths were made by; the maps of most games hold neither swamp
 /// nor water. A step is one of eight and passes a corner where both straight neighbours are free: `Grid<>`. What is
 /// wrong in a file is refused with its name, line and what was expected.
@@ -116,7 +116,9 @@ public:
     }
     const std::string& text() const { return text_; }
     std::size_t number() const { return number_; }
-    [[noreturn, gnu::cold]] void fail(const std::string& found, const std::string& expected) const {
+    [[noreturn, gnu::cold]] void fail(std::string found, const std::string& expected) const {
+        for (char& c : found) // a sentence that is read as a C string ends at a zero, and terminals act on the others
+            if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
         refuse(Refusal::invalid_argument,
                name_ + ":" + std::to_string(number_) + ": " + found + "; expected " + expected);
     }

@@ -4,7 +4,7 @@
 /// \file
 /// What a search knows of a node (notes 6.1), and the two stores that keep it: by number, and by hash.
 ///
-/// Neither is ever cleared: every node bears the stamp of the query that wrote it, so a query costs what it looks at
+/// Neither is ever cleared: every node bears the stamp of the query that wrote it, so a query costs what it visits
 /// and not what the graph holds. When the stamps have all been used (after two thousand million queries) they are
 /// cleared once.
 

@@ -12,13 +12,13 @@ namespace ansatz::paths {
 
 /// How a search stands.
 enum class Outcome {
-    not_begun,  ///< nobody asked for anything yet
+    not_begun,  ///< no search was begun yet
     running,    ///< there is more to expand: call advance() again
     found,      ///< the goal was reached; path() and cost() are of the way there
-    no_path,    ///< all that can be reached was looked at, and the goal was not among it
+    no_path,    ///< all that can be reached was expanded, and the goal was not among it
     gave_up,    ///< the budget was spent; path() leads to the node that came nearest
     blocked,    ///< the start or the goal is marked impassable; why() says which
-    too_far,    ///< no way whose cost fits into its number, and some that does not: take CostIn<std::uint64_t>
+    too_far,    ///< no way was found, and ways were left out whose cost its number does not hold: take a wider CostIn
     bad_weight, ///< an edge's weight is negative or not a number; why() says which
 };
 

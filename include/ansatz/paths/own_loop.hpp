@@ -4,7 +4,7 @@
 /// \file
 /// `OwnLoop`: the loop of A* as the notes write it (6.1), over Boost.Graph's concepts; the default engine.
 ///
-/// It asks the graph for nothing but out_edges and target, looks at no vertex that the search does not come to, stops
+/// It asks the graph for nothing but out_edges and target, visits no vertex that the search does not come to, stops
 /// without an exception, can be left after any number of expansions and taken up again, and allocates nothing once its
 /// arrays have grown. The numbers in its comments are the notes' steps.
 
@@ -98,7 +98,7 @@ private:
     struct Counts {
         std::size_t expanded = 0, generated = 0, reopened = 0;
     };
-    /// Where a run ends; start and goal are told to who runs.
+    /// Where a run ends, and the start and the goal that the engine was told.
     template <class Work> struct Reaches {
         typename Work::Vertex start;
         std::conditional_t<std::is_same_v<typename Work::Goal, typename Work::Vertex>, typename Work::Goal,
@@ -125,7 +125,7 @@ private:
         const bool first = node.stamp < open; // on no list
         if (!first && !(g < node.g)) return;
         if (first) {
-            if (!(g < detail::infinite<Cost>)) { // an infinite weight is a way that nobody can go
+            if (!(g < detail::infinite<Cost>)) { // an infinite weight is no way
                 work.too_far = work.too_far || std::integral<Cost>;
                 return;
             }

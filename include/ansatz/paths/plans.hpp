@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `Errand`, from where to where somebody wants, and `first_meeting`, which holds the plans of several against each
+/// `Errand`, a start and a goal, and `first_meeting`, which holds the plans of several against each
 /// other: what `Prioritised`, `ConflictBased` and `Windowed` have in common (notes 6.3: A* is a method for one agent).
 ///
 /// A plan is a list of tiles, the k-th for step k; behind the last one its owner stays where it is. Two plans meet
@@ -21,7 +21,7 @@
 
 namespace ansatz::paths {
 
-/// From where to where somebody wants.
+/// A start and a goal.
 struct Errand {
     Cell start; ///< in step 0
     Cell goal;  ///< and stays there
@@ -34,7 +34,7 @@ struct Move {
     friend bool operator==(const Move&, const Move&) = default; ///< whether they are the same
 };
 
-/// Two who meet.
+/// Two agents that meet.
 struct Meeting {
     /// How.
     enum class Kind : std::uint8_t {
@@ -42,9 +42,9 @@ struct Meeting {
         change_places, ///< each goes where the other was
         cross,         ///< their diagonal steps cross
     };
-    std::size_t first = 0;  ///< who, by the place in the list
-    std::size_t second = 0; ///< and who else; behind the first
-    std::uint32_t step = 0; ///< in which step; for those who move, that in which their moves begin
+    std::size_t first = 0;  ///< one agent, by its place in the list
+    std::size_t second = 0; ///< the other; behind the first
+    std::uint32_t step = 0; ///< in which step; for agents that move, that in which their moves begin
     Kind kind{};            ///< how
     Move one;               ///< what the first does in that step
     Move other;             ///< what the second does
@@ -94,7 +94,7 @@ template <class Map> void require_errands(const std::string& where, const Map& m
 } // namespace detail
 
 /// The first meeting of any two, by step and then by their places in the list; none where all keep clear of each other.
-/// It looks at every pair, and is meant for checks and for a dozen agents.
+/// It tests every pair, and is meant for checks and for a dozen agents.
 /// \param plans none of them empty
 inline std::optional<Meeting> first_meeting(std::span<const std::vector<Cell>> plans) {
     std::optional<Meeting> earliest;

@@ -6,12 +6,12 @@
 /// those before it (Erdmann and Lozano-Perez 1987; with waiting, Silver 2005; notes 6.3: A* is a method for one).
 ///
 /// It takes time in proportion to the number of agents, where all at once would take it to its power. The price: the
-/// order decides. Whoever is planned first does not make way, and for a later one there may then be no plan, though
-/// together, or in another order, there is one; `find` says for whom. Try another order, or for a few agents
-/// `ConflictBased`, which finds the best plan for all if there is one.
+/// order decides. An agent that is planned first does not make way, and for a later one there may then be no plan,
+/// though together, or in another order, there is one; `find` says for which agent. Try another order, or for a few
+/// agents `ConflictBased`, which finds the best plan for all if there is one.
 ///
-/// Who has arrived stays there and is in the way. Who has not been planned yet is not: an earlier one may walk over
-/// where it stands, and it must get out of the way in time.
+/// An agent that has arrived stays there and is in the way. One that has not been planned yet is not: an earlier one
+/// may walk over where it stands, and it must get out of the way in time.
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/flow_field.hpp>
@@ -32,7 +32,7 @@ template <class Map> class Prioritised {
 public:
     static constexpr std::size_t nobody = std::size_t(-1); ///< no agent
 
-    /// \param map looked at, never copied: it must live as long as this
+    /// \param map read, never copied: it must live as long as this
     explicit Prioritised(const Map& map) : map_(&map), field_(map) {
         static_assert(
             std::is_same_v<typename Map::ground, Even>,
@@ -41,7 +41,7 @@ public:
     explicit Prioritised(const Map&&) = delete; // a map that is gone after this line
 
     /// Plans for all, in the order of the list.
-    /// \return whether there is a plan for everybody; else those before failed() have one
+    /// \return whether there is a plan for every agent; else those before failed() have one
     /// \throws std::invalid_argument for no errand, for a tile outside the map, and for two who begin or end in one tile
     bool find(std::span<const Errand> errands) {
         detail::require_errands("Prioritised::find", *map_, errands);
@@ -56,7 +56,7 @@ public:
             }
         return true;
     }
-    /// Where an agent is in each step, from the first; behind the last it stays where it is. Empty for one who has no
+    /// Where an agent is in each step, from the first; behind the last it stays where it is. Empty for one that has no
     /// plan.
     /// \throws std::invalid_argument for an agent that was not among the errands
     const std::vector<Cell>& plan(std::size_t agent) const {
@@ -73,11 +73,11 @@ public:
             refuse_value("Prioritised::at", "agent", std::to_string(agent), "it must be one that has a plan; " + why());
         return at_step(cells, step);
     }
-    std::size_t failed() const { return failed_; }                 ///< the first for whom there is no plan, or nobody
+    std::size_t failed() const { return failed_; }                 ///< the first without a plan, or `nobody`
     std::size_t steps() const { return reserved_.last(); }         ///< until all stand
-    std::size_t expanded() const { return expanded_; }             ///< nodes looked at, in space and time
+    std::size_t expanded() const { return expanded_; }             ///< nodes expanded, in space and time
     const Reservations& reservations() const { return reserved_; } ///< all plans together
-    /// In a sentence, for whom there is no plan.
+    /// In a sentence, which agent has no plan.
     std::string why() const {
         if (failed_ == nobody) return "there is a plan for all " + std::to_string(plans_.size()) + " agents";
         return "there is no plan for agent " + std::to_string(failed_) + " around those of the " +

@@ -50,10 +50,10 @@ template <class Search> struct DistanceMap {
 };
 
 /// The predecessors that a search has found.
-/// \param search looked at: it must live as long as the map
+/// \param search read: it must live as long as the map
 template <class Search> PredecessorMap<Search> predecessors_of(const Search& search) { return {&search}; }
 /// The distances that a search has found.
-/// \param search looked at: it must live as long as the map
+/// \param search read: it must live as long as the map
 template <class Search> DistanceMap<Search> distances_of(const Search& search) { return {&search}; }
 
 /// Puts what a search has found into maps of yours, for every vertex of its graph (a VertexListGraph).

@@ -12,7 +12,7 @@
 
 namespace ansatz::paths {
 
-/// Back to the open list, to be looked at again (the default): optimal with every admissible heuristic.
+/// Back to the open list, to be expanded again (the default): optimal with every admissible heuristic.
 struct Reopening {
     using role = roles::Reopening;
     /// Whether a closed node gets the cheaper g and parent.

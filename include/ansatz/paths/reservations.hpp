@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// `Reservations`, which tile belongs to whom in which step, and `TimedGrid`, a grid in space and time around them:
-/// what `Prioritised` searches (notes 6.3: A* is a method for a single agent).
+/// `Reservations`, which tile belongs to which agent in which step, and `TimedGrid`, a grid in space and time around
+/// them: what `Prioritised` searches (notes 6.3: A* is a method for a single agent).
 ///
 /// A vertex is a tile and a step; all steps from that in which the last one rests are one, since nothing changes any
 /// more. Its edges lead to the next step: to a neighbour, or to the same tile, which is waiting. Left out are those
@@ -50,7 +50,7 @@ template <> struct std::hash<ansatz::paths::Timed> {
 
 namespace ansatz::paths {
 
-/// Who is where, and when.
+/// Which agent is where, and when.
 class Reservations {
 public:
     static constexpr std::uint32_t nobody = 0xffffffff;   ///< no agent
@@ -58,13 +58,13 @@ public:
 
     /// Forgets all.
     void clear() { taken_.clear(), rests_.clear(), last_ = 0; }
-    /// Who has a tile in a step.
+    /// Which agent has a tile in a step.
     std::uint32_t owner(Cell cell, std::uint32_t step) const {
         if (const auto at = rests_.find(cell); at != rests_.end() && step >= at->second.step) return at->second.agent;
         const auto at = taken_.find({cell, step});
         return at == taken_.end() ? nobody : at->second;
     }
-    /// Whether a step from one tile to a neighbour, or waiting, meets nobody; `step` is when it begins.
+    /// Whether a step from one tile to a neighbour, or waiting, meets no other; `step` is when it begins.
     bool is_free(Cell from, Cell to, std::uint32_t step) const {
         if (owner(to, step + 1) != nobody) return false;
         if (from == to) return true;
@@ -75,7 +75,7 @@ public:
         const auto at_a = owner(a, step), at_b = owner(b, step);
         return !(at_a != nobody && owner(b, step + 1) == at_a) && !(at_b != nobody && owner(a, step + 1) == at_b);
     }
-    /// From which step on nobody else comes to a tile; `for_ever` where somebody rests.
+    /// From which step on no other agent comes to a tile; `for_ever` where one rests.
     std::uint32_t free_from(Cell cell) const {
         if (rests_.find(cell) != rests_.end()) return for_ever;
         std::uint32_t from = 0;
@@ -128,8 +128,8 @@ struct TimedEdge {
 template <class Map, class Table = Reservations> class TimedGrid {
 public:
     using default_cost = std::uint32_t; ///< as on a grid
-    /// \param map          looked at, never copied
-    /// \param reservations looked at, never copied
+    /// \param map          read, never copied
+    /// \param reservations read, never copied
     /// \param until        up to here steps are told apart, though nothing may be reserved there
     TimedGrid(const Map& map, const Table& reservations, std::uint32_t until = 0)
         : map_(&map), reservations_(&reservations), settled_(std::max(until, reservations.last())) {}
@@ -180,7 +180,7 @@ public:
 private:
     Cell target() const { return d_ < 8 ? detail::step(from_.cell, unsigned(d_)) : from_.cell; }
     bool open() const {
-        if (d_ == 8) return from_.step < graph_->settled(); // behind that waiting leads nowhere
+        if (d_ == 8) return from_.step < graph_->settled(); // behind that, waiting gains nothing
         return (graph_->map().open_directions(from_.cell) >> d_ & 1) != 0;
     }
     void skip() {

@@ -4,7 +4,7 @@
 /// \file
 /// The roles that a search is composed of, and how the policy of a role is picked from a list in any order.
 ///
-/// A search is `AStar{graph, policies...}`. Every policy names its role; a role that nobody takes has a default, and
+/// A search is `AStar{graph, policies...}`. Every policy names its role; a role that no policy takes has a default, and
 /// two policies of one role are refused in a sentence. What each role must be able to do stands beside its policies.
 
 #include <ansatz/core/compiler_flags.hpp>
@@ -18,9 +18,9 @@ struct Heuristic {};  ///< estimates what is left: h
 struct Queue {};      ///< the open list: hands out the least f
 struct Cost {};       ///< the number that g, h and f are
 struct Reopening {};  ///< what happens when a node of the closed list is reached on a cheaper way
-struct Successors {}; ///< which nodes are looked at from a node: every edge's, or fewer
+struct Successors {}; ///< which nodes are visited from a node: every edge's, or fewer
 struct Goals {};      ///< what is to be reached: a vertex, any of several, or a condition
-struct Engine {};     ///< who runs the loop: ours, Boost.Graph's, or one for any angle
+struct Engine {};     ///< runs the loop: ours, Boost.Graph's, or one for any angle
 struct Weights {};    ///< a property map of the edges' weights, where the graph has none of its own
 struct Index {};      ///< a property map that numbers the vertices, where the graph has none of its own
 } // namespace roles

@@ -35,6 +35,10 @@ enum class Replan : bool {
 /// A path and how far it has been walked.
 /// \tparam Search an AStar on a graph; the graph's `version()` and `cheaper_version()` are used where it has them
 template <class Search> class Route {
+    static_assert(
+        requires(const Search& s) { s.path(), s.graph(); },
+        "Ansatz paths: a Route is of a search, which it uses again and again: AStar search{map}; Route route{search};");
+
 public:
     using Vertex = typename Search::Vertex; ///< of the graph
     using Cost = typename Search::Cost;     ///< the number of the search
@@ -66,8 +70,8 @@ public:
         if (outcome_ == Outcome::found && !arrived()) here_ = path_[++at_];
         return here_;
     }
-    /// Whether the rule asks for a new search. Looks at the rest of the path, once for each change of a graph that
-    /// counts its changes; a graph without `version()` is looked at each time.
+    /// Whether the rule asks for a new search. Tests the rest of the path, once for each change of a graph that
+    /// counts its changes; a graph without `version()` is checked each time.
     bool needs_new_path() const {
         if (outcome_ == Outcome::not_begun) return false;
         const auto& g = search_->graph();

@@ -24,7 +24,7 @@
 namespace ansatz::paths {
 
 /// What a search knows.
-/// \tparam Graph_    the graph, which is looked at and never copied
+/// \tparam Graph_    the graph, which is read and never copied
 /// \tparam Estimate  what the heuristic became when it was bound to a goal: estimate(v) is h
 /// \tparam Goal_     what is to be reached: a vertex, or what is_reached(v, goal) is asked of
 template <class Graph_, class Cost_, class Queue_, class Reopens_, class Successors_, class Given, class Index,
@@ -34,7 +34,7 @@ struct Search {
     using Cost = Cost_;             ///< the number it counts in
     using Queue = Queue_;           ///< the open list
     using Reopens = Reopens_;       ///< what becomes of closed nodes: Reopening or another
-    using Successors = Successors_; ///< which nodes are looked at from a node: EveryEdge or another
+    using Successors = Successors_; ///< which nodes are visited from a node: EveryEdge or another
     using Estimate = Estimate_;     ///< the heuristic, bound to a goal
     using Vertex = VertexOf<Graph>; ///< a vertex of the graph
     using Goal = Goal_;             ///< where it may end: a vertex, a set or a condition
@@ -62,7 +62,7 @@ struct Search {
     /// The map of this search.
     auto index_map() const { return index_map_of(*graph_, index_); }
 
-    /// Looks at the graph, which must live as long; keeps the others.
+    /// Refers to the graph, which must live as long; copies the others.
     Search(const Graph& g, Queue q, const Given& given, const Index& i)
         : queue(std::move(q)),
           graph_(&g),
@@ -83,7 +83,7 @@ struct Search {
         IndexMap index;                  ///< numbers the vertices
         /// The node of a vertex.
         [[gnu::always_inline]] auto& of(const Vertex& v) const { return records[std::size_t(get(index, v))]; }
-        /// Has the nodes of a vertex' neighbours brought near, for it will be looked at next.
+        /// Has the nodes of a vertex' neighbours brought near, for it will be expanded next.
         [[gnu::always_inline]] void fetch_around(const Vertex& v, const Graph& g) const {
             if constexpr (requires { g.index_offsets(); }) {
                 const auto at = reinterpret_cast<std::uintptr_t>(records) +
@@ -226,7 +226,7 @@ struct Search {
     /// Whether the goal has been reached.
     bool goal_known = false, too_far = false; ///< whether a cost was more than its number holds
     Outcome trouble = Outcome::bad_weight;    ///< what the query ends with after refuse_weight
-    std::size_t expanded = 0,                 ///< nodes whose neighbours were looked at
+    std::size_t expanded = 0,                 ///< nodes whose neighbours were visited
         generated = 0,                        ///< nodes that were ever on the open list
         reopened = 0;                         ///< how often a closed node was reached on a cheaper way
 

@@ -3,7 +3,7 @@
 
 /// \file
 /// `true_costs`: what it really costs to get from every vertex to one, or from one to every other; the reference that
-/// heuristics are held against, and what landmarks are made of. It looks at the whole graph: not for every frame.
+/// heuristics are held against, and what landmarks are made of. It visits the whole graph: not for every frame.
 
 #include <ansatz/paths/graph.hpp>
 #include <ansatz/paths/heap.hpp>

@@ -11,9 +11,9 @@
 /// while (!crowd.all_arrived() && crowd.stalled() < 100) crowd.step();      // crowd.at(agent): where it is now
 /// ```
 ///
-/// In the window everybody plans around those before it, as `Prioritised` does; behind the window it counts what is
+/// In the window each agent plans around those before it, as `Prioritised` does; behind the window it counts what is
 /// left without the others. So a plan costs the same however far the goals are, goals may change at any step
-/// (`set_goal`), and who stands at its goal makes way and comes back. Everybody is first in turn, and who finds no plan
+/// (`set_goal`), and an agent at its goal makes way and comes back. Each is first in turn, and one that finds no plan
 /// is first at once; where no order helps all wait for a step. Nobody ever meets anybody. The price: nothing says that
 /// all arrive, for a window does not see a corridor that is longer; `stalled()` tells. For one plan that is known to
 /// lead to the goals take `Prioritised`, for the best one `ConflictBased`.
@@ -53,7 +53,7 @@ struct WindowWeights {
 /// \tparam Map a Grid on even ground
 template <class Map> class Windowed {
 public:
-    /// \param map    looked at, never copied: it must live as long as this
+    /// \param map    read, never copied: it must live as long as this
     /// \param window how many steps are planned ahead; half of them are walked before the next plan
     /// \throws std::invalid_argument for a window of less than two steps
     explicit Windowed(const Map& map, std::uint32_t window = 16) : map_(&map), window_(window) {
@@ -64,9 +64,9 @@ public:
     }
     explicit Windowed(const Map&&, std::uint32_t = 16) = delete; // a map that is gone after this line
 
-    /// Sets everybody down at its start.
+    /// Sets each agent down at its start.
     /// \throws std::invalid_argument for no errand, for a tile outside the map or a start that is blocked, and for two
-    ///         who begin or end in one tile; everything is as before
+    ///         that begin or end in one tile; everything is as before
     void begin(std::span<const Errand> errands) {
         detail::require_errands("Windowed::begin", *map_, errands);
         for (std::size_t i = 0; i < errands.size(); ++i)
@@ -102,7 +102,7 @@ public:
         look_how_far();
         stalled_ = 0;
     }
-    /// Everybody goes on by one step, or waits.
+    /// Each agent goes on by one step, or waits.
     void step() {
         if (agents_.empty()) return;
         if (map_->version() != version_ || walked_ >= std::max(1u, window_ / 2)) look_ahead();
@@ -117,22 +117,22 @@ public:
     /// Where it wants.
     /// \throws std::invalid_argument for an agent that there is not
     Cell goal(std::size_t agent) const { return agents_[require_agent("Windowed::goal", agent)].goal; }
-    /// Whether it is there; it may still make way for somebody.
+    /// Whether it is there; it may still make way for another.
     /// \throws std::invalid_argument for an agent that there is not
     bool arrived(std::size_t agent) const {
         const auto& one = agents_[require_agent("Windowed::arrived", agent)];
         return one.at == one.goal;
     }
-    /// Whether everybody is.
+    /// Whether all are.
     bool all_arrived() const {
         return std::all_of(agents_.begin(), agents_.end(), [](const Agent& one) { return one.at == one.goal; });
     }
     std::size_t size() const { return agents_.size(); } ///< how many there are
     std::size_t steps() const { return steps_; }        ///< walked since `begin`
-    /// Steps since what is left to all of them, together, was less than ever before; it grows where somebody's goal
+    /// Steps since what is left to all of them, together, was less than ever before; it grows where an agent's goal
     /// cannot be reached, where two wait for each other, and where all have arrived.
     std::size_t stalled() const { return stalled_; }
-    std::size_t expanded() const { return expanded_; } ///< nodes looked at in space and time since `begin`
+    std::size_t expanded() const { return expanded_; } ///< nodes expanded in space and time since `begin`
 
 private:
     struct Agent {
@@ -177,9 +177,9 @@ private:
             std::rotate(order_.begin(), failed, failed + 1); // it is first
         }
         for (auto& agent : agents_) agent.plan.assign(1, agent.at);
-        walked_ = window_ - 1; // all wait, and the next step looks again
+        walked_ = window_ - 1; // all wait, and the next step searches again
     }
-    /// \return the first who has no plan
+    /// \return the first that has no plan
     std::vector<std::uint32_t>::iterator plan_in_order() {
         reserved_.clear();
         for (auto who = order_.begin(); who != order_.end(); ++who) {
@@ -187,7 +187,7 @@ private:
             if (reserved_.owner(agent.at, 0) != Reservations::nobody) return who;
             const TimedGrid graph(*map_, reserved_, window_);
             const auto there = [last = window_](const Timed& v) { return v.step == last; };
-            // Whose goal is out of reach keeps to its place.
+            // An agent whose goal is out of reach keeps its place.
             const Cell wanted = agent.field.reaches(agent.at) ? agent.goal : agent.at;
             const auto ahead = [&field = agent.field](const Timed& v) {
                 return field.reaches(v.cell) ? field.cost(v.cell) : 0u;
@@ -206,7 +206,7 @@ private:
     const Map* map_;
     std::uint32_t window_;
     std::vector<Agent> agents_;
-    std::vector<std::uint32_t> order_; ///< who plans first
+    std::vector<std::uint32_t> order_; ///< which plans first
     Reservations reserved_;
     std::uint32_t walked_ = 0; ///< steps of this plan
     std::size_t steps_ = 0, stalled_ = 0, expanded_ = 0, version_ = std::size_t(-1);

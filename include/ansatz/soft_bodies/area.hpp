@@ -15,8 +15,8 @@
 /// | symbol | meaning                                                                         | unit  |
 /// |--------|---------------------------------------------------------------------------------|-------|
 /// | A, A_0 | the area, and that at rest                                                        | m^2   |
-/// | K      | `stiffness`, of the film: the tension along every line for each part of more area | N/m   |
-/// | c      | `damping`, the same for each part of more area in a second                        | N s/m |
+/// | K      | `stiffness` of the film: the tension along every line, over (A - A_0) / A_0       | N/m   |
+/// | c      | `damping`: that tension over the rate of (A - A_0) / A_0                          | N s/m |
 ///
 /// K does not depend on how fine a surface is divided.
 
@@ -139,7 +139,7 @@ template <class S> struct MembraneRow {
                 scalar_cast<double>(damping),
                 scalar_cast<double>(area)};
     }
-    /// Holds it against what a step relies on, whoever made it: a file, too.
+    /// Holds it against what a step relies on, whatever made it: a file, too.
     void check() const {
         detail::check_corners("a membrane", corners);
         require_not_negative("a membrane", "stiffness", stiffness);

@@ -139,7 +139,7 @@ template <class S> struct HingeRow {
                 scalar_cast<double>(damping),
                 scalar_cast<double>(rest)};
     }
-    /// Holds it against what a step relies on, whoever made it: a file, too.
+    /// Holds it against what a step relies on, whatever made it: a file, too.
     void check() const {
         check_bodies("a hinge");
         require_not_negative("a hinge", "stiffness", stiffness);

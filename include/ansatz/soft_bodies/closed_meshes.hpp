@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `box_mesh` and `ball_mesh`: closed surfaces of triangles, which look outwards.
+/// `box_mesh` and `ball_mesh`: closed surfaces of triangles, which face outwards.
 ///
 /// Use them for what is filled with something: the skin of a soft ball, a balloon under pressure, a body that wind
 /// blows on. For a sheet take `TriangleMesh::grid`.
@@ -48,7 +48,7 @@ inline TriangleMesh box_mesh(const TriangleMesh::Point& size, std::size_t nx = 1
                 vertices.push_back(centre + TriangleMesh::Point::from_value(part.cwiseProduct(size.value())));
             }
     std::vector<TriangleMesh::Triangle> triangles;
-    // Both sides across each axis; (axis, u, v) are right-handed, so that u x v looks along the axis.
+    // Both sides across each axis; (axis, u, v) are right-handed, so that u x v points along the axis.
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (const bool far : {false, true}) {
             const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -133,7 +133,7 @@ template <class S, bool Kept> std::vector<Hinge> hinges_of(std::string_view wher
         refuse_value(where, "rigidity", cloth.rigidity, "this world keeps no hinges: add Bending{} to its policies");
     if (!cloth.mesh.is_oriented())
         refuse_value(where, "rigidity", cloth.rigidity,
-                     "the mesh is not oriented, and an angle needs a side: all triangles look to the same one");
+                     "the mesh is not oriented, and an angle needs a side: all triangles must face the same one");
     for (const auto& edge : cloth.mesh.inner_edges()) {
         const auto along = cloth.mesh.vertices()[edge.ends[1]] - cloth.mesh.vertices()[edge.ends[0]];
         const Quantity<unit::Energy> k =

@@ -36,7 +36,7 @@
 namespace ansatz {
 
 namespace detail {
-/// Refuses corners of a triangle that are nobody, or not three different bodies.
+/// Refuses corners of a triangle that are no bodies, or not three different bodies.
 inline void check_corners(std::string_view where, const std::array<BodyId, 3>& corners) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (corners[i] == BodyId()) refuse_value(where, "one of its corners", "nobody", "each is a body");

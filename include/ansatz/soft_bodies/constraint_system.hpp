@@ -29,7 +29,7 @@ struct alignas(std::is_floating_point_v<typename S::Scalar> ? 8 * sizeof(typenam
                                                             : alignof(typename S::Scalar)) HeldBody {
     using Four = std::array<typename S::Scalar, 4>; ///< a vector, and something behind it
     Four x;                                         ///< m; what is no component is zero
-    Four v;                                         ///< m/s; the last one is 1/m, 1/kg, zero of who is not moved
+    Four v; ///< m/s; the last one is 1/m, 1/kg, zero of a body that is not moved
 };
 
 /// \tparam StepT the step
@@ -59,11 +59,11 @@ public:
         solve(*this);
         store();
     }
-    /// Of this part of the step, s.
+    /// Of this substep, s.
     Scalar h() const { return h_; }
     /// Bodies that may be moved stand in the slots below.
     std::size_t awake() const { return awake_; }
-    /// 1/m, 1/kg; zero for who is not moved: fixed bodies, platforms, and those that rest.
+    /// 1/m, 1/kg; zero for bodies that are not moved: fixed bodies, platforms, and those that rest.
     [[gnu::always_inline]] Scalar weight(std::size_t slot) const { return bodies_[slot].v[3]; }
     /// m
     [[gnu::always_inline]] auto position(std::size_t slot) const {
@@ -129,7 +129,7 @@ private:
         }
         for (std::size_t slot = awake_; slot < bodies_.size(); ++slot) to[slot].v[3] = Scalar(0);
     }
-    /// Whoever expects again what was done to velocities finds it in a column.
+    /// What was done to velocities is kept in a column, for a response that expects it again.
     [[gnu::flatten]] void store() {
         auto& lanes = step_.data.lanes;
         const Body* from = bodies_.data();

@@ -102,7 +102,7 @@ template <class Scalar> struct FillingLaw {
     }
 };
 
-/// Refuses what is no closed surface that looks outwards; `count` vertices are there.
+/// Refuses what is no closed surface that faces outwards; `count` vertices are there.
 inline void check_closed(std::string_view where, std::span<const std::uint32_t> corners, std::size_t count) {
     const auto named = [&](std::size_t t) { return joined({"triangle ", std::to_string(t)}); };
     const auto edge = [](std::uint32_t a, std::uint32_t b) {
@@ -163,7 +163,7 @@ template <class S> struct EnclosureRow {
         field("volume", self.volume);
     }
     /// Of a description.
-    /// \throws std::invalid_argument for a surface that is not closed, looks inwards or has a triangle without an area
+    /// \throws std::invalid_argument for a surface that is not closed, faces inwards or has a triangle without an area
     static EnclosureRow from(const auto& asked, const Enclosure& e) {
         EnclosureRow row;
         e.filling.check(asked.where);
@@ -201,7 +201,7 @@ template <class S> struct EnclosureRow {
         e.volume = scalar_cast<double>(volume);
         return e;
     }
-    /// Holds it against what a step relies on, whoever made it: a file, too.
+    /// Holds it against what a step relies on, whatever made it: a file, too.
     void check() const {
         const std::string_view where = "an enclosure";
         require_not_negative(where, "inside", inside);

@@ -4,7 +4,8 @@
 /// \file
 /// `modules::SoftBodies`: what a world has because a Solver holds its bodies together. The solver takes the step in
 /// substeps of its own, in each of which forces move the bodies and constraints hold them; contacts are found and
-/// answered behind all of them. Where a response takes the step in parts (SoftSubsteps), those parts are the substeps.
+/// answered behind all of them. Where a response takes the step in substeps (SoftSubsteps), the solver uses the same
+/// ones.
 
 #include <ansatz/motion/module.hpp>
 #include <ansatz/soft_bodies/constraint_system.hpp>
@@ -71,10 +72,10 @@ template <class... P> struct CheckSoftBodiesCounts {
         "constraint_types = Types<MyConstraint<S>>;`");
 };
 
-/// Whether a response takes the step in parts: there is one driver of substeps in a world.
-template <class C> inline constexpr bool takes_parts = requires { requires C::substeps; };
+/// Whether a response takes the step in substeps: there is one driver of substeps in a world.
+template <class C> inline constexpr bool takes_substeps = requires { requires C::substeps; };
 
-/// The solver takes the step in parts.
+/// The solver takes the step in substeps.
 struct SolverSubsteps {
     static constexpr Phase phase = phases::substeps, until = between(phases::positions, phases::fields);
     static constexpr std::string_view name = "substeps of the solver";
@@ -144,7 +145,7 @@ struct SoftBodies {
 
     template <class C, class Data> using State = SolverState<C>;
     template <class C>
-    using systems = std::conditional_t<detail::takes_parts<C>, Types<detail::HoldConstraints>,
+    using systems = std::conditional_t<detail::takes_substeps<C>, Types<detail::HoldConstraints>,
                                        Types<detail::SolverSubsteps, detail::HoldConstraints>>;
     /// \endcond
 };

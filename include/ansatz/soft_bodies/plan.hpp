@@ -41,7 +41,7 @@ enum class Lumping : std::uint8_t {
 /// Bodies that a world does not have yet, as `from` of a row asks for them: what is built on them is refused before
 /// they are added.
 template <class S> struct PlannedBodies {
-    std::string_view where;                     ///< who asks, for the sentences
+    std::string_view where;                     ///< the caller, for messages
     std::vector<Handle> handles;                ///< by which a description names them here, in order
     std::vector<typename S::Position> places{}; ///< in the scalar of the world, m
 
@@ -64,7 +64,7 @@ struct SoftPlan {
         SpringConstants constants; ///< N/m and N s/m
     };
 
-    std::string_view where;                  ///< who asks, for the sentences, e.g. "add_cloth"
+    std::string_view where;                  ///< the caller, for messages, e.g. "add_cloth"
     std::string_view vertex = "vertex";      ///< what a body is called in them
     VectorQuantity<unit::Velocity> velocity; ///< m/s, of the bodies that are awake
     std::vector<Body> bodies;                ///< in the order in which they are added

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// The role of soft bodies: who holds them together, where it is not by forces (notes 4).
+/// The role of soft bodies: what holds them together where forces do not (notes 4).
 
 #include <ansatz/world/roles.hpp>
 

@@ -6,8 +6,8 @@
 /// may be held at once.
 ///
 /// Colours are given by id: each spring has the first that none of its bodies has yet. What they are depends on which
-/// springs there are and in which order they were added, not on who sleeps or where bodies are stored. A grid with the
-/// springs of its threads and both diagonals has 8 at each body and comes out with about a dozen colours.
+/// springs there are and in which order they were added, not on which bodies sleep or where they are stored. A grid
+/// with the springs of its threads and both diagonals has 8 at each body and comes out with about a dozen colours.
 
 #include <ansatz/core/compiler_flags.hpp>
 

@@ -2,23 +2,23 @@
 #pragma once
 
 /// \file
-/// `StrainLimit`: no spring is stretched by more than a part of its length, whatever pulls (notes 4).
+/// `StrainLimit`: no spring is stretched by more than a fraction of its length, whatever pulls (notes 4).
 ///
 /// Use it for cloth: threads give way a little and then hold, where springs go on giving way, so that a sheet hung by
-/// two corners is stretched most at these (the "super-elastic effect"). Behind the integrator and a solver, it looks at
+/// two corners is stretched most at these (the "super-elastic effect"). Behind the integrator and a solver, it checks
 /// each spring: one that is too long has its ends brought together along its axis, each by its share of the masses, and
 /// what they have of velocity away from each other is gone, as at the end of a rope. Several times, to and fro over
 /// the springs, until none is too long or `passes` are used up. So it may leave a little; `largest_strain` says how
 /// much.
 ///
 /// Momentum is kept, and energy of motion is only taken: a limit that is switched on over a sheet that is stretched
-/// pulls it together without giving it any speed. It costs one look at each spring where none is too long. Not for
+/// pulls it together without giving it any speed. It costs one pass over the springs where none is too long. Not for
 /// bodies that should be elastic, nor for rods: it does not hold against being pressed together.
 ///
 /// | parameter | meaning                                                               |
 /// |-----------|-----------------------------------------------------------------------|
 /// | `most`    | the largest strain, length / rest length - 1; greater than zero        |
-/// | `passes`  | how often all springs are looked at in a step, or in a part of one     |
+/// | `passes`  | passes over the springs in a step, or in a substep                     |
 ///
 /// X. Provot, Deformation Constraints in a Mass-Spring Model to Describe Rigid Cloth Behaviour, Graphics Interface
 /// 1995. There only positions are changed, and the velocity follows from what is done to them; here it is stopped.
@@ -86,16 +86,16 @@ template <class Of = Springs<>> struct StrainLimit {
         /// Takes the parameters.
         explicit Hold(const StrainLimit& limit) : most_(Scalar(limit.most)), passes_(limit.passes) {}
 
-        /// Looks at all springs, to and fro.
+        /// Passes over all springs, to and fro.
         void run(auto& view, const auto&) const {
             const auto& springs = view.template table<Of>();
             for (int i = 0; i < passes_; ++i) {
                 bool held = false;
-                const auto look = [&](std::uint32_t id, const auto& link) {
+                const auto limit = [&](std::uint32_t id, const auto& link) {
                     held = shorten(view, springs, id, link) || held;
                 };
-                if (i % 2 == 0) springs.for_each(look);
-                else springs.for_each_backwards([&](std::uint32_t id) { look(id, springs.link(id)); });
+                if (i % 2 == 0) springs.for_each(limit);
+                else springs.for_each_backwards([&](std::uint32_t id) { limit(id, springs.link(id)); });
                 if (!held) return;
             }
         }
@@ -115,7 +115,7 @@ template <class Of = Springs<>> struct StrainLimit {
             const Position_ to = xb - xa;
             const Scalar length = robust_norm(to).value();
             // What rounding leaves of a spring that was brought to its limit is not too long.
-            constexpr Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
+            const Scalar rounding = 8 * std::numeric_limits<Scalar>::epsilon();
             if (!(length > limit * (1 + rounding)) || !(length < std::numeric_limits<Scalar>::infinity())) return false;
             const Scalar wa = weight(view, a), wb = anchored ? Scalar(0) : weight(view, b);
             if (!(wa + wb > Scalar(0))) return false;
@@ -128,7 +128,7 @@ template <class Of = Springs<>> struct StrainLimit {
             if (wb > Scalar(0)) move(view, b, xb, vb, -wb * way * axis, -wb * apart * axis);
             return true;
         }
-        /// 1/m of who may be moved.
+        /// 1/m of a body that may be moved.
         static Scalar weight(const auto& view, std::size_t slot) {
             return slot < view.end(Motion::awake) ? view.template get<InverseMass>(slot).value() : Scalar(0);
         }

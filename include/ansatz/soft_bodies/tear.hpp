@@ -3,9 +3,9 @@
 
 /// \file
 /// How a sheet tears: what becomes of springs, hinges, sails and vertices when some of its triangles are torn. Use
-/// `Tearing` (soft_bodies/tearing.hpp), which says the rules; this is for who changes them.
+/// `Tearing` (soft_bodies/tearing.hpp), which says the rules; this is for changing them.
 ///
-/// A step in which nothing breaks looks at nothing here. One with a break costs one look at each triangle, hinge, sail
+/// A step in which nothing breaks reads nothing here. One with a break costs one visit of each triangle, hinge, sail
 /// and spring, as finding out what breaks does; the triangles are sorted by their corners for it, in room that was made
 /// before the step.
 
@@ -199,8 +199,8 @@ private:
             if (corner.id != at && other.has(corner.id)) return true;
         return false;
     }
-    /// The part of the mass that goes with these areas. Beside a side that is larger by more than rounding can tell, a
-    /// side gets the least share that leaves both of them a mass: with none its inverse mass would be infinite.
+    /// The fraction of the mass that goes with these areas. Beside a side that is larger by more than rounding can
+    /// tell, a side gets the least share that leaves both of them a mass: with none its inverse mass would be infinite.
     static typename S::Scalar share_of(typename S::Scalar goes, typename S::Scalar stays) {
         using Scalar = typename S::Scalar;
         const Scalar least = std::numeric_limits<Scalar>::epsilon(), most = Scalar(1) - least;

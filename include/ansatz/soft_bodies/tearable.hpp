@@ -34,7 +34,7 @@ struct SplitVertex {
 /// What is kept of a triangle.
 template <class S> struct TearableRow {
     std::array<BodyId, 3> corners;                  ///< its bodies
-    typename S::template ScalarOf<unit::Area> area; ///< as it was added, m^2: its part of the mass
+    typename S::template ScalarOf<unit::Area> area; ///< as it was added, m^2: its share of the mass
     bool torn = false;                              ///< whether it is
 
     /// Names what it consists of.
@@ -62,7 +62,7 @@ template <class S> struct TearableRow {
     TearableTriangle describe(const auto& handle_of) const {
         return {{handle_of(corners[0]), handle_of(corners[1]), handle_of(corners[2])}};
     }
-    /// Holds it against what a step relies on, whoever made it: a file, too.
+    /// Holds it against what a step relies on, whatever made it: a file, too.
     void check() const {
         detail::check_corners("a tearable triangle", corners);
         require_positive("a tearable triangle", "area", area);
@@ -136,7 +136,7 @@ public:
         Base::make_room_for(other);
         split_vertices.reserve(other.split_vertices.size());
     }
-    /// A triangle exerts no force: nobody hangs on it.
+    /// A triangle exerts no force: no body hangs on it.
     static bool is_slack(std::uint32_t, const auto&) { return true; }
 };
 

@@ -18,10 +18,10 @@
 ///
 /// What is left often hangs together by a point: whole triangles on both sides of a vertex, and torn ones between. With
 /// `Tearing<>` it does. With `Tearing<Splitting>{.room = 200}` that vertex splits: each side but one gets a body of its
-/// own, at the same place, with the same velocity, and with the part of the mass that its triangles have of the area,
-/// so that mass, momentum and energy are what they were. Springs, hinges and sails go with their triangles. The new
-/// bodies come from room that is made before the step, for `room` of them in all; when it is used up no more vertices
-/// split, and `world.tearing()` says how many sides wait for it. Set more, and they part at the next tear.
+/// own, at the same place, with the same velocity, and with the fraction of the mass that its triangles have of the
+/// area, so that mass, momentum and energy are what they were. Springs, hinges and sails go with their triangles. The
+/// new bodies come from room that is made before the step, for `room` of them in all; when it is used up no more
+/// vertices split, and `world.tearing()` says how many sides wait for it. Set more, and they split at the next tear.
 ///
 /// What is held (fixed, `moving`) does not split; nor does what other elements hold at a vertex, such as a spring to a
 /// body elsewhere, go to the new one. In a world of collisions a new body has the shape of the other, its contacts and
@@ -86,7 +86,7 @@ template <class S, bool Splits> struct TearOpen {
 /// Members of a world that tears.
 template <class W, class P> class TearDoor : public TableDoor<W, P> {
 public:
-    /// What has been torn so far; looks at every triangle when it is called.
+    /// What has been torn so far; visits every triangle when it is called.
     TearStatus tearing() const {
         TearStatus status;
         this->kept().for_each([&](std::uint32_t, const auto& row) { status.torn += row.torn ? 1U : 0U; });

@@ -105,7 +105,7 @@ public:
     bool is_closed() const { return boundary_.empty(); }               ///< whether it has no boundary
     std::optional<GridShape> grid_shape() const { return grid_; }      ///< its shape, if `grid` made it
 
-    /// Whether all triangles look to the same side: each inner edge runs one way in one triangle and the other way in
+    /// Whether all triangles face the same side: each inner edge runs one way in one triangle and the other way in
     /// the other. A volume, a pressure and a wind need it; springs do not.
     bool is_oriented() const { return oriented_; }
 
@@ -142,7 +142,7 @@ public:
         }
         return shares;
     }
-    /// The volume inside, m^3; negative where the triangles look inwards.
+    /// The volume inside, m^3; negative where the triangles face inwards.
     /// \f[ V = \tfrac16 \sum_{abc} (\mathbf x_a - \mathbf x_0) \cdot (\mathbf x_b - \mathbf x_0) \times
     ///         (\mathbf x_c - \mathbf x_0) \f]
     /// \throws std::invalid_argument if the surface is open or not oriented
@@ -152,7 +152,8 @@ public:
                          detail::joined({std::to_string(boundary_.size()), " edges"}),
                          "only a closed surface has a volume");
         if (!is_oriented())
-            refuse_value("TriangleMesh::volume", "the surface", "not oriented", "all triangles look to the same side");
+            refuse_value("TriangleMesh::volume", "the surface", "not oriented",
+                         "all triangles must face the same side");
         Quantity<unit::Volume> sum{};
         const Point from = vertices_[0]; // relative to a vertex: far from the origin no digit is lost
         for (const auto& [a, b, c] : triangles_)

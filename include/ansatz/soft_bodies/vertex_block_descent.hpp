@@ -48,7 +48,7 @@ namespace ansatz {
 struct VertexBlockDescent {
     using role = roles::Solver;
 
-    /// Parts of a step; in each, the forces are asked, the bodies moved and the constraints held
+    /// Number of substeps of a step; in each, forces are computed, bodies moved and constraints held
     int substeps = 1;
     /// How often each body is moved in a substep
     int iterations = 20;
@@ -127,7 +127,7 @@ struct VertexBlockDescent {
         }
 
     private:
-        /// Who is held by what; in room that it has, once warm.
+        /// Which bodies each constraint holds; in room that it has, once warm.
         static void gather(auto& system, auto& kept) {
             kept.order.clear();
             kept.order.reserve(system.room());
@@ -216,8 +216,16 @@ struct VertexBlockDescent {
             if constexpr (requires { requires K::one_sided; }) {
                 std::array<Vec, K::bodies> x, gradient;
                 for (std::size_t i = 0; i < K::bodies; ++i) x[i] = system.position(k.slots[i]);
-                return k.linearise(x, gradient) > Scalar(0);
+                return k.linearise(x, gradient) > -rounding_of(x, gradient);
             } else return true;
+        }
+        /// How much of a constraint's value may be rounding of the places. What a stiff rope is longer under its load
+        /// is less than that, so that one which was pulled to its end may come out as short as it may be, or shorter.
+        template <std::size_t N>
+        static Scalar rounding_of(const std::array<Vec, N>& x, const std::array<Vec, N>& gradient) {
+            Scalar sum(0);
+            for (std::size_t i = 0; i < N; ++i) sum += gradient[i].cwiseAbs().dot(x[i].cwiseAbs());
+            return 2 * std::numeric_limits<Scalar>::epsilon() * sum;
         }
         template <class K> static constexpr bool moves_along = requires { requires K::moves_along; };
         /// A step of Newton's method for one body, the energy taken times h^2.
@@ -225,16 +233,19 @@ struct VertexBlockDescent {
             const Scalar mass = 1 / system.weight(slot), h = system.h();
             Vec slope = mass * kept.moved[slot];
             Matrix curved = mass * Matrix::Identity();
+            bool at_the_end = false; // of a rope
             each_type(kept, [&]<class K>(const Of<K>& of) {
                 for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n) {
                     const auto [number, place] = of.entries[n];
                     if constexpr (WideConstraintIn<K, S>)
                         add_wide(of.all[number], of.wide[number], of.gradients[of.wide[number].first + place], h, slope,
                                  curved);
-                    else add(system, of.all[number], place, h, slope, curved);
+                    else at_the_end = add(system, of.all[number], place, h, slope, curved) || at_the_end;
                 }
             });
-            const Vec by = curved.llt().solve(-slope);
+            Vec by = curved.llt().solve(-slope);
+            if (at_the_end) [[unlikely]]
+                hold_at_the_end(system, kept, slot, slope, curved, by);
             if (!(by.squaredNorm() < std::numeric_limits<Scalar>::infinity())) return;
             kept.moved[slot] += by;
             system.move(slot, by);
@@ -254,9 +265,28 @@ struct VertexBlockDescent {
             slope += (by_value * wide.value + by_rate * wide.way) * gradient;
             curved += (by_value + by_rate) * gradient * gradient.transpose();
         }
+        /// What is one-sided and has come to its end, or is as near to it as rounding can tell, does nothing yet; but
+        /// it does where the step would lead beyond. Without it the body would be let go, and caught again by the next
+        /// iteration, and the last one might be either.
+        [[gnu::cold, gnu::noinline]] static void hold_at_the_end(const auto& system, const auto& kept, std::size_t slot,
+                                                                 Vec& slope, Matrix& curved, Vec& by) {
+            bool any = false;
+            const Vec before = by;
+            each_type(kept, [&]<class K>(const Of<K>& of) {
+                if constexpr (requires { requires K::one_sided; })
+                    for (auto n = of.first[slot]; n < of.first[slot + 1]; ++n) {
+                        const auto [number, place] = of.entries[n];
+                        any = add(system, of.all[number], place, system.h(), slope, curved, &before) || any;
+                    }
+            });
+            if (any) by = curved.llt().solve(-slope);
+        }
+        /// Adds what a constraint does to the slope and the curvature of one of its bodies.
+        /// \param step null, or a step of the body: then only what is at its end is added, where the step leads beyond
+        /// \return without a step, whether it does nothing and is at its end; with one, whether it was added
         template <class K>
-        [[gnu::always_inline]] static void add(const auto& system, const K& k, std::size_t place, Scalar h, Vec& slope,
-                                               Matrix& curved) {
+        [[gnu::always_inline]] static bool add(const auto& system, const K& k, std::size_t place, Scalar h, Vec& slope,
+                                               Matrix& curved, const Vec* step = nullptr) {
             std::array<Vec, K::bodies> x, gradient;
             for (std::size_t i = 0; i < K::bodies; ++i) x[i] = system.position(k.slots[i]);
             const Scalar value = k.linearise(x, gradient);
@@ -264,10 +294,15 @@ struct VertexBlockDescent {
             for (std::size_t i = 0; i < K::bodies; ++i) way += h * gradient[i].dot(system.velocity(k.slots[i]));
             const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
             const Scalar pull = by_value * value + by_rate * way;
-            if (K::one_sided && (!(value > Scalar(0)) || !(pull > Scalar(0)))) return;
+            if constexpr (K::one_sided) {
+                const bool slack = !(value > Scalar(0)), ends = slack && value > -rounding_of(x, gradient);
+                if (step == nullptr && (slack || !(pull > Scalar(0)))) return ends;
+                if (step != nullptr && !(ends && value + gradient[place].dot(*step) > Scalar(0))) return false;
+            }
             slope += pull * gradient[place];
             curved += (by_value + by_rate) * gradient[place] * gradient[place].transpose();
             if (value > Scalar(0)) curved += by_value * value * k.curvature(place, x, gradient);
+            return step != nullptr;
         }
         template <class Kept_, class F> static void each_type(Kept_& kept, F&& f) {
             std::apply([&](auto&... of) { (f(of), ...); }, kept.of);

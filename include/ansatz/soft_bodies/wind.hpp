@@ -82,7 +82,7 @@ template <class S> struct SailRow {
                 static_cast<double>(drag),
                 static_cast<double>(lift)};
     }
-    /// Holds it against what a step relies on, whoever made it: a file, too.
+    /// Holds it against what a step relies on, whatever made it: a file, too.
     void check() const {
         detail::check_corners("a sail", corners);
         coefficient("a sail", "drag", drag);

@@ -11,8 +11,8 @@
 /// that nobody damped. Where a spring is to be what Hooke says, take an explicit integrator in steps below
 /// `stable_step`, or ImplicitEuler.
 ///
-/// Each constraint C with stiffness k and damping c is solved for what its multiplier \f$ \lambda \f$, a force times \f$ h^2 \f$,
-/// must be at the end of the substep, the others being as they are:
+/// Each constraint C with stiffness k and damping c is solved for what its multiplier \f$ \lambda \f$, a force times
+/// \f$ h^2 \f$, must be at the end of the substep, the others being as they are:
 ///
 /// \f[ \Delta\lambda = -\frac{\lambda + K\,C + D\,\nabla C\cdot\Delta\mathbf x}{1 + (K + D)\sum_i w_i\,|\nabla_i C|^2},
 ///     \qquad \Delta\mathbf x_i = w_i\,\nabla_i C\,\Delta\lambda, \qquad K = h^2 k, \quad D = h\,c \f]
@@ -23,7 +23,7 @@
 /// | symbol | meaning                                   | unit |
 /// |--------|-------------------------------------------|------|
 /// | h      | length of a substep                       | s    |
-/// | w      | 1/m of a body, 0 of who is not moved       | 1/kg |
+/// | w      | 1/m of a body, 0 of one that is not moved | 1/kg |
 /// | Delta x | the way since the substep began, h v      | m    |
 ///
 /// M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA
@@ -45,9 +45,9 @@ namespace ansatz {
 struct Xpbd {
     using role = roles::Solver;
 
-    /// Parts of a step; in each, the forces are asked, the bodies moved and the constraints held
+    /// Number of substeps of a step; in each, forces are computed, bodies moved and constraints held
     int substeps = 10;
-    /// How often each constraint is looked at in a substep
+    /// Number of sweeps over all constraints in a substep
     int iterations = 1;
 
     static constexpr std::string_view name = "Xpbd";
@@ -121,15 +121,18 @@ struct Xpbd {
                 weight[i] = system.weight(k.slots[i]);
             }
             const Scalar value = k.linearise(x, gradient), h = system.h();
-            Scalar compliance(0), way(0);
+            Scalar compliance(0), way = gradient[0].dot(system.velocity(k.slots[0]));
             for (std::size_t i = 0; i < K::bodies; ++i) {
                 if constexpr (unit_gradients<K>) compliance += weight[i];
                 else compliance += weight[i] * gradient[i].squaredNorm();
-                way += gradient[i].dot(system.velocity(k.slots[i]));
+                if (i > 0) way += gradient[i].dot(system.velocity(k.slots[i]));
             }
             const Scalar by_value = h * h * k.stiffness, by_rate = h * k.damping;
-            Scalar next = multiplier - (multiplier + by_value * value + by_rate * (h * way)) /
-                                           (1 + (by_value + by_rate) * compliance);
+            // The next constraint waits for this number: of a multiplier that is still zero nothing is left behind the
+            // quotient, where `multiplier - quotient` would be one more thing to wait for.
+            const Scalar held = 0 - multiplier;
+            Scalar next =
+                (held - by_value * value - by_rate * (h * way)) / (1 + (by_value + by_rate) * compliance) - held;
             if constexpr (K::one_sided)
                 if (next > Scalar(0) || (multiplier == Scalar(0) && !(value > Scalar(0)))) next = Scalar(0);
             const Scalar change = next - multiplier;

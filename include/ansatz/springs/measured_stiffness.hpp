@@ -150,7 +150,7 @@ MeasuredStiffness iterate_power(const W& world, int most_iterations, bool until_
 } // namespace detail
 
 /// How stiff the springs of a world are as they are stretched now, in as many iterations as it takes to converge.
-/// \param most_iterations of power iteration; each costs about two looks at every spring
+/// \param most_iterations of power iteration; each costs about two passes over the springs
 /// \param scratch         room
 template <class... P>
 MeasuredStiffness measured_stiffness(const World<P...>& world, int most_iterations, MeasuredStiffnessScratch& scratch) {

@@ -5,8 +5,8 @@
 /// `SpringNetwork`: the springs of a world, as its policies Springs and Ropes keep them.
 ///
 /// A spring lies in one record by its id, so that the loop over all of them reads memory in order and the sums are the
-/// same to the bit whoever sleeps, wakes or is removed. What only some springs need (the place of an anchor) or only
-/// some worlds (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot changes
+/// same to the bit whatever bodies sleep, wake or are removed. What only some springs need (the place of an anchor) or
+/// only some worlds (where it breaks) lies beside it. Ends are ids of bodies: a body that moves to another slot changes
 /// nothing here.
 
 #include <ansatz/springs/spring.hpp>
@@ -286,7 +286,7 @@ public:
         broken_.push_back(
             {handle(id), spring.first, spring.second, scalar_cast<double>(tension), static_cast<double>(strain)});
     }
-    /// Removes those that were noted behind the first `known`, which were removed in an earlier part of the step.
+    /// Removes those that were noted behind the first `known`, which were removed in an earlier substep.
     void erase_broken(std::size_t known)
         requires Breaks
     {

@@ -62,8 +62,8 @@ struct Spring {
     SpringEnd second = {};                                         ///< a body, or a point; one of them is a body
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre; ///< k, N/m, finite, not negative; 0 is a mere damper
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
-    std::optional<Parameter<unit::Length>> rest_length =
-        {}; ///< m, finite, not negative; the distance when it is added, without it
+    /// m, finite, not negative; without it the distance when it is added
+    std::optional<Parameter<unit::Length>> rest_length = {};
 };
 
 /// A rope: pulls when it is longer than its rest length, and never pushes.
@@ -74,8 +74,8 @@ struct Rope {
     SpringEnd second = {};                                            ///< a body, or a point; one of them is a body
     Parameter<unit::Stiffness> stiffness = 0.0 * newton_per_metre;    ///< k, N/m, finite, not negative
     Parameter<unit::Damping> damping = 0.0 * newton_second_per_metre; ///< c along the axis, N s/m, finite, not negative
-    std::optional<Parameter<unit::Length>> rest_length =
-        {}; ///< m, finite, not negative; the distance when it is added, without it
+    /// m, finite, not negative; without it the distance when it is added
+    std::optional<Parameter<unit::Length>> rest_length = {};
 };
 
 /// Names a spring.
@@ -98,7 +98,7 @@ template <class Unit, class Value> BreakLimit breaks_at(const boost::units::quan
     if constexpr (is_force) return {.force = force};
     return {};
 }
-/// A spring breaks when its length differs from its rest length by more than this part of the rest length.
+/// A spring breaks when its length differs from its rest length by more than this fraction of the rest length.
 /// \param strain greater than zero; 0.3 is thirty per cent
 template <std::convertible_to<double> Number>
     requires std::is_arithmetic_v<Number>

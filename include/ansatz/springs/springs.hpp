@@ -16,7 +16,7 @@
 /// | `Springs<Breaking>{}` | each may break at a force or a strain                               |
 /// | `Ropes{}`             | only pull; takes the same options                                   |
 ///
-/// Ends in one place have no axis: such a spring does nothing until they part. A spring is gone with a body that it
+/// Ends in one place have no axis: such a spring does nothing until they separate. A spring is gone with a body that it
 /// holds. A body on a spring falls asleep where what remains of the forces on it is less than `Rest::pull` allows. Not
 /// provided: torsion, bending.
 
@@ -160,7 +160,7 @@ template <class E, springs::Acts How, class... Options> struct SpringForce {
             return sum;
         }
 
-        /// What each spring pulls with, N, and its strain; for those who look (Breaking, debug draw).
+        /// What each spring pulls with, N, and its strain; for those who ask (Breaking, debug draw).
         /// \param f called with the id, the tension and the strain
         void tensions(const auto& view, auto&& f) const {
             each(view, [&](std::uint32_t id, const Link& link, std::size_t a) {

@@ -9,8 +9,9 @@
 /// wrong, it makes it explode. Damping that is computed explicitly makes the limit smaller, not larger. To have every
 /// step held to it, add StepLimit to the world (step_limit.hpp).
 ///
-/// The limit is not looked up in a table: the integrator makes one step of \f$ \ddot x = -\omega^2 x - \gamma \dot x \f$,
-/// and its own two rows of numbers say whether repeating it grows. So it is right for an integrator of yours, too.
+/// The limit is not looked up in a table: the integrator makes one step of
+/// \f$ \ddot x = -\omega^2 x - \gamma \dot x \f$, and its own two rows of numbers say whether repeating it grows. So
+/// it is right for an integrator of yours, too.
 ///
 /// | symbol | meaning                                        | unit  |
 /// |--------|------------------------------------------------|-------|
@@ -31,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -144,7 +146,7 @@ template <class W, class Data> Stiffness stiffness_in(const W& world, const Data
     Stiffness all;
     if constexpr (C::coupled) {
         const std::size_t size = data.bodies.size();
-        const auto weight = data.lanes.template lane<InverseMass>(0);
+        const auto inside = Key::inside(world);
         auto& stiff = scratch.stiff;
         auto& damped = scratch.damped;
         stiff.assign(size + 1, 0);
@@ -155,8 +157,11 @@ template <class W, class Data> Stiffness stiffness_in(const W& world, const Data
                 Bound<Q, typename W::S>(world.template get<Q>()).stiffnesses(ObserverView<typename W::S, Q>(data), f);
             });
         };
-        auto moves = [&](std::size_t slot) {
-            return slot < size && weight[slot] > 0 ? static_cast<double>(weight[slot]) : 0.0;
+        const auto weight = inside.data.lanes.template lane<InverseMass>(0);
+        auto moves = [&](std::size_t slot) { // the masses are those of now, and the data may be older
+            if (slot >= size) return 0.0;
+            const auto now = slot_in(std::as_const(inside.data), data, std::uint32_t(slot));
+            return weight[now] > 0 ? static_cast<double>(weight[now]) : 0.0;
         };
         each([&](std::size_t a, std::size_t b, const auto& k, const auto& c) {
             stiff[a] += static_cast<double>(k);
@@ -180,14 +185,14 @@ template <class W, class Data> Stiffness stiffness_in(const W& world, const Data
 }
 } // namespace detail
 
-/// A bound of the stiffness of a world's springs, from one look at each of them.
+/// A bound of the stiffness of a world's springs, from one pass over them.
 ///
 /// A spring of stiffness k between masses takes of each mass the share that its k has among all springs of that body;
 /// alone with these shares it would swing with
 ///
 /// \f[ \omega^2 = \frac{K_a}{m_a} + \frac{K_b}{m_b}, \f]
 ///
-/// where K is the sum of the stiffnesses at a body, and the whole swings no faster than the fastest of its parts. For
+/// where K is the sum of the stiffnesses at a body, and the whole swings no faster than its fastest spring. For
 /// two bodies and a spring it is exact.
 ///
 /// It is of what the forces saw last; where something was changed since, ask without scratch.
@@ -233,7 +238,7 @@ template <class I> Quantity<unit::Time> stable_step(const Stiffness& springs, co
 /// does.
 ///
 /// It is on the safe side: a chain of twenty bodies takes 0.3 % more, and `measured_stiffness` says how much a world
-/// does. Forces of one body (`Gravity`, a drag of yours) are not looked at, nor those between bodies that do not say
+/// does. Forces of one body (`Gravity`, a drag of yours) are not counted, nor those between bodies that do not say
 /// how stiff they are: give yours `stiffnesses` and `jacobian` (DifferentiableCouplingIn), and it counts; `Attraction`
 /// has neither.
 template <class... P> Quantity<unit::Time> stable_step(const World<P...>& world) {

@@ -5,19 +5,19 @@
 /// `StepLimit`: what a world does with a step that is too long for its springs (notes 3).
 ///
 /// Add `StepLimit<Refuse>{}` and such a step is refused with the longest that would do, before anything is touched; add
-/// `StepLimit<Divide>{}` and it is taken in as many equal parts as are needed. Either looks at every spring before each
-/// step, which costs nearly as much as their forces (0.8 to 0.9 of a step, 10,000 bodies in a grid): for worlds whose
-/// springs change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which never
-/// grows.
+/// `StepLimit<Divide>{}` and it is taken in as many equal substeps as are needed. Either checks every spring before
+/// each step, which costs nearly as much as their forces (0.8 to 0.9 of a step, 10,000 bodies in a grid): for worlds
+/// whose springs change while they run. Elsewhere ask `stable_step(world)` once. Not needed with ImplicitEuler, which
+/// never grows.
 ///
 /// The limit is that of stable_step.hpp, on the safe side, which for cloth is 1.4 to 1.6 times too careful. With
 /// `.measured = 20` the springs' stiffness is measured instead, as they are stretched now, by at most so many power
 /// iterations before each step (measured_stiffness.hpp), and 0.95 of the step that follows from it is the limit. Where
-/// that has not converged, or is shorter, the certain limit holds. An iteration costs about two looks at every spring,
-/// 12 to 16 are made, so that it pays where a step is divided into many parts. Not where ropes are slack, or a sheet
-/// folds within a step: what is not felt now is not measured.
+/// that has not converged, or is shorter, the certain limit holds. An iteration costs about two passes over the
+/// springs, 12 to 16 are made, so that it pays where a step is divided into many substeps. Not where ropes are slack,
+/// or a sheet folds within a step: what is not felt now is not measured.
 ///
-/// Each part counts as a tick and is followed by all that follows a step; what broke, fell asleep or woke in any of
+/// Each substep counts as a tick and is followed by all that follows a step; what broke, fell asleep or woke in any of
 /// them is among the events of the step. `Interpolation` draws the whole step.
 
 #include <ansatz/springs/stable_step.hpp>
@@ -32,7 +32,7 @@ namespace ansatz {
 
 /// Option of StepLimit: a step that is too long is an error.
 struct Refuse {};
-/// Option of StepLimit: a step that is too long is taken in parts.
+/// Option of StepLimit: a step that is too long is taken in substeps.
 struct Divide {};
 
 /// \tparam Beyond what a step beyond the limit is: Refuse or Divide
@@ -42,15 +42,19 @@ template <class Beyond = void> struct StepLimit {
                   "or StepLimit<Divide>{}");
     using role = roles::StepControl;
 
-    /// The part of the largest stable step that is let through; greater than 0, 1 is all of it
+    /// The fraction of the largest stable step that is let through; greater than 0, 1 is all of it
     double part = 1;
-    /// Into how many parts a step is divided at most; where more are needed, it is refused
+    /// The number of substeps that a step is divided into at most; where more are needed, it is refused
     int most_parts = 1000;
     /// How many power iterations measure the springs before a step, at most; 0 for the certain bound
     int measured = 0;
 
     static constexpr std::string_view name = "StepLimit";
-    static void parameters(auto&, auto&&) {}
+    static void parameters(auto& self, auto&& visit) {
+        visit("part", self.part);
+        visit("most_parts", self.most_parts);
+        visit("measured", self.measured);
+    }
     void check() const {
         if (!(part > 0) || !(part <= 1)) refuse_value("StepLimit", "part", part, "it is greater than 0 and at most 1");
         if (most_parts < 1) refuse_value("StepLimit", "most_parts", most_parts, "it is at least 1");
@@ -66,7 +70,7 @@ template <class Beyond = void> struct StepLimit {
         bool found = false;                 ///< whether there is a limit yet
     };
 
-    /// How many parts a step is taken in.
+    /// The number of substeps that a step is taken in.
     /// \throws std::invalid_argument where it is refused
     template <class World_> int parts(const World_& world, const Quantity<unit::Time>& dt, Kept& kept) const {
         const auto now = stiffness_of(world, kept.scratch);

@@ -251,7 +251,7 @@ private:
         if (next.started()) {
             const detail::Busy busy(next.busy_);
             next.for_memory(context, at, true);
-            next.settle(context);
+            next.finish(context);
         }
         machine() = std::move(next);
         return TransitionId(at);

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What a machine remembers, field by field, for who writes it down and reads it back (save.hpp). Guards with a Memory
+/// What a machine remembers, field by field, to write it down and read it back (save.hpp). Guards with a Memory
 /// and state classes with data say what they consist of, once:
 ///
 ///     struct Patrol {
@@ -101,7 +101,15 @@ template <class T> void archive_field(Archive& a, std::string_view name, T& x) {
         a.count("count", size);
         if constexpr (requires { x.resize(size); }) x.resize(size);
         else if (size != x.size()) a.refuse_here("count", std::to_string(x.size()));
-        for (std::size_t i = 0; i < size; ++i) archive_field(a, std::to_string(i), x[i]);
+        for (std::size_t i = 0; i < size; ++i) {
+            if constexpr (std::is_same_v<decltype(x[i]), typename T::value_type&>)
+                archive_field(a, std::to_string(i), x[i]);
+            else { // of a std::vector<bool>, which holds bits
+                typename T::value_type one = x[i];
+                archive_field(a, std::to_string(i), one);
+                x[i] = one;
+            }
+        }
         a.close();
     } else
         static_assert(std::is_empty_v<T>,

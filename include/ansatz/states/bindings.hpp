@@ -3,8 +3,8 @@
 
 /// \file
 /// `Bindings`: what the names in a file stand for. A file holds the structure of a machine and names; the functions are
-/// the program's, bound once. A name that a file uses and nobody bound is refused when the file is read, not when it is
-/// needed.
+/// the program's, bound once. A name that a file uses and that is not bound is refused when the file is read, not when
+/// it is needed.
 
 #include <ansatz/states/archive.hpp>
 #include <ansatz/states/outline.hpp>
@@ -183,9 +183,9 @@ public:
         return *this;
     }
 
-    const Guard* find_guard(const std::string& name) const { return find(guards_, name); }    ///< null: nobody bound it
-    const Action* find_action(const std::string& name) const { return find(actions_, name); } ///< null: nobody bound it
-    /// Null: nobody bound it.
+    const Guard* find_guard(const std::string& name) const { return find(guards_, name); }    ///< null: not bound
+    const Action* find_action(const std::string& name) const { return find(actions_, name); } ///< null: not bound
+    /// Null: not bound.
     const Maker* find_behaviour(const std::string& name) const { return find(behaviours_, name); }
     const auto& log_function() const { return log_; } ///< null: none
     /// The names of its guards, for a sentence.

@@ -24,7 +24,7 @@ struct ChartState {
     std::uint16_t parent = 0, end = 0;
     Range initial, entry, exit, each, initial_content; // initial: states; the others: things that are done
     Range histories;                                   // states
-    std::uint16_t done = 0xffff;                       // the event "done.state.<name>", if anybody listens
+    std::uint16_t done = 0xffff;                       // the event "done.state.<name>", if any transition listens
     std::uint16_t behaviour = 0xffff;
     bool acts = false;
     bool childless = false;

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t no_candidate = 0xffffffff;
 inline constexpr std::size_t most_depth = 256, most_targets = 64;
 inline constexpr std::size_t most_cells = std::size_t(1) << 24; // 64 MB
 
-/// The structure: who is where, and all names resolved.
+/// The structure: which state is in which, and all names resolved.
 template <class Context> class ChartBuilder {
 public:
     ChartBuilder(Chart<Context>& chart, const Bindings<Context>& names)
@@ -171,7 +171,7 @@ private:
         check_together(to.initial, from.line, who);
     }
 
-    // Several targets are states that can be active at once: in different parts of a parallel state.
+    // Several targets are states that can be active at once: in different regions of a parallel state.
     void check_together(Range targets, long line, const std::string& who) const {
         if (targets.count > most_targets)
             wrong(line, who + " goes to " + std::to_string(targets.count) + " states; 64 are possible");
@@ -375,7 +375,7 @@ private:
     std::vector<std::vector<std::uint32_t>> columns_;
     std::vector<std::vector<std::uint16_t>> lists_;
     std::vector<std::uint32_t> used_;
-    std::size_t work_ = 0; // candidates that were looked at, whether they are any or stand behind one without a guard
+    std::size_t work_ = 0; // candidates that were visited, whether they are any or stand behind one without a guard
 };
 
 } // namespace states::detail

@@ -220,7 +220,7 @@ template <class F> struct Busy {
     Busy(const Busy&) = delete;
 };
 
-// What follows from a model alone, whoever represents it.
+// What follows from a model alone, whatever represents it.
 template <class M> struct Shape {
     static constexpr bool has_final = [] {
         for (const auto& s : M::rows.states)

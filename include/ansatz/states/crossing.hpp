@@ -17,11 +17,17 @@
 /// The previous value is that of the previous update (of `start` at the first), whichever state was active. A value
 /// that is not a number is passed over: the last good one stays the previous one, so that a crossing is not lost in the
 /// gap. A value that starts on the limit has not crossed it. What crosses twice within one step was never outside at an
-/// update: no guard that looks at updates can know; a shorter step can.
+/// update: no guard that is asked at updates can know; a shorter step can.
 
 #include <ansatz/states/values.hpp>
 
 namespace ansatz::states {
+
+namespace detail {
+/// In what a value is compared with its limit: in double, whole numbers are exact up to 2^53.
+template <class Number>
+using NumberOfCrossing = std::conditional_t<std::is_integral_v<Number> && sizeof(Number) <= 4, double, Number>;
+} // namespace detail
 
 /// In which direction a value goes through its limit.
 enum class Direction : std::uint8_t { rising, falling, either };
@@ -30,8 +36,9 @@ enum class Direction : std::uint8_t { rising, falling, either };
 template <class Read, class Limit> struct Crossing : GuardBase {
     static_assert(detail::continuous<Limit> || std::is_integral_v<Limit>,
                   "Ansatz: a crossing is of a number or a quantity");
-    /// Of the value and the limit, without their unit.
-    using Number = decltype(detail::number_of(std::declval<const Limit&>()));
+    /// Of the value and the limit, without their unit. Beside a whole limit the value may have a fraction: cut off, it
+    /// would be on the limit while it is on either side.
+    using Number = detail::NumberOfCrossing<decltype(detail::number_of(std::declval<const Limit&>()))>;
     /// What it remembers between two updates.
     struct Memory {
         Number previous{};    ///< the last value that was a number
@@ -62,8 +69,11 @@ template <class Read, class Limit> struct Crossing : GuardBase {
         static_assert(detail::comparable<decltype(read), Limit>,
                       "Ansatz: a crossing guard's limit has another unit than its value, or none; write e.g. "
                       "rises_through(value(\"x\", &Npc::x), 5.0 * metre)");
+        static_assert(!std::is_integral_v<Number> || std::is_integral_v<decltype(detail::number_of(read))>,
+                      "Ansatz: a crossing guard's value has a fraction, and its limit is a whole number of 64 bits; "
+                      "write a limit that has one too, e.g. rises_through(value(\"x\", &Npc::x), 5.0)");
         const Number now = Number(detail::number_of(read));
-        const Number at = detail::number_of(limit);
+        const Number at = Number(detail::number_of(limit));
         memory.crossed = false;
         if (now != now) return;
         if (memory.known) {

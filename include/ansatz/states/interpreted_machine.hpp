@@ -110,14 +110,14 @@ public:
         dt_ = dt;
         if (c.memory_ > 0) for_memories(context, false);
         const bool took = choose(context, c.columns_ - 2);
-        if (took) settle(context);
+        if (took) finish(context);
         if (c.acts_) {
             behave(context, dt);
-            settle(context);
+            finish(context);
         }
         return took;
     }
-    /// The same where nobody counts time.
+    /// The same where time is not counted.
     bool update(Context& context) { return update(context, Quantity<unit::Time>{}); }
 
     using states::Lasting<InterpretedMachine, Context_>::update;
@@ -128,7 +128,7 @@ public:
     /// \throws std::invalid_argument for none, or from within an action; the machine is as it was
     Reloaded reload(Context& context, SharedChart<Context> chart);
 
-    // ------------------------------------------------------------ looking at it
+    // ------------------------------------------------------------ what can be asked
     const Chart<Context>& chart() const { return *chart_; }                              ///< what it runs
     const Outline& outline() const { return chart_->outline_; }                          ///< its structure and names
     bool started() const { return chart_->parallel_ ? regions_.started() : leaf_ != 0; } ///< start was called
@@ -142,7 +142,7 @@ public:
                                   : index(id) <= leaf_ && leaf_ < chart_->states_[index(id)].end);
     }
     bool is_in(std::string_view name) const { return is_in(state(name)); } ///< by name
-    /// The innermost active states: one, or one of each parallel part.
+    /// The innermost active states: one, or one of each region.
     std::vector<StateId> leaves() const {
         std::vector<StateId> found;
         if (!chart_->parallel_ && started()) found.push_back(active());
@@ -209,7 +209,7 @@ private:
             forget();
             throw;
         }
-        settle(context);
+        finish(context);
     }
     static Opts make_options([[maybe_unused]] O... options) {
         if constexpr (sizeof...(O) > 0) return Opts(options...);
@@ -265,7 +265,7 @@ private:
             unhandled(event, called);
             return false;
         }
-        settle(context);
+        finish(context);
         return true;
     }
     bool column(Context& context, EventId event) {
@@ -360,7 +360,7 @@ private:
             if (c.states_[s].behaviour != states::nowhere) owns_[c.states_[s].behaviour]->update(context, dt, queue_);
         }
     }
-    void settle(Context& context) {
+    void finish(Context& context) {
         const auto& c = *chart_;
         if (!c.automatic_ && queue_.empty()) [[likely]]
             return;

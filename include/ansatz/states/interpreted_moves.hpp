@@ -4,7 +4,7 @@
 /// \file
 /// How an interpreted machine takes a transition: what it leaves, from the inside outwards, what it does, and what it
 /// enters, from the outside inwards, on to a leaf or to what a history holds (notes 5.1, 5.3). One path through the
-/// states; where parallel parts are active regions.hpp does the same for all of them.
+/// states; where parallel regions are active regions.hpp does the same for all of them.
 
 #include <ansatz/states/interpreted_machine.hpp>
 

@@ -3,7 +3,7 @@
 
 /// \file
 /// `MachineArchive`: what a machine of each representation consists of, field by field, for save.hpp: where it is, its
-/// times, its histories, what guards and state classes remember, and what waits. Who reads is held to what a machine
+/// times, its histories, what guards and state classes remember, and what waits. A reader is held to what a machine
 /// can be.
 // not in the umbrella: it is a part of save.hpp
 
@@ -281,7 +281,7 @@ private:
         }
         a.close();
     }
-    /// A state has all its parts active, one of them, or none.
+    /// A state has all its children active, one of them, or none.
     static void require_children(const auto& c, const auto& r, std::size_t s, Archive& a) {
         const bool active = s == 0 || r.active_[s] != 0;
         std::size_t inside = 0, all = 0;

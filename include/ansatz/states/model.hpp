@@ -18,8 +18,8 @@ struct StateRow {
     Kind kind = Kind::state;  ///< a place to be, final, parallel, or a history
     std::uint16_t parent = 0; ///< the state that it is in; the machine, 0, is its own
     std::uint16_t end = 0;    ///< one past the last state inside it: its descendants are own + 1 .. end - 1
-    std::uint16_t initial =
-        0xffff; ///< what is entered with it; of a history, where it goes the first time; none: it has no states
+    /// What is entered with it; of a history, where it goes the first time; none: it has no states.
+    std::uint16_t initial = 0xffff;
     std::string_view initial_name; ///< as the description names it; empty: the first state in it
     bool acts = false;             ///< whether something is done in it
     bool childless = false;        ///< it is entered without any of the states in it

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What a machine does beside its transitions: what happens to events that nobody handles, and who watches.
+/// What a machine does beside its transitions: what happens to unhandled events, and what its watchers are told.
 ///
 /// `Machine<GuardNpc, Switch, CountUnhandled, Recorded<>>`: options stand in any order after the representation, and
 /// what is not listed costs nothing. An event for which no active state has a transition whose guard holds is
@@ -36,7 +36,7 @@ struct Happening {
     StateId state = StateId::none; ///< that was left or entered; of a transition, its source; of an event, the
                                    ///< innermost active state
     TransitionId transition = TransitionId::none; ///< that was taken
-    EventId event = EventId::none;                ///< that nobody handled
+    EventId event = EventId::none;                ///< that was not handled
     Quantity<unit::Time> time{};                  ///< of the machine, since its start
 
     /// The same thing happened, at whatever time.
@@ -63,19 +63,19 @@ struct AllowChildless {
     static constexpr bool childless_policy = true; ///< it says what happens to compound states without an active child
 };
 
-/// Events that nobody handles are forgotten.
+/// Unhandled events are forgotten.
 struct IgnoreUnhandled {
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
 };
 
-/// Events that nobody handles are counted.
+/// Unhandled events are counted.
 struct CountUnhandled {
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
     std::uint64_t count = 0;                       ///< since the machine was made
     void operator()(const Happening& h) { count += h.what == Happening::What::unhandled; } ///< counts
 };
 
-/// Events that nobody handles are counted, and the last N are kept.
+/// Unhandled events are counted, and the last N are kept.
 template <std::size_t N = 16> struct LogUnhandled {
     static_assert(N > 0, "Ansatz: LogUnhandled<N> keeps at least one event");
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
@@ -91,7 +91,7 @@ template <std::size_t N = 16> struct LogUnhandled {
     const Happening& operator[](std::size_t i) const { return kept[std::size_t((count - size() + i) % N)]; }
 };
 
-/// An event that nobody handles is refused with a sentence that names it and the state.
+/// An unhandled event is refused with a sentence that names it and the state.
 struct RefuseUnhandled {
     static constexpr bool unhandled_policy = true; ///< it says what happens to unhandled events
 };
@@ -129,7 +129,7 @@ template <class... O> struct Options : O... {
         requires(sizeof...(O) > 0)
         : O(o)... {}
 
-    /// Tells those who watch.
+    /// Tells the watchers.
     constexpr void tell([[maybe_unused]] const Happening& h) {
         (
             [&] {
@@ -139,7 +139,7 @@ template <class... O> struct Options : O... {
     }
 };
 
-/// Throws std::invalid_argument: nobody handles an event in a state; both by name.
+/// Throws std::invalid_argument: no transition handles an event in a state; both by name.
 /// \param event  as the caller gave it; none if it was a number that has no name of its own
 [[noreturn, gnu::cold, gnu::noinline]] inline void refuse_event(std::optional<std::string_view> event,
                                                                 std::string_view state) {

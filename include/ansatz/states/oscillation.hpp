@@ -17,8 +17,8 @@ namespace ansatz {
 /// Option of Machine: sees oscillations between pairs of states.
 class OscillationReport {
 public:
-    static constexpr std::size_t most_pairs =
-        16; ///< pairs of states that are watched at once; the one that rested longest makes room
+    /// Pairs of states that are watched at once; the one that rested longest makes room.
+    static constexpr std::size_t most_pairs = 16;
     static constexpr std::size_t most_turns = 32; ///< the largest n
 
     /// A pair of states between which the machine oscillated.

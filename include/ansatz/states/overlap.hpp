@@ -53,7 +53,7 @@ template <class D> struct Answers {
 
 /// The pairs of guards that hold together in one of the contexts; each pair once.
 /// \tparam D        a description
-/// \param contexts  a range of contexts, e.g. a grid over what the guards look at
+/// \param contexts  a range of contexts, e.g. a grid over what the guards read
 template <class D> std::vector<Finding> overlapping(auto&& contexts) {
     using M = states::Model<D>;
     constexpr std::size_t n = M::transition_count;

@@ -101,7 +101,7 @@ public:
         return true;
     }
 
-    /// Takes the transitions of one column (an event, conditions, at once), one for each active part at most.
+    /// Takes the transitions of one column (an event, conditions, at once), one for each active region at most.
     bool choose(auto& machine, Context& context, std::size_t column) {
         const auto& c = *machine.chart_;
         chosen_.clear();
@@ -220,7 +220,7 @@ private:
             aim(c, state.initial, s);
         }
     }
-    // What lies between a state and the domain, with the other parts of parallel states.
+    // What lies between a state and the domain, with the other regions of parallel states.
     void ascend(const Chart<Context>& c, std::size_t s, std::size_t domain) {
         for (std::size_t up = c.states_[s].parent; up != domain && up != 0; up = c.states_[up].parent) {
             enters_[up] = 1;

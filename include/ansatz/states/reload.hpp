@@ -63,7 +63,7 @@ Reloaded InterpretedMachine<D, Context_, O...>::take_over(const InterpretedMachi
         entered += c.states_[target].initial.count;
         enter_initial(context, target);
     }
-    settle(context);
+    finish(context);
     return all && entered == 0 ? Reloaded::same_states : Reloaded::other_states;
 }
 

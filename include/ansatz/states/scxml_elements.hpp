@@ -33,7 +33,7 @@ inline std::string text_of_file(const std::string& path) {
     file.read(text.data(), std::streamsize(text.size()));
     if (file.bad()) refuse(Refusal::invalid_argument, path + ": the file cannot be read");
     text.resize(std::size_t(file.gcount()));
-    return text; // one byte too long is refused by whoever reads it
+    return text; // one byte too long is refused by the reader
 }
 
 /// Reads one text.
@@ -122,7 +122,7 @@ private:
         return c == 0x9 || c == 0xa || c == 0xd || (c >= 0x20 && c < 0xd800) || (c >= 0xe000 && c < 0xfffe) ||
                (c >= 0x10000 && c < 0x110000);
     }
-    // pugixml does not look at bytes.
+    // pugixml does not check bytes.
     void require_characters(Node node, const std::string& what, std::string_view text) {
         const auto bad = first_bad_byte(text);
         if (bad < text.size())

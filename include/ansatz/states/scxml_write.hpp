@@ -4,8 +4,9 @@
 /// \file
 /// Writes a machine as SCXML; what is written can be read back by scxml.hpp to the same outline. Needs no XML library.
 ///
-/// What a file has no place for is refused: a state whose name has a blank, since files list names with blanks between
-/// them, an action whose name begins or ends with one, and text that is no UTF-8 or that no XML may hold.
+/// What a file has no place for is refused: a final state with a transition, a history that does something, a state
+/// whose name has a blank, since files list names with blanks between them, an action whose name begins or ends with
+/// one, and text that is no UTF-8 or that no XML may hold.
 
 #include <ansatz/core/error.hpp>
 #include <ansatz/states/names.hpp>
@@ -44,7 +45,10 @@ public:
             wrong(
                 "the machine itself does something, or has a class, which a file has no place for; let a state around "
                 "all others do it");
-        for (std::size_t s = 1; s < outline.states.size(); ++s) state(outline.states[s]);
+        if (machine.kind != Kind::state || machine.childless)
+            wrong("the machine itself is parallel, final or a history, or begins in no state, which a file has no "
+                  "place for; let a state around all others be it");
+        for (std::size_t s = 1; s < outline.states.size(); ++s) shape(outline.states[s]), state(outline.states[s]);
         for (const auto& t : outline.transitions) transition(t);
     }
 
@@ -75,8 +79,28 @@ private:
         text("the class" + of, s.behaviour);
         for (const auto* all : {&s.initial_content, &s.entry, &s.exit, &s.each}) contents(of, *all);
     }
+    /// What the reader takes of a state of this kind.
+    void shape(const Outline::State& s) const {
+        const bool history = is_history(s.kind), one_inside = s.kind == Kind::state;
+        const auto refused = [&](const std::string& what) { wrong("the state " + shown(s.name) + " " + what); };
+        const Kind around = outline_.states[s.parent].kind;
+        if (around == Kind::final || is_history(around))
+            refused("is in " + shown(outline_.states[s.parent].name) +
+                    ", a final state or a history; no file has "
+                    "states in one");
+        if (history && s.initial.empty()) refused("is a history that goes nowhere the first time; name its initial");
+        if (history && !(s.entry.empty() && s.exit.empty() && s.each.empty() && s.behaviour.empty()))
+            refused("is a history that does something, or has a class; let the state around it do that");
+        if (!history && !one_inside && !(s.initial.empty() && s.initial_content.empty()))
+            refused("is parallel or final, and has an initial state; leave it out");
+        if (!one_inside && s.childless) refused("is no state that can be alone, without any of the states in it");
+        if (!s.initial_content.empty() && s.initial.empty())
+            refused("does something before its initial state, which has no name; name it in its initial");
+    }
     void transition(const Outline::Transition& t) const {
         const auto& source = outline_.states[t.source].name;
+        if (const Kind kind = outline_.states[t.source].kind; kind == Kind::final || is_history(kind))
+            wrong("a transition begins in " + shown(source) + ", a final state or a history, from which none leads");
         const std::string of = " of a transition of " + (source.empty() ? "the machine" : shown(source));
         text("the event" + of, t.events);
         if (!t.events.empty() && words(t.events).empty()) wrong("the event" + of + " is blank; give it a name");

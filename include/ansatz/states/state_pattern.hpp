@@ -29,7 +29,7 @@ struct StatePattern {
             virtual bool at_once(Machine&, Context&) const { return false; } ///< what happens as soon as it is entered
             virtual std::uint16_t number() const { return 0; }               ///< its own
         protected:
-            ~State() = default; // nobody owns a state by its base
+            ~State() = default; // no state is owned by its base
         };
 
         In() { current_ = &before_; }
@@ -41,9 +41,12 @@ struct StatePattern {
             return *this;
         }
 
-        std::uint16_t leaf() const { return current_->number(); }           ///< 0 before start
-        bool started() const { return current_ != &before_; }               ///< it is in a state
-        template <std::size_t S> void set() { current_ = &object<S>(); }    ///< the state is S from now on
+        std::uint16_t leaf() const { return current_->number(); } ///< 0 before start
+        bool started() const { return current_ != &before_; }     ///< it is in a state
+        template <std::size_t S> void set() {                     ///< the state is S from now on, or none: 0
+            if constexpr (S > 0) current_ = &object<S>();
+            else current_ = &before_;
+        }
         template <std::size_t S> auto& own_of() { return object<S>().own; } ///< the data of a state
 
         /// A transition for the event.

@@ -37,8 +37,7 @@ public:
     // ------------------------------------------------------------ driving it
     /// Enters the initial state, from the outside inwards. A machine that ran is left as it is, without exits, and
     /// begins anew: events that wait, as those behind an action that threw, and stuck() are forgotten.
-    /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it, so take copies
-    /// outside
+    /// \throws std::invalid_argument from within an action; a copy that was taken there is still in it: copy outside
     void start(Context& context) {
         begin(context, [&] { enter_from<0, M::rows.states[0].initial>(context); });
     }
@@ -56,9 +55,9 @@ public:
         return handle_as(context, event(name), [name] { return std::optional(name); });
     }
 
-    /// One update of the fixed clock: guards that remember look, then the conditions of the active states are asked,
-    /// inner states first, and the first that holds is taken (one an update); then what the active states do, outer
-    /// states first.
+    /// One update of the fixed clock: guards that remember are updated, then the conditions of the active states are
+    /// asked, inner states first, and the first that holds is taken (one an update); then what the active states do,
+    /// outer states first.
     /// \param dt  s; may be left out where no guard and no state counts time
     /// \return whether a condition led to a transition
     /// \throws std::invalid_argument before start, and for a negative or non-finite dt, before anything changes
@@ -73,24 +72,24 @@ public:
         if constexpr (keeps_time) clock_.now += dt, clock_.dt = dt;
         sample_memories(context);
         const bool took = state_.on_condition(*this, context);
-        if (took) settle(context);
+        if (took) finish(context);
         if constexpr (M::rows.acts) {
             state_.for_leaf(*this, [&]<std::size_t Leaf>() {
                 behave<Leaf>(context, dt);
                 return true;
             });
-            settle(context);
+            finish(context);
         }
         return took;
     }
-    /// The same where nobody counts time.
+    /// The same where time is not counted.
     bool update(Context& context) {
         static_assert(!needs_time,
                       "Ansatz: this machine counts time (after, held_for); write machine.update(context, dt)");
         return update(context, Quantity<unit::Time>{});
     }
     using Lasting<StaticMachine, Context>::update;
-    // ------------------------------------------------------------ looking at it
+    // ------------------------------------------------------------ what can be asked
     bool started() const { return state_.started(); }         ///< start was called
     StateId active() const { return StateId(state_.leaf()); } ///< the innermost active state
     /// The state or one inside it is active.
@@ -204,11 +203,12 @@ private:
         }
         if constexpr (loops) stopped_ = false;
         const detail::Busy busy(busy_);
+        state_.template set<0>(); // half entered is not started
         clock_ = {};
         if constexpr (M::rows.history) history_.fill(nowhere);
         begin_memories(context);
         enter();
-        settle(context);
+        finish(context);
     }
     static constexpr bool can_raise = M::rows.acts || Shape::has_final;
 
@@ -347,10 +347,10 @@ private:
             unhandled(event, called);
             return false;
         }
-        settle(context);
+        finish(context);
         return true;
     }
-    [[gnu::always_inline]] void settle(Context& context) {
+    [[gnu::always_inline]] void finish(Context& context) {
         if constexpr (loops) {
             if constexpr (!M::has_automatic)
                 if (queue_.empty()) [[likely]]

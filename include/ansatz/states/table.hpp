@@ -25,7 +25,7 @@ struct Table {
         using Context = typename M::Context;
         std::uint16_t leaf() const { return leaf_; }       ///< 0 before start
         bool started() const { return leaf_ != 0; }        ///< it is in a state
-        template <std::size_t S> void set() { leaf_ = S; } ///< the state is S from now on
+        template <std::size_t S> void set() { leaf_ = S; } ///< the state is S from now on, or none: 0
 
         [[gnu::always_inline]] bool on_event(Machine& machine, Context& context,
                                              EventId event) { // a transition for the event

@@ -55,8 +55,8 @@ inline constexpr bool comparable = [] {
     if constexpr (HasUnit<std::remove_cvref_t<V>> != HasUnit<L>) return false;
     else return Ordered<std::remove_cvref_t<V>, L>;
 }();
-/// Whether two neighbouring values are so close together that nobody meets one of them: a floating-point number or a
-/// quantity.
+/// Whether values lie so close together that one which changes is hardly ever equal to another: floating-point numbers
+/// and quantities.
 template <class V>
 inline constexpr bool continuous =
     !std::is_integral_v<decltype(number_of(std::declval<const V&>()))> && !std::is_enum_v<V>;

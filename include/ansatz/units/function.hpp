@@ -192,6 +192,15 @@ template <class S> [[gnu::always_inline]] inline bool squares_well(const S& squa
     return squared >= smallest_square<S>() && squared <= std::numeric_limits<S>::max();
 }
 
+/// What |v|^2 is below where |v| is below a threshold: its square, and not zero where the square of a small one is
+/// nothing, or what stands still would count as fast.
+template <class Q> auto squared_threshold(const Q& threshold) {
+    using Limits = std::numeric_limits<typename Q::value_type>;
+    auto square = threshold * threshold;
+    if (threshold.value() > 0 && !(square.value() > 0)) square = decltype(square)::from_value(Limits::denorm_min());
+    return square;
+}
+
 /// The largest component by size; 0 for a vector that has an infinite or a NaN component.
 template <class S, int N, int O> S largest(const Dense<S, N, 1, O>& v) {
     S result(0);

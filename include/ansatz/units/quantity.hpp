@@ -6,7 +6,7 @@
 /// checking, Eigen the storage; this header makes the two fit. Use these types wherever a reader of
 /// a public interface or of a law of physics looks. Do not use them for bulk storage: the columns
 /// of a world are lanes of raw SI numbers, and a quantity is what one body's values become while a
-/// law looks at them.
+/// law reads them.
 
 #include <ansatz/core/compiler_flags.hpp>
 

@@ -28,10 +28,17 @@ struct Components<X, Xs...> {
 };
 
 template <class Unit, class... Xs> [[gnu::always_inline]] inline auto make_vector(const Xs&... xs) {
-    static_assert(sizeof...(Xs) == 2 || sizeof...(Xs) == 3, "Ansatz units: a vector has 2 or 3 components");
-    using Scalar = typename Components<Xs...>::type;
-    return VectorQuantity<Unit, static_cast<int>(sizeof...(Xs)), Scalar>::from_value(
-        Vector<Scalar, static_cast<int>(sizeof...(Xs))>(static_cast<Scalar>(xs)...));
+    constexpr bool two_or_three = sizeof...(Xs) == 2 || sizeof...(Xs) == 3;
+    static_assert(two_or_three, "Ansatz units: a vector has 2 or 3 components");
+    constexpr bool plain_numbers = (ScalarValue<Xs> && ...);
+    static_assert(plain_numbers,
+                  "Ansatz units: a maker of vectors takes plain numbers, since its name says the unit; write e.g. "
+                  "metres(0, 10, 0), or vector_of(x, y, z) of quantities");
+    if constexpr (two_or_three && plain_numbers) {
+        using Scalar = typename Components<Xs...>::type;
+        return VectorQuantity<Unit, static_cast<int>(sizeof...(Xs)), Scalar>::from_value(
+            Vector<Scalar, static_cast<int>(sizeof...(Xs))>(static_cast<Scalar>(xs)...));
+    } else return VectorQuantity<Unit>();
 }
 
 } // namespace detail

@@ -4,7 +4,7 @@
 /// \file
 /// How bodies and the pools of a world meet: the water around a body, and what bodies press up.
 ///
-/// For modules::Water, and for who writes a model of his own beside Buoyancy. The pool of a body is the one that covers
+/// For modules::Water, and for a model of your own beside Buoyancy. The pool of a body is the one that covers
 /// its position; where two do, the higher. What a body displaces is added to the columns of its ring and taken out of
 /// those of the step before, the sum of all bodies for each column, in the order of their ids.
 
@@ -27,7 +27,7 @@ constexpr std::uint32_t kind_number(std::string_view name) {
     return hash;
 }
 
-/// How much a column counts in a ring: over a bed by its depth, up to a part of the body's height.
+/// How much a column counts in a ring: over a bed by its depth, up to a fraction of the body's height.
 template <class Policy, class Scalar> struct WetColumns {
     const Surface<Policy, Scalar>& surface;
     double deep;

@@ -99,7 +99,7 @@ struct Buoyancy {
         static Scalar resistance(const Row& row, const auto& now, const Vec& w, const Scalar& inverse_mass,
                                  const Scalar& dt) {
             const Scalar c = row.resistance(now, w);
-            const Scalar stops = c * inverse_mass * dt; // the part of w that the drag takes in a step
+            const Scalar stops = c * inverse_mass * dt; // the fraction of w that the drag takes in a step
             return stops > Scalar(1) ? c / stops : c;
         }
         template <class F> static void each(const auto& view, F&& f) {

@@ -34,7 +34,7 @@ struct Clamp {
 
 /// One clamping of columns: heights in m, rates in m/s, one for each column, x fastest.
 /// \param owed what earlier calls returned, m^3: with Excess::spread it is given back as soon as there is room
-/// \return the volume that was cut off above less that which was filled in below, and given to nobody, with what is
+/// \return the volume that was cut off above less that which was filled in below, and given to no column, with what is
 ///         owed: m^3. With Excess::spread it is zero unless no column had room.
 template <class Scalar>
 Quantity<unit::Volume, detail::SumOf<Scalar>> clamp_columns(const Clamp& clamp, const ColumnGrid& grid,
@@ -112,7 +112,7 @@ struct ClampedColumns {
         std::vector<Scalar> height; ///< m
         std::vector<Scalar> rate;   ///< m/s
         std::uint64_t steps = 0;    ///< how many were made
-        /// m^3: above less below, and given to nobody: gone with Excess::counted, else owed until a column has room
+        /// m^3: above less below, and given to no column: gone with Excess::counted, else owed until a column has room
         detail::SumOf<Scalar> cut_off{};
         /// Its fields, by name.
         static void fields(auto& self, auto&& field) {
@@ -142,7 +142,7 @@ struct ClampedColumns {
         }
         /// As that of WaterColumns, s.
         Time longest_step(const State<Scalar>&) const { return columns_.longest_step({}); }
-        /// A sweep, then the clamp.
+        /// A pass over the columns, then the clamp.
         void advance(State<Scalar>& state, Time dt) const {
             const std::span height(state.height), rate(state.rate);
             columns_.advance(height, rate, dt);

@@ -6,7 +6,7 @@
 /// footprint in the plane of x and z.
 ///
 /// Use it for every surface of this chapter. Columns may be of one size, or each row along x and z may have a width of
-/// its own: fine where something is looked at, coarse elsewhere. What it does not do: refine a part of a row, or turn.
+/// its own: fine where something is watched, coarse elsewhere. What it does not do: refine a part of a row, or turn.
 ///
 /// y points up, so a column of height h over a footprint of dx and dz holds
 ///
@@ -37,7 +37,7 @@ namespace detail {
 /// What a sum over many columns is kept in: at least double.
 template <class Scalar> using SumOf = std::conditional_t<std::is_same_v<Scalar, float>, double, Scalar>;
 
-/// Two neighbours and how far between them: low has the part 1 - part, high has the part.
+/// Two neighbours and how far between them: low has the fraction 1 - part, high has the fraction part.
 struct Between {
     std::size_t low, high;
     double part;

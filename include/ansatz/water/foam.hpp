@@ -13,14 +13,14 @@
 ///
 /// | symbol         | meaning                                                                 | unit |
 /// |----------------|-------------------------------------------------------------------------|------|
-/// | f              | the part of the column that foam covers                                 | 1    |
+/// | f              | the fraction of the column that foam covers                             | 1    |
 /// | s              | slope of the level, by its central differences                          | 1    |
 /// | s_0            | `steep`: no foam is made below it                                       | 1    |
 /// | T_grow, T_fade | in which water twice as steep is covered, and foam is gone, but for 1/e | s    |
 /// | u              | the water's flow along the surface, where its policy has one            | m/s  |
 ///
 /// Growing and fading are solved exactly for the slope of the step, so that foam does not depend on the frame rate; it
-/// goes with the flow by looking back along it, which no step is too long for. A column without water has no foam.
+/// goes with the flow by tracing back along it, which no step is too long for. A column without water has no foam.
 
 #include <ansatz/water/surface.hpp>
 
@@ -53,12 +53,12 @@ public:
     }
     const ColumnGrid& grid() const { return grid_; } ///< where its columns stand
     const FoamLaw& law() const { return law_; }      ///< by what it grows and fades
-    /// The parts of all columns, from 0 to 1, x fastest.
+    /// The fractions of all columns, from 0 to 1, x fastest.
     std::span<const Scalar> parts() const { return part_; }
     /// That of column (i, j).
     /// \throws std::out_of_range if there is no such column
     const Scalar& part(std::size_t i, std::size_t j) const { return part_[grid_.known_index("Foam::part", i, j)]; }
-    /// Gives every column its part, e.g. of a saved foam.
+    /// Gives every column its fraction, e.g. of a saved foam.
     /// \throws std::invalid_argument unless there is one for each, from 0 to 1; nothing is changed then
     void set_parts(std::span<const Scalar> parts) {
         grid_.require_one_each("Foam::set_parts", "parts", parts.size());
@@ -85,14 +85,14 @@ public:
                 }
                 const double over = slope(surface, i, j) - law_.steep;
                 const double a = over > 0 ? rate(over, law_.steep * law_.grows_in.value()) : 0.0;
-                const double settles = a / (a + b), keeps = std::exp(-(a + b) * dt.value());
+                const double steady = a / (a + b), keeps = std::exp(-(a + b) * dt.value());
                 const double came = carried(surface, i, j, dt);
-                const double f = settles + (came - settles) * keeps;
+                const double f = steady + (came - steady) * keeps;
                 next_[n] = Scalar(f < 0 ? 0.0 : f > 1 ? 1.0 : f);
             }
         part_.swap(next_);
     }
-    /// The same grid, law and parts.
+    /// The same grid, law and fractions.
     friend bool operator==(const Foam& a, const Foam& b) {
         return a.grid_ == b.grid_ && a.part_ == b.part_ && a.law_.steep == b.law_.steep &&
                a.law_.grows_in == b.law_.grows_in && a.law_.fades_in == b.law_.fades_in;

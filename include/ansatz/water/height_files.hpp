@@ -4,7 +4,7 @@
 /// \file
 /// A height map as an image (`write_pgm`) and as a mesh (`write_obj`), for other programs (notes 7.1, 7.4).
 ///
-/// Use the image where heights are wanted back, in an editor of terrain, and the mesh to look at a surface; for a finer
+/// Use the image where heights are wanted back, in an editor of terrain, and the mesh to see a surface; for a finer
 /// one, write `map.tessellated(4)`. Both are streams of bytes: open files with std::ios::binary. They are not for the
 /// frame of a game, which hands `heights()` to the graphics card.
 ///

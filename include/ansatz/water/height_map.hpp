@@ -125,8 +125,8 @@ public:
     /// \throws std::out_of_range where the map does not reach
     Vector<Scalar, 3> normal(Length x, Length z) const { return patch("HeightMap::normal", x, z).normal(); }
 
-    /// Each side of a cell divided into `factor` parts: more points on the same bilinear surface (notes 7.4). It looks
-    /// smoother once it is shaded; it knows nothing that the map did not.
+    /// Each side of a cell divided into `factor` lengths: more points on the same bilinear surface (notes 7.4). It
+    /// looks smoother once it is shaded; it knows nothing that the map did not.
     /// \throws std::invalid_argument for a factor of 0
     HeightMap tessellated(std::size_t factor) const {
         if (factor == 0)
@@ -170,9 +170,19 @@ private:
                    detail::joined({where, ": (x, z) is (", describe(x), ", ", describe(z), "); the map covers x from ",
                                    describe(this->x(0)), " to ", describe(this->x(nx_ - 1)), " and z from ",
                                    describe(this->z(0)), " to ", describe(this->z(nz_ - 1))}));
-        const double along_x = (x.value() - x0_) / dx_, along_z = (z.value() - z0_) / dz_;
-        const std::size_t i = std::min(std::size_t(along_x), nx_ - 2), j = std::min(std::size_t(along_z), nz_ - 2);
-        return in_cell(i, j, std::min(1.0, along_x - double(i)), std::min(1.0, along_z - double(j)));
+        const auto a = cell(x.value(), x0_, dx_, nx_), b = cell(z.value(), z0_, dz_, nz_);
+        return in_cell(a.low, b.low, a.part, b.part);
+    }
+    /// The cell that a place is in, and how far it is through it. The quotient alone would not do: rounded, it puts
+    /// many a point of the map a hair before itself, into the cell that ends there, whose normal is another.
+    static detail::Between cell(double x, double first, double step, std::size_t points) {
+        const auto point = [=](std::size_t i) { return first + double(i) * step; };
+        const double along = (x - first) / step;
+        std::size_t i = std::min(std::size_t(along), points - 2);
+        if (x < point(i) && i > 0) --i;
+        else if (x >= point(i + 1) && i + 2 < points) ++i;
+        const double part = x == point(i) ? 0.0 : x == point(i + 1) ? 1.0 : along - double(i);
+        return {i, i + 1, std::clamp(part, 0.0, 1.0)};
     }
     std::size_t nx_, nz_;
     double dx_ = 1, dz_ = 1, x0_ = 0, z0_ = 0;

@@ -71,40 +71,41 @@ Quantity<unit::Time> longest_step_of_water(const Data& data, const Policies& pol
 
 template <class Control> inline constexpr bool control_divides = true;
 template <> inline constexpr bool control_divides<StepLimit<Refuse>> = false;
-/// Whether a step that is too long for the water is taken in parts.
+/// Whether a step that is too long for the water is taken in substeps.
 template <class C> constexpr bool divides_for_water() {
     if constexpr (C::controlled) return control_divides<typename FirstIn<typename C::controls>::type>;
     else return false;
 }
-/// In how many parts at most.
+/// In how many substeps at most.
 template <class C, class Policies> double most_parts_of_water(const Policies& policies) {
     const auto& control = std::get<typename FirstIn<typename C::controls>::type>(policies);
     if constexpr (requires { control.most_parts; }) return double(control.most_parts);
     else return 1e6;
 }
 
-/// \param parts in how many the step may be taken
+/// \param substeps the number that the step may be divided into
 [[noreturn, gnu::cold, gnu::noinline]] inline void
-refuse_step_of_water(const auto& given, const Quantity<unit::Time>& longest, double parts) {
+refuse_step_of_water(const auto& given, const Quantity<unit::Time>& longest, double substeps) {
     refuse_value(
         "World::step", "dt", given,
         joined({"the longest step that the pools of this world take is ", describe(longest), " (Courant's limit)",
-                parts > 1 ? ", and it is divided into " + describe(parts) + " parts at most" : ""}));
+                substeps > 1 ? ", and it is divided into " + describe(substeps) + " substeps at most" : ""}));
 }
-/// A step of a pool in equal parts, and in more of them from where its water has become so fast that they are too long:
-/// what runs down a hill is slow at first.
-template <class S> void move_in_parts(S& surface, Quantity<unit::Time> dt, double parts) {
-    auto part = dt / parts;
-    for (auto left = static_cast<std::uint64_t>(parts); left > 0; --left) {
+/// A step of a pool in equal substeps, and in more of them from where its water has become so fast that they are too
+/// long: what runs down a hill is slow at first.
+template <class S> void move_in_substeps(S& surface, Quantity<unit::Time> dt, double substeps) {
+    auto substep = dt / substeps;
+    for (auto left = static_cast<std::uint64_t>(substeps); left > 0; --left) {
         const auto longest = surface.longest_step();
-        if (part > (1 + 1e-9) * longest) { // parts were found from it, and may be off by rounding
-            const double more = std::ceil(double(part / longest));
-            if (more * static_cast<double>(left) <= 1e6) { // or the water is infinitely fast: no part is short enough
-                part /= more;
+        if (substep > (1 + 1e-9) * longest) { // their number was found from it, and may be off by rounding
+            const double more = std::ceil(double(substep / longest));
+            // Beyond that the water is infinitely fast, and no substep is short enough.
+            if (more * static_cast<double>(left) <= 1e6) {
+                substep /= more;
                 left *= static_cast<std::uint64_t>(more);
             }
         }
-        SurfaceLanes::advance(surface, part);
+        SurfaceLanes::advance(surface, substep);
     }
 }
 
@@ -115,12 +116,12 @@ struct MoveWater {
     template <class StepT> static void run(StepT& step) {
         using C = typename StepT::Composition_;
         const auto dt = static_cast<double>(step.context.dt().value()) * second;
-        [[maybe_unused]] double parts = 1;
-        if constexpr (divides_for_water<C>()) // no more than were looked at before the step
-            parts = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
+        [[maybe_unused]] double substeps = 1;
+        if constexpr (divides_for_water<C>()) // no more than were found before the step
+            substeps = std::max(1.0, std::ceil(double(dt / longest_step_of_water<C>(step.data, step.policies))));
         each_kind_of_pools<C>(step.data, [&](auto& table, auto) {
             table.for_each([&](std::uint32_t, auto& row) {
-                if constexpr (divides_for_water<C>()) move_in_parts(*row.surface, dt, parts);
+                if constexpr (divides_for_water<C>()) move_in_substeps(*row.surface, dt, substeps);
                 else SurfaceLanes::advance(*row.surface, dt);
             });
         });
@@ -289,10 +290,10 @@ struct Water {
         const auto longest = detail::longest_step_of_water<C>(inside.data, inside.policies);
         detail::weigh_water<C>(inside.data, inside.policies);
         const auto step = static_cast<double>(dt.value()) * second;
-        double parts = 1; // it may be taken in
-        if constexpr (detail::divides_for_water<C>()) parts = detail::most_parts_of_water<C>(inside.policies);
-        if (!(step <= longest) && !(std::ceil(double(step / longest)) <= parts))
-            detail::refuse_step_of_water(given, longest, parts);
+        double substeps = 1; // at most
+        if constexpr (detail::divides_for_water<C>()) substeps = detail::most_parts_of_water<C>(inside.policies);
+        if (!(step <= longest) && !(std::ceil(double(step / longest)) <= substeps))
+            detail::refuse_step_of_water(given, longest, substeps);
         // Not every integrator asks the forces anew where a step begins.
         if constexpr (C::floats)
             if (!inside.data.coupled.current)

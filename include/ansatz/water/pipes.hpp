@@ -66,7 +66,7 @@ struct Pipes {
     template <class Scalar> class In {
     public:
         using Time = Quantity<unit::Time>; ///< s
-        /// The level is not looked at.
+        /// The level is not used.
         In(const Pipes& policy, const ColumnGrid& grid, Quantity<unit::Length>)
             : gravity_(policy.gravity.value()),
               damping_(policy.damping.value()),
@@ -172,7 +172,7 @@ struct Pipes {
                 f(j, &state.flow_x[j * nx_], j > 0 ? &state.flow_z[(j - 1) * nx_] : none_.data(),
                   &state.flow_z[j * nx_]);
         }
-        /// Which part of what wants to leave a column may: all, unless it would run dry.
+        /// Which fraction of what wants to leave a column may: all, unless it would run dry.
         static void give(std::size_t count, Scalar over_width, const Scalar* __restrict width_x,
                          const Scalar* __restrict height, const Scalar* __restrict flow_x,
                          const Scalar* __restrict south, const Scalar* __restrict north, Scalar* __restrict part) {

@@ -39,10 +39,10 @@ template <class Policy> using PoolHandle = ElementHandle<Pool<Policy>>;
 
 namespace detail {
 
-/// Who may write the lanes of a surface.
+/// What may write the lanes of a surface.
 struct SurfaceLanes {
     template <class S> static auto& of(S& surface) { return surface.state_; }
-    /// One step, whose length was looked at already.
+    /// One step, whose length was checked already.
     template <class S> static void advance(S& surface, Quantity<unit::Time> dt) {
         surface.bound_.advance(surface.state_, dt);
     }
@@ -99,7 +99,7 @@ template <class Policy, class Scalar> struct PoolRow {
     std::vector<Scalar> pressed;         // of each column: how much of its height bodies have pressed up, m
     bool begun = false;                  // whether a step was made: before, nothing that bodies pressed up is in it
     Cache<std::vector<Scalar>> pressing; // the same as this step makes it
-    // Beyond these rows nothing is pressed up; who was read from a file looks at all of them once.
+    // Beyond these rows nothing is pressed up; a pool that was read from a file visits all of them once.
     RowsOfColumns rows{0, std::numeric_limits<std::size_t>::max()}, next_rows;
 
     static PoolRow from(const auto&, const Pool<Policy>& pool) {
@@ -133,7 +133,7 @@ template <class Policy, class Scalar> struct PoolRow {
             if (surface || grid.size() > 3 || !state.height.empty()) // 3: nothing was read
                 grid.require_one_each("Pool", "height", state.height.size());
             surface.emplace(policy, grid, level);
-            SurfaceLanes::of(*surface) = state; // check looks at it
+            SurfaceLanes::of(*surface) = state; // check reads it
         } else {
             const auto& surface = *self.surface;
             const auto level = surface.first_level();

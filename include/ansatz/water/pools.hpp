@@ -10,8 +10,9 @@
 /// the water; there is no second constant. Alone it does nothing to bodies, and bodies do nothing to it.
 ///
 /// A step that is longer than one of the pools takes is refused before anything moves, with the longest that all of
-/// them take; in a world whose StepControl divides steps, the water takes it in parts. A bed stands where the surface
-/// has it, under y = 0 or above. What it does not do: overflow from one pool into another, or meet terrain of bodies.
+/// them take; in a world whose StepControl divides steps, the water takes it in substeps. A bed stands where the
+/// surface has it, under y = 0 or above. What it does not do: overflow from one pool into another, or meet terrain of
+/// bodies.
 
 #include <ansatz/water/pool.hpp>
 #include <ansatz/water/roles.hpp>
@@ -52,7 +53,7 @@ template <class Policy> struct Pools {
 };
 
 /// A pool of a world, to be asked: what it says is the state that the last step has made, or whatever was done since.
-/// It looks into the world, which must stay where it is; other pools may come and go. Where its own is removed, it says
+/// It refers to the world, which must stay where it is; other pools may come and go. Where its own is removed, it says
 /// so.
 /// \tparam Policy what moves it
 /// \tparam S the space of the world

@@ -40,7 +40,7 @@ struct Footprint {
     }
 };
 
-/// The columns around a body, each with its share; the shares sum to 1. Who asks for more than the shares looks at the
+/// The columns around a body, each with its share; the shares sum to 1. To ask for more than the shares, visit the
 /// columns while they are weighed, in one pass.
 /// \tparam Wet tells of the number of a column how much it counts: 0 where there is no water, up to 1
 template <class Wet> class WaterRing {
@@ -48,9 +48,9 @@ public:
     /// Around a footprint whose middle is covered by the grid.
     WaterRing(const ColumnGrid& grid, const Footprint& foot, const Wet& wet)
         : WaterRing(grid, foot, wet, [](std::size_t, std::size_t, std::size_t, double) {}) {}
-    /// The same, and `look(number, i, j, weight)` for each column that counts: its share is its weight over `total()`.
+    /// The same, and `visit(number, i, j, weight)` for each column that counts: its share is its weight over `total()`.
     template <class F>
-    WaterRing(const ColumnGrid& grid, const Footprint& foot, const Wet& wet, F&& look)
+    WaterRing(const ColumnGrid& grid, const Footprint& foot, const Wet& wet, F&& visit)
         : grid_(grid), foot_(foot), wet_(wet), channel_(grid.columns_z() == 1) {
         const auto i = grid.x().column(foot.x), j = grid.z().column(foot.z);
         cell_ = channel_ ? grid.x().width(i) : std::max(grid.x().width(i), grid.z().width(j));
@@ -63,7 +63,7 @@ public:
         };
         range(grid.x(), foot.x - foot.half_x - reach, foot.x + foot.half_x + reach, begin_x_, end_x_);
         range(grid.z(), foot.z - foot.half_z - reach, foot.z + foot.half_z + reach, begin_z_, end_z_);
-        weigh(look);
+        weigh(visit);
     }
     /// Whether there is water.
     bool wet() const { return total_ > 0; }
@@ -73,11 +73,11 @@ public:
     double room() const { return room_; }
     /// By how much the level that is read rises for each cubic metre that is pressed up, 1/m^2.
     double feedback() const { return feedback_; }
-    /// The rows of columns along z that have a part, from the first to behind the last.
+    /// The rows of columns along z that have a share, from the first to behind the last.
     std::size_t begin_row() const { return everywhere_ > 0 ? 0 : begin_z_; }
     std::size_t end_row() const { return everywhere_ > 0 ? grid_.columns_z() : end_z_; } ///< behind the last
     /// Calls `f(number of the column, its share)` for each column that counts, in the order of their numbers or,
-    /// where all columns of the pool have a part, twice.
+    /// where all columns of the pool have a share, twice.
     template <class F> void each(F&& f) const {
         each_with_area([&](std::size_t n, double share, double) { f(n, share); });
     }
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    template <class F> void weigh(F& look) {
+    template <class F> void weigh(F& visit) {
         double columns = 0, squares = 0, both = 0; // of the ring, wet or not, m^2; and sums for the feedback
         near([&](std::size_t n, std::size_t i, std::size_t j, double part, double area) {
             const double wet = wet_(n), weight = part * area * wet;
@@ -105,17 +105,17 @@ private:
             total_ += weight;
             squares += weight * part * wet;
             both += weight * wet;
-            look(n, i, j, weight);
+            visit(n, i, j, weight);
         });
         const double least = 1.5 * foot_.section;
         if (columns < least || columns == 0) {
             const double more = least > 0 ? (least - columns) / grid_.area().value() : 1.0;
-            squares += 2 * more * both; // a column with two parts rises by both of them
+            squares += 2 * more * both; // a column with two shares rises by both of them
             everywhere([&](std::size_t n, std::size_t i, std::size_t j, double area, double wet) {
                 everywhere_ = more;
                 total_ += more * area * wet;
                 squares += more * more * area * wet * wet;
-                look(n, i, j, more * area * wet);
+                visit(n, i, j, more * area * wet);
             });
         }
         room_ = total_ < least ? total_ / least : 1.0;

@@ -50,7 +50,7 @@ namespace detail {
 /// How steep a line within a column may be: weights of the differences to the column before and to that after it.
 template <class Scalar> struct LineWeights {
     Scalar before, after;           ///< of the slope through both
-    Scalar most_before, most_after; ///< which part of each it may not pass
+    Scalar most_before, most_after; ///< which fraction of each it may not pass
     /// Half of what changes within the column.
     [[gnu::always_inline]] Scalar half(const Scalar from, const Scalar here, const Scalar to) const {
         const Scalar zero(0), back = here - from, on = to - here;
@@ -107,7 +107,7 @@ struct SecondOrderShallowWater {
     template <class Scalar> class In {
     public:
         using Time = Quantity<unit::Time>; ///< s
-        /// The level is not looked at.
+        /// The level is not used.
         In(const SecondOrderShallowWater& policy, const ColumnGrid& grid, Quantity<unit::Length>)
             : gravity_(Scalar(policy.gravity.value())),
               nx_(grid.columns_x()),
@@ -132,10 +132,10 @@ struct SecondOrderShallowWater {
         Time longest_step(const State<Scalar>& state) const { return 0.495 / fastest(state) * second; }
         /// Two stages: a step ahead, and from there one more.
         void advance(State<Scalar>& state, const Time& dt) {
-            sweep<false>(state, state.bed, ahead_, Scalar(dt.value()), Scalar(1));
+            pass<false>(state, state.bed, ahead_, Scalar(dt.value()), Scalar(1));
             // The mean of the first state and of one that is dt (1 + part) later, weighted so that it is dt later.
             const double part = std::min(1.0, 0.495 / fastest(ahead_) / dt.value());
-            sweep<true>(ahead_, state.bed, state, Scalar(part * dt.value()), Scalar(1 / (1 + part)));
+            pass<true>(ahead_, state.bed, state, Scalar(part * dt.value()), Scalar(1 / (1 + part)));
         }
         /// How fast the water of a column flows, m/s; zero where it is dry.
         Vector<Scalar, 2> velocity(const State<Scalar>& state, std::size_t i, std::size_t j) const {
@@ -221,8 +221,8 @@ struct SecondOrderShallowWater {
 
         /// One step of Euler from one state into another; the last stage mixes it with what is there.
         template <bool Last>
-        void sweep(const State<Scalar>& from, const std::vector<Scalar>& bed, State<Scalar>& to, Scalar dt,
-                   Scalar weight) {
+        void pass(const State<Scalar>& from, const std::vector<Scalar>& bed, State<Scalar>& to, Scalar dt,
+                  Scalar weight) {
             load(from, bed, 0, here_);
             if (nz_ > 1) {
                 load(from, bed, 1, next_);
@@ -309,7 +309,7 @@ struct SecondOrderShallowWater {
             fill(count, gravity_, low, high, faces.mass.data(), faces.push_low.data(), faces.push_high.data(),
                  faces.along.data());
         }
-        // Nothing that is written here overlaps: said of parameters, since compilers look at no others.
+        // Nothing that is written here overlaps: said of parameters, since compilers trust no others.
         static void fill(std::size_t count, const Scalar g, const Lines low, const Lines high, Scalar* __restrict mass,
                          Scalar* __restrict push_low, Scalar* __restrict push_high, Scalar* __restrict along) {
             for (std::size_t i = 0; i < count; ++i) {

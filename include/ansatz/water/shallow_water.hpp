@@ -11,7 +11,10 @@
 /// water wave/seiche: SecondOrderShallowWater > 2 ShallowWater -->); and not for waves that are short against the
 /// depth, which shallow water has not.
 ///
-/// \f[ \partial_t \begin{pmatrix} h \\ hu \\ hw \end{pmatrix} + \partial_x \begin{pmatrix} hu \\ hu^2 + \frac g 2 h^2 \\ huw \end{pmatrix} + \partial_z \begin{pmatrix} hw \\ huw \\ hw^2 + \frac g 2 h^2 \end{pmatrix} = -g h \begin{pmatrix} 0 \\ \partial_x b \\ \partial_z b \end{pmatrix} \f]
+/// \f[ \partial_t \begin{pmatrix} h \\ hu \\ hw \end{pmatrix} +
+///     \partial_x \begin{pmatrix} hu \\ hu^2 + \frac g 2 h^2 \\ huw \end{pmatrix} +
+///     \partial_z \begin{pmatrix} hw \\ huw \\ hw^2 + \frac g 2 h^2 \end{pmatrix} =
+///     -g h \begin{pmatrix} 0 \\ \partial_x b \\ \partial_z b \end{pmatrix} \f]
 ///
 /// | symbol | meaning                               | unit  |
 /// |--------|---------------------------------------|-------|
@@ -22,10 +25,10 @@
 /// Fluxes by HLL with the slowest and fastest wave of both sides; what is carried along goes with the mass. The bed by
 /// hydrostatic reconstruction: both sides of a face are cut to what stands above the higher bed, so that a lake at rest
 /// stays at rest and no height becomes negative while everywhere
-/// \f$ 2\,\Delta t\,((|u|+c)/\Delta x + (|w|+c)/\Delta z) \le 1 \f$, with \f$ c = \sqrt{gh} \f$. All sides are solid walls. There is no friction. Where the bed
-/// falls by s from column to column, water is pushed too little, by the part s / 2h, and with s > h by its height
-/// alone. Finer columns help, or second order (O. Delestre, S. Cordier, F. Darboux, F. James, A Limitation of the
-/// Hydrostatic Reconstruction Technique for Shallow Water Equations, 2012).
+/// \f$ 2\,\Delta t\,((|u|+c)/\Delta x + (|w|+c)/\Delta z) \le 1 \f$, with \f$ c = \sqrt{gh} \f$. All sides are solid
+/// walls. There is no friction. Where the bed falls by s from column to column, water is pushed too little, by the
+/// fraction s / 2h, and with s > h by its height alone. Finer columns help, or second order (O. Delestre, S. Cordier,
+/// F. Darboux, F. James, A Limitation of the Hydrostatic Reconstruction Technique for Shallow Water Equations, 2012).
 ///
 /// A. Harten, P. Lax, B. van Leer, On Upstream Differencing and Godunov-Type Schemes for Hyperbolic Conservation Laws
 /// (1983); E. Audusse, F. Bouchut, M. Bristeau, R. Klein, B. Perthame, A Fast and Stable Well-Balanced Scheme with
@@ -131,7 +134,7 @@ struct ShallowWater {
     template <class Scalar> class In {
     public:
         using Time = Quantity<unit::Time>; ///< s
-        /// The level is not looked at.
+        /// The level is not used.
         In(const ShallowWater& policy, const ColumnGrid& grid, Quantity<unit::Length>)
             : gravity_(Scalar(policy.gravity.value())), nx_(grid.columns_x()), nz_(grid.columns_z()) {
             for (std::size_t i = 0; i < nx_; ++i) over_x_.push_back(Scalar(1 / grid.x().width(i)));
@@ -155,7 +158,7 @@ struct ShallowWater {
             }
             return 0.495 / static_cast<double>(*std::max_element(most.begin(), most.end())) * second;
         }
-        /// One sweep over all rows, in place: what passes a face is kept until the row behind it needs it.
+        /// One pass over all rows, in place: what passes a face is kept until the row behind it needs it.
         void advance(State<Scalar>& state, Time dt) {
             const Scalar h(dt.value());
             load(state, 0, here_);
@@ -253,7 +256,7 @@ struct ShallowWater {
             fill(count, g, low, high, faces.mass.data(), faces.push_low.data(), faces.push_high.data(),
                  faces.along.data());
         }
-        // Nothing that is written here overlaps: said of parameters, since compilers look at no others.
+        // Nothing that is written here overlaps: said of parameters, since compilers trust no others.
         static void fill(std::size_t count, const Scalar g, const Side low, const Side high, Scalar* __restrict mass,
                          Scalar* __restrict push_low, Scalar* __restrict push_high, Scalar* __restrict along) {
             for (std::size_t i = 0; i < count; ++i) {

@@ -5,10 +5,11 @@
 /// `submerged`: how much of a sphere, or of an upright box, is under a level surface, and where the middle of that part
 /// is (notes 7.4, buoyancy).
 ///
-/// Use it for Archimedes' force, \f$ \rho g V \f$, with water of your own; in a world `Buoyancy` does that. The formulas are
-/// exact, so that the force has no step where a body touches the water or goes under, and no sampled points stand for a
-/// shape. Under a level surface a box is upright; `submerged(box, normal, height)` is that of a box under a tilted one,
-/// or of a tilted box: turn the normal into its frame. Bodies of a world do not turn yet, and Buoyancy takes the first.
+/// Use it for Archimedes' force, \f$ \rho g V \f$, with water of your own; in a world `Buoyancy` does that. The
+/// formulas are exact, so that the force has no step where a body touches the water or goes under, and no sampled
+/// points stand for a shape. Under a level surface a box is upright; `submerged(box, normal, height)` is that of a box
+/// under a tilted one, or of a tilted box: turn the normal into its frame. Bodies of a world do not turn yet, and
+/// Buoyancy takes the first.
 ///
 /// | symbol | meaning                                                | unit |
 /// |--------|--------------------------------------------------------|------|
@@ -17,8 +18,8 @@
 /// | c      | height of its centroid above the lowest point          | m    |
 /// | A      | area of the section at the water line, dV/dd           | m^2  |
 ///
-/// \f[ \text{sphere:}\quad V = \frac{\pi d^2 (3r - d)}{3}, \quad c = r - \frac{3 (2r - d)^2}{4 (3r - d)}, \quad A = \pi d (2r - d);
-/// \qquad \text{box:}\quad V = A d, \quad c = \frac d 2 \f]
+/// \f[ \text{sphere:}\quad V = \frac{\pi d^2 (3r - d)}{3}, \quad c = r - \frac{3 (2r - d)^2}{4 (3r - d)},
+/// \quad A = \pi d (2r - d); \qquad \text{box:}\quad V = A d, \quad c = \frac d 2 \f]
 
 #include <ansatz/collision/box.hpp>
 #include <ansatz/collision/sphere.hpp>
@@ -53,6 +54,18 @@ template <class Scalar> Sunk<Scalar> sunk_disc(const Scalar& r, const Scalar& le
     using std::acos;
     using std::sqrt;
     const Scalar d = held_to(depth, Scalar(2) * r), half = sqrt(d * (Scalar(2) * r - d));
+    const Scalar x = d / (Scalar(2) * r), least = std::numeric_limits<Scalar>::epsilon();
+    if (x * x * x * x * x < Scalar(100) * least) {
+        // Segment and triangle would leave nothing but their rounding. The root of (1 - y / 2r) as a series, times
+        // that of y, and for the moment times y, integrated.
+        const auto sum = [&](int power) { // of 2 / (power + 2 k) times the binomial (1/2 over k) times (-x)^k
+            const auto term = [&](int k, double binomial) { return Scalar(2 * binomial) / Scalar(power + 2 * k); };
+            return term(0, 1) -
+                   x * (term(1, 0.5) + x * (term(2, 0.125) + x * (term(3, 0.0625) + x * term(4, 0.0390625))));
+        };
+        const Scalar area = Scalar(2) * d * sqrt(Scalar(2) * r * d) * sum(3);
+        return {area * length, d * sum(5) / sum(3), Scalar(2) * half * length};
+    }
     const Scalar segment = r * r * acos(Scalar(1) - d / r) - (r - d) * half,
                  area = segment > Scalar(0) ? segment : Scalar(0);
     const Scalar below = area > Scalar(0) ? Scalar(2) * half * half * half / (Scalar(3) * area) : r;
@@ -102,8 +115,8 @@ struct SubmergedBox {
     Quantity<unit::Volume> volume;       ///< V, m^3
     VectorQuantity<unit::Length> centre; ///< of its centroid, from the middle of the box, m; zero where V is
 };
-/// Of a box under any plane, exactly: the pyramids from a point of the surface over what of each face is under it. That
-/// of the surface itself has no height.
+/// Of a box under any plane, exactly: the pyramids from a point of the surface in the box over what of each face is
+/// under it. That of the surface itself has no height.
 /// \param box    three half lengths, finite and positive
 /// \param normal of the surface, in the frame of the box, towards the air; of any length but 0, finite
 /// \param height of the surface above the middle of the box, along the normal, m; not NaN
@@ -111,13 +124,18 @@ struct SubmergedBox {
 inline SubmergedBox submerged(const Box& box, const Vector<double, 3>& normal, const Quantity<unit::Length>& height) {
     using Point = Vector<double, 3>;
     const Point half = Box::In<Space<double, 3>>(box).half.value();
-    const double length = normal.norm();
+    Point n = normal;
+    if (const double most = normal.cwiseAbs().maxCoeff(); !(n.norm() > 0 && is_finite(n.norm())) && most > 0)
+        n /= most; // of squares that are no numbers, of a length that is one
+    const double length = n.norm();
     if (!(length > 0) || !is_finite(length))
         refuse_value("submerged", "the length of the normal", length, "it must be finite and greater than zero");
     if (std::isnan(height.value())) refuse_value("submerged", "height", height, "it must be a number");
-    const Point n = normal / length;
+    n /= length;
     const double reach = n.cwiseAbs().dot(half), d = std::max(-reach, std::min(reach, height.value()));
-    const Point apex = d * n;
+    // On the diagonal from the lowest corner to the highest, and so in the box: seen from there no pyramid is negative.
+    // Seen from outside large ones would cancel, and leave the rounding of a box that hardly touches the water.
+    const Point apex = d / reach * (n.array() < 0).select(-half, half);
     double volume = 0;
     Point moment = Point::Zero();
     for (int axis = 0; axis < 3; ++axis)
@@ -146,8 +164,9 @@ inline SubmergedBox submerged(const Box& box, const Vector<double, 3>& normal, c
                 moment += part * (apex + (a + b + c) / 4);
             }
         }
-    SubmergedBox all{volume * cubic_metre, metres(0, 0, 0)};
-    if (volume > 0) all.centre = VectorQuantity<unit::Length>::from_value(Point(moment / volume));
+    SubmergedBox all{std::clamp(volume, 0.0, 8 * half.prod()) * cubic_metre, metres(0, 0, 0)};
+    if (volume > 0)
+        all.centre = VectorQuantity<unit::Length>::from_value(Point((moment / volume).cwiseMax(-half).cwiseMin(half)));
     return all;
 }
 

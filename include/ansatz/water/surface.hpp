@@ -38,7 +38,7 @@ void choice_field(auto& field, std::string_view where, std::string_view name, E&
 /// What a policy keeps of columns.
 template <class T>
 concept KeptOfColumns = requires(const T& state) { state.height.size(); };
-struct SurfaceLanes; // who may write lanes: the pools of a world (pool.hpp)
+struct SurfaceLanes; // what may write lanes: the pools of a world (pool.hpp)
 } // namespace detail
 
 /// What moves a surface, bound to a scalar: what Surface asks of a policy. `State<Scalar>` has the lane `height`, and
@@ -106,7 +106,8 @@ public:
     /// Goes on from a state.
     /// \param level m, with which it began: what walls hold that hold
     /// \param state as `state()` of another surface has it, also in another scalar
-    /// \throws std::invalid_argument where it has not one number for each column, or one that is no number of water
+    /// \throws std::invalid_argument where it has not what this policy keeps, not one number for each column, or one
+    ///         that is no number of water
     template <detail::KeptOfColumns OtherState>
     Surface(const Policy& policy, ColumnGrid grid, Length level, const OtherState& state)
         : Surface(policy, std::move(grid), level) {
@@ -210,12 +211,15 @@ private:
     template <class From> void take(const From& from) {
         std::vector<const std::remove_cvref_t<decltype(from.height)>*> lanes;
         std::vector<double> numbers;
-        From::fields(from, [&](std::string_view, const auto& x) {
-            if constexpr (requires { x.size(); }) lanes.push_back(&x);
-            else numbers.push_back(static_cast<double>(x));
+        std::vector<std::string> lane_names, number_names;
+        From::fields(from, [&](std::string_view name, const auto& x) {
+            if constexpr (requires { x.size(); }) lanes.push_back(&x), lane_names.emplace_back(name);
+            else numbers.push_back(static_cast<double>(x)), number_names.emplace_back(name);
         });
         std::size_t lane = 0, number = 0;
         State::fields(state_, [&](std::string_view name, auto& x) {
+            if constexpr (requires { x.size(); }) require_kept("lane", lane_names, lane, name);
+            else require_kept("number", number_names, number, name);
             if constexpr (requires { x.size(); }) {
                 const auto& given = *lanes[lane++];
                 if (given.empty() || x.empty()) return;
@@ -223,6 +227,15 @@ private:
                 for (std::size_t n = 0; n < x.size(); ++n) x[n] = Scalar(given[n]);
             } else x = std::remove_cvref_t<decltype(x)>(numbers[number++]);
         });
+    }
+    /// A state of another policy has other lanes in their places, or none.
+    static void require_kept(std::string_view kind, const std::vector<std::string>& given, std::size_t at,
+                             std::string_view name) {
+        if (at < given.size() && given[at] == name) return;
+        refuse_value("Surface", detail::joined({kind, " ", std::to_string(at), " of the state"}),
+                     at < given.size() ? given[at] : "missing",
+                     detail::joined({"a state of ", Policy::name, " has ", name, " there; give it one of its own, or ",
+                                     "begin anew and set_heights"}));
     }
     static const Policy& checked(const Policy& policy, Length level) {
         policy.check();

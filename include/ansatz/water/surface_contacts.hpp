@@ -15,7 +15,8 @@
 /// The body stands on the mean of the columns around it, each with a weight that fades to nothing at the rim, so that
 /// it feels no lattice, and one contact is one contact, however many columns carry it:
 ///
-/// \f[ \bar y = \frac{\sum_i w_i y_i}{\sum_i w_i}, \quad w_i = \Bigl(1 - \frac{r_i^2}{R^2}\Bigr)^2, \quad d = \bar y - (y - r), \quad
+/// \f[ \bar y = \frac{\sum_i w_i y_i}{\sum_i w_i}, \quad w_i = \Bigl(1 - \frac{r_i^2}{R^2}\Bigr)^2,
+///     \quad d = \bar y - (y - r), \quad
 ///     F = \max(0,\; k d + c \dot d), \quad \mathbf F = F\,(-\partial_x \bar y,\; 1,\; -\partial_z \bar y) \f]
 ///
 /// | symbol | meaning                                                                    | unit |
@@ -24,14 +25,14 @@
 /// | d      | how deep the body's lowest point is under the mean                         | m    |
 /// | k, c   | of the SurfaceSpring: N/m, N s/m; it breaks where d is larger than its depth | |
 ///
-/// The columns get -F, by their weights: the forces are those of the potential \f$ \tfrac12 k d^2 \f$, and what is damped is lost, so
-/// that nobody gets energy from nothing. What pushes a body aside is not given to the columns, which only go up and
-/// down.
+/// The columns get -F, by their weights: the forces are those of the potential \f$ \tfrac12 k d^2 \f$, and what is
+/// damped is lost, so that no body gets energy from nothing. What pushes a body aside is not given to the columns,
+/// which only go up and down.
 ///
 /// **Why no contact flickers.** A body of mass m that is thrown up again and again comes down no sooner than after
-/// \f$ 2\pi\sqrt{m/k} \f$, the period at which it would bob: however low it leaps, the time in the air and the time on the spring
-/// add up to more. And a contact ends only where the body is clear of the surface by `skin`, so that one which grazes
-/// it does not begin twice.
+/// \f$ 2\pi\sqrt{m/k} \f$, the period at which it would bob: however low it leaps, the time in the air and the time on
+/// the spring add up to more. And a contact ends only where the body is clear of the surface by `skin`, so that one
+/// which grazes it does not begin twice.
 
 #include <ansatz/motion/policy_systems.hpp>
 #include <ansatz/motion/roles.hpp>
@@ -84,7 +85,7 @@ template <class S> struct SurfaceContactRow {
     using Scalar = typename S::Scalar;
     using Vec = Vector<Scalar, S::dimension>;
     BodyId body;
-    std::vector<BodyId> columns; // none once it is broken: who has sunk has nothing to do with the surface any more
+    std::vector<BodyId> columns; // none once it is broken: a body that has sunk no longer touches the surface
     std::uint32_t nx = 0, nz = 0;
     std::array<Scalar, 4> grid{}; // x and z of the first column, its widths, m
     Scalar stiffness{}, damping{}, breaks_at{}, radius{};

@@ -198,7 +198,7 @@ struct WaterColumns {
         Time longest_step(const State<Scalar>&) const {
             return 2 / (speed_ * std::sqrt(x_.largest + z_.largest)) * second;
         }
-        /// One sweep over all columns, in place; every 32nd time also what keeps a closed basin from rising.
+        /// One pass over all columns, in place; every 32nd time also what keeps a closed basin from rising.
         void advance(State<Scalar>& state, Time dt) const {
             advance(std::span(state.height), std::span(state.rate), dt);
             if (++state.steps % 32 == 0) take_out_rise(state.rate);

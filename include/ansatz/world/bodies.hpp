@@ -75,8 +75,8 @@ refuse_handle(const char* what, std::uint32_t id, std::uint32_t generation, std:
 /// The directory of a world's bodies. Slots are positions in the lanes; the owner of the lanes is told of every swap.
 class Bodies {
 public:
-    using Slot =
-        std::uint32_t; ///< a body's place in the lanes; it changes when other bodies are removed, sleep or wake
+    /// A body's place in the lanes; it changes when other bodies are removed, sleep or wake.
+    using Slot = std::uint32_t;
 
     /// All bodies.
     std::size_t size() const { return id_at_.size(); }
@@ -128,7 +128,7 @@ public:
     std::uint32_t generation_of_id(std::uint32_t id) const { return generation_[id]; }
 
     /// A number that changes where bodies come to other slots, and where a verb or a system changes one that stands: a
-    /// cache of bodies that do not move need not look at them while it is the same. Zero only before the first body.
+    /// cache of bodies that do not move need not visit them while it is the same. Zero only before the first body.
     std::uint64_t changes() const { return changes_; }
     /// The same for each `block` slots.
     const std::vector<std::uint32_t>& changes_by_block() const { return changes_by_block_; }

@@ -15,7 +15,7 @@
 
 namespace ansatz::detail {
 
-/// Makes the compiler look at the sentences of `Check...`.
+/// Makes the compiler check the sentences of `Check...`.
 template <class... Check> inline constexpr bool read_sentences = ((sizeof(Check) > 0) && ... && true);
 
 template <class P> struct RoleFacts {
@@ -61,7 +61,7 @@ template <class E> struct ExecutionFacts {
 template <class E> struct CheckExecution {
     static_assert(ExecutionFacts<E>::ok,
                   "Ansatz: an execution whose execute the world cannot call; write `void execute(std::size_t count, "
-                  "std::size_t grain, const auto& loop) const`, which calls loop(begin, end) for parts of 0 to count");
+                  "std::size_t grain, const auto& loop) const`, which calls loop(begin, end) for ranges of 0 to count");
 };
 
 struct NoFacts {

@@ -13,7 +13,7 @@ namespace ansatz {
 
 namespace detail {
 
-// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ looks into a function
+// Each of the following holds its sentences itself, and goes on only with a value that fits: g++ reads into a function
 // that is called last of all, and whatever follows from the mistake would be read before the sentence.
 
 template <class Unit, class Q>
@@ -104,14 +104,24 @@ template <class S, class C, class Q> value_of<C, S> value_for(std::string_view w
 }
 
 /// 1/m of a mass from outside.
-template <class S, class Q> typename S::InverseMass inverse_of_mass(std::string_view where, const Q& m) {
-    using Scalar = typename S::Scalar;
-    const auto given = scalar_cast<Scalar>(m);
-    const auto inverse = Scalar(1) / given;
-    if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
-        refuse_value(
-            where, "mass", m,
-            "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, without a mass)");
+template <class S, class Q>
+typename S::InverseMass inverse_of_mass([[maybe_unused]] std::string_view where, const Q& m) {
+    constexpr bool fits = fits_scalar<unit::Mass, Q>;
+    static_assert(fits, "Ansatz: a mass belongs here; multiply the number with its unit, e.g. 2.0 * kilogram");
+    typename S::InverseMass inverse{};
+    if constexpr (fits) {
+        using Scalar = typename S::Scalar;
+        const auto given = scalar_cast<Scalar>(m);
+        inverse = Scalar(1) / given;
+        if (!is_finite(m) || !(m.value() > 0))
+            refuse_value(where, "mass", m,
+                         "a mass is finite and greater than 0 kg (a body that nothing moves is added as `fixed`, "
+                         "without a mass)");
+        if (!(given.value() > Scalar(0)) || !is_finite(given) || !is_finite(inverse) || !(inverse.value() > Scalar(0)))
+            refuse_value(where, "mass", m,
+                         "a mass is finite and greater than 0 kg in the world's scalar, and its inverse is a number (a "
+                         "body that nothing moves is added as `fixed`, without a mass)");
+    }
     return inverse;
 }
 

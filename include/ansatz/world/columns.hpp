@@ -5,8 +5,8 @@
 /// Columns: what a world can store of each body, and the compile-time lists of them that policies declare.
 ///
 /// A column is a tag: a unit, a shape (scalar or vector) and a name. A policy declares the columns that it reads and
-/// writes; a world stores the union of these lists and nothing else, so that an effect nobody called for has no byte.
-/// Write a column of your own for a policy of your own (a temperature, a charge); the library need not know it.
+/// writes; a world stores the union of these lists and nothing else, so that an effect that was not asked for has no
+/// byte. Write a column of your own for a policy of your own (a temperature, a charge); the library need not know it.
 
 #include <ansatz/units.hpp>
 
@@ -80,15 +80,15 @@ struct CoupledForce {
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "coupled force";
 };
-/// What a solver of positions did to a body in the last part of a step, as an acceleration: a response that owns the
-/// parts expects it again in the next one. Exists only where both are.
+/// What a solver of positions did to a body in the last substep, as an acceleration: a response that owns the
+/// substeps expects it again in the next one. Exists only where both are.
 struct HeldAcceleration {
     using Unit = unit::Acceleration;
     static constexpr Shape shape = Shape::vector;
     static constexpr std::string_view name = "held acceleration";
 };
-/// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a part of a
-/// step where somebody beside the integrator asks for it.
+/// What the forces that act on one body alone do to it, m/s^2; not stored with the bodies, but kept for a substep
+/// where something beside the integrator asks for it.
 struct OwnAcceleration {
     using Unit = unit::Acceleration;
     static constexpr Shape shape = Shape::vector;
@@ -120,7 +120,7 @@ template <class UnitT, int Number = 0> struct ScratchVector {
     static constexpr std::string_view name = "scratch";
 };
 /// Not stored: a law that lists Clock among what it reads may ask its context for the time. Because the world knows
-/// which laws do, it also knows that it must look at resting bodies again while time passes.
+/// which laws do, it also knows that it must check resting bodies again while time passes.
 struct Clock {};
 /// @}
 

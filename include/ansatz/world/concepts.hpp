@@ -61,14 +61,14 @@ template <class P, class S>
 concept PreparesIn = !names_prepare<Bound<P, S>> ||
                      requires(Bound<P, S>& bound, const Context<S, reads_clock<P>>& c) { bound.prepare(c); };
 
-/// The argument in the place of written column `C`: a value that nobody can change, if it is the one that is `Tried`.
+/// The argument in the place of written column `C`: a value that cannot be changed, if it is the one that is `Tried`.
 template <class C, class Tried, class S>
 using Written = std::conditional_t<std::same_as<C, Tried>, value_of<C, S>, value_of<C, S>&>;
 
 } // namespace detail
 
-/// What decides how a step of a world `W` is taken: `parts(world, dt, kept)` says in how many equal parts, at least 1,
-/// or refuses, before anything is touched; `Kept` is what it keeps between steps. `StepLimit` is one.
+/// What decides how a step of a world `W` is taken: `parts(world, dt, kept)` says in how many equal substeps, at least
+/// 1, or refuses, before anything is touched; `Kept` is what it keeps between steps. `StepLimit` is one.
 template <class P, class W>
 concept StepControlFor =
     PlaysRole<P, roles::StepControl> &&
@@ -83,7 +83,7 @@ struct AnyLoop {
 };
 } // namespace detail
 
-/// Who runs the loops of a step: `execute(count, grain, loop)` calls `loop(begin, end)` for disjoint ranges that
+/// What runs the loops of a step: `execute(count, grain, loop)` calls `loop(begin, end)` for disjoint ranges that
 /// together are 0 to `count`, at the same time if it likes, and comes back when all of them have. execution.hpp says
 /// what it may rely on and what relies on it.
 ///
@@ -95,8 +95,8 @@ concept ExecutionPolicy =
 
 /// An observer: may declare `reads`; if it has `observe(view)`, the view is read-only. A policy of any role may have
 /// `std::string report(const auto& world, const Quantity<unit::Time>& dt) const`, which `World::status` asks: a
-/// sentence about the world as it is now, or nothing. `dt` is the length of the last step, or of its parts where a
-/// response or a StepControl divides it; nobody is asked before the first step.
+/// sentence about the world as it is now, or nothing. `dt` is the length of the last step, or of its substeps where a
+/// response or a StepControl divides it; it is not called before the first step.
 ///
 /// \snippet tests/world/page.cpp recorder
 ///

@@ -23,8 +23,8 @@ namespace ansatz {
 
 /// What could go wrong inside a step and does not stop it; poll it with World::status.
 struct Status {
-    bool lost =
-        false; ///< a step was broken off by an exception: the world is half of it, and takes nothing but another world
+    /// A step was broken off by an exception: the world is in the midst of it, and takes nothing but another world.
+    bool lost = false;
     std::uint64_t unsolved = 0;   ///< body steps whose equation an implicit integrator could not solve, so far
     std::uint64_t not_finite = 0; ///< bodies whose state is infinite or not a number, now
     Handle first_not_finite{};    ///< the one with the smallest id among them
@@ -102,7 +102,7 @@ template <class C, class... M> constexpr bool all_divide(Types<M...>) { return (
 /// Whether a list of policies has a datum of the user's.
 template <class List> inline constexpr bool holds_datum = false;
 template <class... P> inline constexpr bool holds_datum<Types<P...>> = (is_datum<P> || ...);
-/// Who was divided in the step that is being taken, and into whom: a world's data of the user follow behind it.
+/// Which bodies were divided in the present step, and into which: a world's data of the user follow behind it.
 using Divisions = Cache<std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
 struct NoDivisions {};
 
@@ -128,7 +128,7 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
     using Slot = Bodies::Slot; ///< a body's place in the lanes
 
     Lanes<S, typename C::stored> lanes; ///< the columns
-    Bodies bodies;                      ///< who is where
+    Bodies bodies;                      ///< handles, ids and slots
     StepClock<S> clock;                 ///< tick and time
     /// What policies keep beside the bodies, such as elements between them.
     [[no_unique_address]] detail::States<S, typename C::keepers> states;
@@ -182,7 +182,7 @@ template <class C> struct WorldData : detail::AllStates<typename C::modules, C, 
             if constexpr (requires { state.reserve_notes(); }) state.reserve_notes();
         });
     }
-    /// Before a body is removed: who names it is found, which may fail.
+    /// Before a body is removed: the elements that name it are found, which may fail.
     void find_named() {
         states.for_each([&](auto& state) {
             if constexpr (requires { state.find_named(bodies.ids()); }) state.find_named(bodies.ids());

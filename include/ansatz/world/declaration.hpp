@@ -7,7 +7,7 @@
 ///
 /// Name the policies in any order; the compiler builds exactly that world. It is a value: copying it is the snapshot,
 /// and the copy continues bit-identically. Use it when bodies should be advanced together by one integrator; when you
-/// have an entity system of your own, call `sweep`, `Laws` and the policies directly instead.
+/// have an entity system of your own, call `for_lanes`, `Laws` and the policies directly instead.
 ///
 /// Threads: a world has no hidden global and no lock. Different worlds, copies included, may be used on different
 /// threads at the same time; so may const members of one world. A change needs that world for itself.
@@ -50,6 +50,20 @@ struct Doors<W, C, Types<M...>, Types<P...>>
 template <class W, class C> using doors_of = Doors<W, C, typename C::modules, typename C::policies>;
 } // namespace detail
 
+/// A world: the list of what happens in it, with its bodies and its time.
+///
+/// Name the policies in any order; the compiler builds exactly that world. What is not named has no byte and no
+/// instruction, and a list that cannot work does not compile. %Bodies are described by their properties and found again
+/// by their handles; modules (collision, springs, water, ...) add members of their own. A world is a value: copying it
+/// is the snapshot, and the copy continues bit-identically.
+///
+/// \dontinclude tests/package/engine.cpp
+/// \skip World sky
+/// \until sky.step(
+///
+/// \ref page_world "Worlds" tells the rest, \ref motion_compose "what to take for what" which policies there are.
+///
+/// \headerfile ansatz/world.hpp <ansatz/world.hpp>
 /// \tparam P policies in any order, each one type once: exactly one Integrator; any number of Force, Effect, Observer;
 ///           at most one Space (`Space<double, 3>` without it)
 template <class... P>
@@ -61,7 +75,7 @@ public:
     using composition = typename detail::ComposedOf<detail::is_world<P...>, P...>::type;
     using S = typename composition::S; ///< the space
     using Scalar = typename S::Scalar;
-    using ClockTime = typename S::ClockTime; ///< s
+    using ClockTime = typename S::ClockTime; ///< the type of times: seconds, at least in double
 
     /// What a body takes in the lanes. Its handle adds 16 bytes; what modules keep comes to it.
     static constexpr std::size_t bytes_per_body = Lanes<S, typename composition::stored>::bytes_per_body;
@@ -96,8 +110,8 @@ public:
     template <class... Property> Handle add(const Property&... property);
 
     /// Removes a body. Other handles stay valid; this one becomes stale. What was polled (`events()`, `handles()`,
-    /// who touched whom) stays as it was until the next step, so that a loop over it may remove bodies; ask `contains`
-    /// before you use a handle of it.
+    /// which bodies touched) stays as it was until the next step, so that a loop over it may remove bodies; ask
+    /// `contains` before you use a handle of it.
     /// \throws std::out_of_range for a stale handle
     void remove(Handle body);
     /// Whether the handle names a body that is in this world.
@@ -230,7 +244,7 @@ public:
     ClockTime time() const { return data_.clock.now(); }
     /// Steps taken.
     std::uint64_t tick() const { return data_.clock.tick(); }
-    /// What went wrong inside steps, and what policies have to say; looks at every body when it is called.
+    /// What went wrong inside steps, and what policies have to say; visits every body when it is called.
     Status status() const;
     /// @}
 

@@ -81,7 +81,7 @@ template <class... P> template <class C, class Q> void World<P...>::write(Handle
     tell<hook::BeforeWrite<C>>(slot);
     tell<hook::BeforeChange<C>>();
     if constexpr (detail::matters_to_neighbours<C, composition>) tell<hook::Disturbed>(body.id);
-    slot = data_.bodies.slot_of_id(body.id); // whom that woke changed places with others
+    slot = data_.bodies.slot_of_id(body.id); // bodies that this woke changed places with others
     data_.lanes.template set<C>(slot, checked_value);
     data_.bodies.note_change(slot); // a force may see it, of a fixed body, too
     tell<hook::Wake>(slot);
@@ -129,12 +129,13 @@ template <class... P> template <class T> void World<P...>::step(const T& dt) {
                 "`int parts(const auto& world, const Quantity<unit::Time>& dt, Kept& kept) const`");
             if constexpr (understood) parts = control().parts(*this, scalar_cast<double>(dt), data_.control.value);
             if (parts < 1)
-                refuse_value("World::step", "the number of parts that its StepControl says", parts, "it is at least 1");
+                refuse_value("World::step", "the number of substeps that its StepControl says", parts,
+                             "it is at least 1");
             if (parts > 1) tell<hook::CheckStep>(typename S::Time(h / Scalar(parts)), dt);
         }
         lost_ = true; // until it is taken
         const auto first = step_of(h);
-        tell<hook::LookAround>(first);
+        tell<hook::BeforeStep>(first);
         data_.template tell<hook::BeginStep>();
         data_.states.for_each([](auto& state) {
             if constexpr (requires { state.begin_step(); }) state.begin_step();
@@ -185,7 +186,7 @@ template <class... P> template <class Policy> void World<P...>::let_say([[maybe_
         if constexpr (understood) {
             if (tick() == 0 || status.lost) return; // no step has a length yet, or the last was not whole
             int parts = 1;
-            inside().template tell<hook::NextParts>(parts);
+            inside().template tell<hook::NextSubsteps>(parts);
             const std::string said =
                 get<Policy>().report(*this, scalar_cast<double>(data_.clock.last()) / double(parts));
             if (!said.empty()) status.said += (status.said.empty() ? "" : "; ") + said;

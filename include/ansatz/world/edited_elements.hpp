@@ -7,9 +7,9 @@
 /// `view.template edit<Hinge>()`. It need not know which policy keeps them; where none does, it gets `detail::absent`.
 ///
 /// Tables are edited at one place of the step: at a phase from `phases::breaking` on and before `phases::sums`, where
-/// springs break. There nobody walks over them, and the sums of forces are made anew behind it. What a table has, it
+/// springs break. There no loop runs over them, and the sums of forces are made anew behind it. What a table has, it
 /// has for this, too: `for_each`, `row`, `replace`, `erase`; `insert` only where there is room, or the step allocates.
-/// To look only, `view.template elements<Hinge>()`.
+/// To read only, `view.template elements<Hinge>()`.
 ///
 /// \snippet tests/world/edited_elements.cpp moth
 
@@ -34,7 +34,7 @@ template <class E, class... P> struct KeeperIn<E, Types<P...>> {
     using type = typename KeeperOf<E, P...>::type;
 };
 
-/// The table of elements of a type, whoever keeps them; `absent` where none of the world's policies does.
+/// The table of elements of a type, whichever policy keeps them; `absent` where none of the world's policies does.
 template <class E, class Data> auto& elements_in([[maybe_unused]] Data& data) {
     using Keeper = typename KeeperIn<E, typename Data::Composition_::policies>::type;
     if constexpr (std::is_void_v<Keeper>) return absent;

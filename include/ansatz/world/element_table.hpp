@@ -83,7 +83,7 @@ public:
     const Row& row(std::uint32_t id) const { return rows_[id]; }
     /// The same, for the systems of the policy, which may change numbers that add up over time.
     Row& row(std::uint32_t id) { return rows_[id]; }
-    /// Calls `f(id, row)` for each, by id: an order that does not depend on who was removed before.
+    /// Calls `f(id, row)` for each, by id: an order that does not depend on earlier removals.
     template <class F> void for_each(F&& f) const {
         for (std::uint32_t id = 0; id < rows_.size(); ++id)
             if (ids_.alive(id)) f(id, rows_[id]);
@@ -110,7 +110,7 @@ public:
     /// Room for so many.
     void reserve(std::size_t n) {
         ids_.reserve(n);
-        rows_.reserve(n); // last: who has room here has room everywhere
+        rows_.reserve(n); // last: room here means room everywhere
     }
     /// Room for one more, so that `insert` cannot fail.
     void make_room() {

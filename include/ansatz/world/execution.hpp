@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `in_parts`: how a loop over the rows of a world is run, by the world's Execution if it has one.
+/// `in_ranges`: how a loop over the rows of a world is run, by the world's Execution if it has one.
 ///
 /// An Execution is a policy of your own, on std::thread or on whatever your program runs its threads with:
 ///
@@ -19,7 +19,7 @@
 /// What a policy may rely on: no loop asks for another one, and none throws unless a policy of yours does; what that
 /// throws must leave `execute`, once the other ranges have returned, and the world is lost then, as it is where a
 /// serial step throws. What relies on it: `execute` may be called by several threads at once, by those that ask a world
-/// that nobody changes and by those that step its copies, so that threads that are kept serve one call at a time. The
+/// that does not change and by those that step its copies, so that threads that are kept serve one call at a time. The
 /// laws of a world with an Execution are asked at the same time, so that they must not change what they share; those of
 /// the library do not.
 ///
@@ -42,19 +42,19 @@ template <class... P> const auto& execution_of(const std::tuple<P...>& policies)
     return std::get<typename FirstIn<filter<IsExecution, P...>>::type>(policies);
 }
 
-/// How many rows of a lane fill a cache line: parts that begin there share none.
+/// How many rows of a lane fill a cache line: ranges that begin there share none.
 template <class Scalar> inline constexpr std::size_t rows_of_a_line = sizeof(Scalar) < 64 ? 64 / sizeof(Scalar) : 1;
-/// A part of fewer cache lines takes less time than waking a thread does.
+/// A range of fewer cache lines takes less time than waking a thread does.
 inline constexpr std::size_t grain_in_lines = 32;
 } // namespace detail
 
-/// Calls `loop(first, last)` for parts of `begin` to `end`, which the Execution of a world runs; once for all of it
-/// where the world has none. Every part but the first begins at a multiple of a cache line's rows.
+/// Calls `loop(first, last)` for ranges of `begin` to `end`, which the Execution of a world runs; once for all of it
+/// where the world has none. Every range but the first begins at a multiple of a cache line's rows.
 /// \tparam C the world's composition
 /// \param policies of the world
 template <class C, class Policies, class Loop>
-[[gnu::always_inline]] inline void in_parts([[maybe_unused]] const Policies& policies, std::size_t begin,
-                                            std::size_t end, const Loop& loop) {
+[[gnu::always_inline]] inline void in_ranges([[maybe_unused]] const Policies& policies, std::size_t begin,
+                                             std::size_t end, const Loop& loop) {
     if constexpr (C::executed) {
         if (begin >= end) return;
         constexpr std::size_t line = detail::rows_of_a_line<typename C::S::Scalar>;

@@ -14,7 +14,7 @@
 ///     };
 ///
 /// A field is a number, a bool, a quantity, a vector quantity, or a std::vector or std::array of these; in the row of
-/// an ElementTable a `BodyId`, too, which names nobody until it is given one. In a file it stands under its name, a
+/// an ElementTable a `BodyId`, too, which names no body until it is given one. In a file it stands under its name, a
 /// quantity as a raw SI number. A state whose numbers have to fit together says so in `void check() const`, which
 /// throws std::invalid_argument, and is called when a file was read.
 ///
@@ -61,7 +61,7 @@ template <class T>
     requires is_list<T>
 inline constexpr bool names_bodies<T> = names_bodies<typename T::value_type>;
 
-/// Calls `f(id)` for each body that a field names; a BodyId that was not given one names nobody.
+/// Calls `f(id)` for each body that a field names; a BodyId that was not given one names no body.
 template <class T, class F> void each_body_in(const T& x, F&& f) {
     if constexpr (std::same_as<T, BodyId>) {
         if (!(x == BodyId())) f(x.id);

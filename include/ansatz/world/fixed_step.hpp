@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 
@@ -70,6 +71,9 @@ public:
     /// \return how many steps were taken
     template <class World_, class BeforeStep>
     std::uint64_t advance(World_& world, Parameter<unit::Time> frame_time, BeforeStep&& before_step) {
+        constexpr bool takes_the_world = std::invocable<BeforeStep&, World_&>;
+        static_assert(takes_the_world, "Ansatz: FixedStep::advance calls its third argument with the world, before "
+                                       "each step; write e.g. [&](auto& world) { world.apply_force(ball, thrust); }");
         if (!is_finite(frame_time) || frame_time.value() < 0)
             refuse_value("FixedStep::advance", "frame_time", frame_time, "a frame's time is finite and not negative");
         // Counted in steps: the fraction of a step that is left never mixes with large sums.
@@ -83,7 +87,7 @@ public:
             refuse_value("FixedStep::advance", "frame_time", frame_time,
                          "a frame of so many steps would not end; it is at most " + describe(most_in_a_frame * dt_));
         for (std::uint64_t i = 0; i < steps; ++i) {
-            before_step(world);
+            if constexpr (takes_the_world) before_step(world);
             world.step(dt_); // a world that refuses dt does so here, before this clock has changed
         }
         left_ = owed - whole;

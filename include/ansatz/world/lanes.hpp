@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// `Lanes`: one contiguous array of raw SI scalars for each component of each column, and `sweep`, the one loop of the
-/// library that walks bodies.
+/// `Lanes`: one contiguous array of raw SI scalars for each component of each column, and `for_lanes`, the one loop of
+/// the library over bodies.
 ///
-/// Use `sweep` when you have lanes of your own (an entity system) and want the library's laws on them: it takes plain
-/// pointers. Not for containers of structs: an array of bodies vectorises four to ten times worse than lanes.
+/// Use `for_lanes` when you have lanes of your own (an entity system) and want the library's laws on them: it takes
+/// plain pointers. Not for containers of structs: an array of bodies vectorises four to ten times worse than lanes.
 ///
 /// Why the loop looks as it does (measured, g++ 12 and clang 14): the lane pointers are `__restrict` *parameters*,
 /// because g++ ignores restrict on locals, gives up on alias checks and runs five times slower; the kernel is copied
@@ -46,9 +46,9 @@ template <bool Write, class Scalar>
     if constexpr (Write) lane[i] = value;
 }
 
-template <class S, class Loaded, class Written, class Locals> struct Sweep;
+template <class S, class Loaded, class Written, class Locals> struct LaneLoop;
 
-template <class S, class... L, class... W, class... T> struct Sweep<S, Columns<L...>, Columns<W...>, Columns<T...>> {
+template <class S, class... L, class... W, class... T> struct LaneLoop<S, Columns<L...>, Columns<W...>, Columns<T...>> {
     using Scalar = typename S::Scalar;
     static constexpr std::size_t width = lane_count(Columns<L...>{}, S::dimension);
 
@@ -96,14 +96,21 @@ template <class S, class... L, class... W, class... T> struct Sweep<S, Columns<L
 /// A kernel with `static constexpr bool inlines = true` is inlined whole, so that the loop vectorises.
 /// \param lane pointers to the lanes of `Loaded`, in order, component by component; they must not overlap
 template <class S, class Loaded, class Written, class Locals, class Kernel, std::size_t N>
-void sweep(const std::array<typename S::Scalar*, N>& lane, std::size_t begin, std::size_t end, const Kernel& kernel) {
-    using Loop = detail::Sweep<S, Loaded, Written, Locals>;
-    static_assert(N == Loop::width, "Ansatz: sweep needs one pointer for each lane of the loaded columns");
+void for_lanes(const std::array<typename S::Scalar*, N>& lane, std::size_t begin, std::size_t end,
+               const Kernel& kernel) {
+    using Loop = detail::LaneLoop<S, Loaded, Written, Locals>;
+    static_assert(N == Loop::width, "Ansatz: for_lanes needs one pointer for each lane of the loaded columns");
     [&]<std::size_t... K>(std::index_sequence<K...> lanes) {
         if constexpr (std::is_floating_point_v<typename S::Scalar> && requires { requires Kernel::inlines; })
             Loop::run_inlined(begin, end, kernel, lanes, lane[K]...);
         else Loop::run(begin, end, kernel, lanes, lane[K]...);
     }(std::make_index_sequence<N>{});
+}
+/// The old name of `for_lanes`.
+template <class S, class Loaded, class Written, class Locals, class Kernel, std::size_t N>
+[[deprecated("call for_lanes")]] void sweep(const std::array<typename S::Scalar*, N>& lane, std::size_t begin,
+                                            std::size_t end, const Kernel& kernel) {
+    for_lanes<S, Loaded, Written, Locals>(lane, begin, end, kernel);
 }
 
 /// The storage of a world: the lanes of columns `C...`, all of one length, in one block.
@@ -210,7 +217,7 @@ public:
     /// A lane by its number.
     const Scalar* lane_at(std::size_t index) const { return block_.data() + index * stride_; }
 
-    /// The pointers that `sweep` wants for the columns of a list.
+    /// The pointers that `for_lanes` wants for the columns of a list.
     template <class... Which> auto pointers(Columns<Which...>) {
         std::array<Scalar*, detail::lane_count(Columns<Which...>{}, S::dimension)> all{};
         std::size_t next = 0;

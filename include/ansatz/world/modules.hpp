@@ -9,10 +9,10 @@
 ///
 /// | member | what it is |
 /// |---|---|
-/// | `static constexpr int layer` | a module may use those of lower layers (motion is 0); a change is told from above, so that what was derived is known as stale before what it was derived from is looked at |
+/// | `static constexpr int layer` | its place above the modules that it may use (motion is 0) |
 /// | `using stands_on = Types<...>` | modules that come with it |
-/// | `template <class... P> struct Facts` | what follows from a list of policies at compile time; a base of `Composition` |
-/// | `template <class... P> struct Counts`, `CheckCounts` | how many of each role a world takes: `ok`, and the sentences |
+/// | `template <class... P> struct Facts` | what follows from a list of policies; a base of `Composition` |
+/// | `template <class... P> struct Counts`, `CheckCounts` | how many of each role there may be: `ok`, sentences |
 /// | `template <class P, class S> using FactsOf, SentencesOf` | the same for one policy of one of its roles |
 /// | `template <class P, class S> using needs` | the columns that a policy of one of its roles needs |
 /// | `template <class C, class Data> struct State` | a part of a world's value; a base of `WorldData` |
@@ -22,7 +22,8 @@
 /// | `template <class C, class... Property> struct AddFacts`, `CheckAdd` | properties that `add` may be given |
 ///
 /// and the functions that world/hooks.hpp calls: when bodies are added, removed and changed, when room is made, when a
-/// world is hashed and saved.
+/// world is hashed and saved. A change is told to the modules of higher layers first, so that derived values are marked
+/// stale before their sources are read.
 
 #include <ansatz/world/roles.hpp>
 #include <ansatz/world/types.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `NamedBy`: which elements name a body, so that removing the body costs its own elements and not a look at all.
+/// `NamedBy`: which elements name a body, so that removing the body costs a visit of its own elements and not of all.
 ///
 /// A cache of a table of elements. It is found when the first body is removed, for all bodies at once, and lasts while
 /// bodies and elements go; elements that are added are kept in a short list beside it, and when that is full, the next

@@ -32,7 +32,7 @@ struct Resting {};
 inline constexpr Resting resting{}; ///< asleep from the beginning
 
 /// A body that meets nothing: forces and effects act on it as on any other, but it has no shape to touch with, e.g. a
-/// particle of cloth. Where bodies can meet one says so, because a shape that was forgotten looks the same until
+/// particle of cloth. Where bodies can meet one says so, because a forgotten shape goes unnoticed until
 /// something falls through the ground. Where none do it is true of all and may be said as well, so that code for any
 /// world can say it.
 struct Shapeless {};
@@ -139,7 +139,7 @@ template <class Q> auto mass(const Q& m) {
 template <class C, class Q> auto with(const Q& value) {
     static_assert(Column<C>, "Ansatz: with<C> names a column: a type with Unit, shape and name; see columns.hpp");
     using Given_ = detail::stripped<Q>;
-    if constexpr (!detail::own_shape<C>) // one of a shape of your own is looked at where the scalar is known
+    if constexpr (!detail::own_shape<C>) // one of a shape of your own is checked where the scalar is known
         static_assert(detail::has_unit<typename C::Unit, Given_> &&
                           detail::vector_valued<Given_> == (C::shape == Shape::vector),
                       "Ansatz: the value given to with<C> has not the unit or the shape of column C");

@@ -20,9 +20,9 @@ namespace ansatz {
 
 namespace roles {
 struct Space {};       ///< scalar type and dimension; at most one, `Space<double, 3>` without it
-struct StepControl {}; ///< whether a step is taken as it is, in parts, or refused; at most one
+struct StepControl {}; ///< whether a step is taken as it is, in substeps, or refused; at most one
 struct Observer {};    ///< sees, never changes; any number
-struct Execution {};   ///< who runs the loops of a step; at most one, serial without it
+struct Execution {};   ///< runs the loops of a step; at most one, serial without it
 } // namespace roles
 
 namespace detail {

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `Row`: the values of one body's columns, as quantities, while the laws look at it.
+/// `Row`: the values of one body's columns, as quantities, while the laws read it.
 ///
 /// The loop over bodies loads a row from the lanes, hands its values to laws, stages and effects, and stores what was
 /// written. A row lives in registers; nothing of it remains in an optimised program.

@@ -48,7 +48,7 @@ concept Named = requires(P& p) {
 
 } // namespace detail
 
-/// The one that may look into a world to save and load it.
+/// The one that may read a world to save and load it.
 struct Archive {
     static constexpr int version = 1; ///< the version of the format that is written
 

@@ -24,7 +24,7 @@ namespace detail {
 template <class State> inline constexpr bool is_element_table = requires { typename State::Row_; };
 } // namespace detail
 
-/// The one that may look into what a policy keeps, to save and load it.
+/// The one that may read what a policy keeps, to save and load it.
 struct ElementArchive {
     /// What a policy keeps beside the bodies: its elements by id.
     template <class C, class State> static void write(detail::Json& file, const State& state) {

@@ -50,7 +50,7 @@ template <class P> void read_parameters(P& description, const FileValue& json) {
 
 template <class P> void FileValue::parameters(P& description) const { read_parameters(description, *this); }
 
-/// What modules write with, who need not know the parser.
+/// What modules write with, so that they need not know the parser.
 struct Files {
     using Json = detail::Json; ///< a value in a file
     /// A number.

@@ -11,7 +11,7 @@
 ///
 /// A *driver* is a system that owns the phases up to another one, `static constexpr Phase until = phases::fields;`.
 /// It is handed what stands in between as a function, `run(step, inside)`, and calls it as it likes: a response that
-/// takes a step in parts calls it several times.
+/// takes a step in substeps calls it several times.
 
 #include <ansatz/world/composition.hpp>
 
@@ -34,10 +34,10 @@ constexpr Phase between(Phase a, Phase b) { return {(a.at + b.at) / 2}; }
 
 /// The phases that the library names.
 namespace phases {
-inline constexpr Phase wake{0};         ///< who must not sleep any longer wakes
-inline constexpr Phase begin{10};       ///< the state that the step starts from is looked at
-inline constexpr Phase substeps{20};    ///< a driver that takes the step in parts owns what follows, behind `positions`
-inline constexpr Phase forces{30};      ///< laws and couplings, and the effects before them
+inline constexpr Phase wake{0};      ///< bodies that must not sleep any longer wake
+inline constexpr Phase begin{10};    ///< the state that the step starts from is read
+inline constexpr Phase substeps{20}; ///< a driver that takes the step in substeps owns what follows, behind `positions`
+inline constexpr Phase forces{30};   ///< laws and couplings, and the effects before them
 inline constexpr Phase integration{40}; ///< stages; then the effects behind them
 inline constexpr Phase positions{50};   ///< solvers that move bodies behind the integrator
 inline constexpr Phase fields{70};      ///< what has a state of its own advances
@@ -45,8 +45,8 @@ inline constexpr Phase end{80};         ///< effects of the whole step
 inline constexpr Phase clock{90};       ///< time goes on
 inline constexpr Phase breaking{100};   ///< what is too weak for the state that was made breaks
 inline constexpr Phase sums{110};       ///< what queries read and the next step begins with is summed
-inline constexpr Phase rest{120};       ///< who has come to rest falls asleep
-inline constexpr Phase observers{130};  ///< who only sees, sees
+inline constexpr Phase rest{120};       ///< bodies that have come to rest fall asleep
+inline constexpr Phase observers{130};  ///< observers see the state
 } // namespace phases
 
 namespace detail {

@@ -71,7 +71,7 @@ public:
     /// One of them.
     template <class Which> const auto& get() const {
         constexpr bool seen = (std::same_as<Which, Q> || ...);
-        static_assert(seen, "Ansatz: a policy looks at a table without saying so; add it to its "
+        static_assert(seen, "Ansatz: a policy reads a table without saying so; add it to its "
                             "`using sees = Types<...>;`");
         if constexpr (seen) return *std::get<detail::place_of<Which, std::tuple<Q...>>>(tables_);
         else return detail::absent;

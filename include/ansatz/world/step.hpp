@@ -18,9 +18,9 @@
 
 namespace ansatz {
 
-/// One step of a world, or a part of one, as its systems see it.
-/// \tparam TransientT the columns that are set back to zero behind it: none where it is a part and not the last
-/// \tparam Later      whether it is a part and not the first
+/// One step of a world, or a substep, as its systems see it.
+/// \tparam TransientT the columns that are set back to zero behind it: none where it is a substep and not the last
+/// \tparam Later      whether it is a substep and not the first
 template <class C, class Policies, class TransientT = typename C::transient, bool Later = false> struct Step {
     using Composition_ = C;              ///< of the world
     using S = typename C::S;             ///< the space
@@ -28,15 +28,15 @@ template <class C, class Policies, class TransientT = typename C::transient, boo
     using Policies_ = Policies;          ///< of the world
     using Slot = typename Data::Slot;    ///< a body's place in the lanes
     using Transient = TransientT;        ///< set back to zero behind it
-    static constexpr bool later = Later; ///< a part of a step and not the first
+    static constexpr bool later = Later; ///< a substep and not the first
 
     Data& data;                  ///< the world
     Policies& policies;          ///< its policies
-    BoundPolicies<C>& bound;     ///< prepared for this part of the step
+    BoundPolicies<C>& bound;     ///< prepared for this substep
     Context<S>& context;         ///< when it begins, and how long it is
     typename S::ClockTime whole; ///< how long the step is that is taken, in the digits of the clock
 
-    /// The same, as another part of it.
+    /// The same, as another substep of it.
     template <class Columns_, bool Later_> Step<C, Policies, Columns_, Later_> as() const {
         return {data, policies, bound, context, whole};
     }
@@ -84,7 +84,7 @@ using ScheduleOf = InOrder<joined_types<decltype(systems_of_modules<C>(typename 
 
 } // namespace detail
 
-/// Takes a step, or a part of one.
+/// Takes a step, or a substep.
 /// \param dt its length
 template <class Transient, bool Later, class C, class Policies>
 void take_step(WorldData<C>& data, Policies& policies, const BoundPolicies<C>& bound, const TimeStep<typename C::S>& dt,

@@ -32,7 +32,7 @@ template <class T> struct DataOfUser {
 template <> struct DataOfUser<void> {
     static constexpr bool assigns_in_place = true;
     static void make_room_for(const DataOfUser&) {}
-    Absent& at(std::uint32_t) const; // never defined: who asks has read a sentence
+    Absent& at(std::uint32_t) const; // never defined: such a call was refused with a sentence
 };
 /// Never defined either.
 template <class T> const T& nowhere();

@@ -73,7 +73,7 @@ public:
     }
 
 protected:
-    /// Who is where.
+    /// Handles, ids and slots.
     const Bodies& bodies() const { return *bodies_; }
 
 private:

@@ -24,7 +24,8 @@ template <class... P> void World<P...>::remove(Handle body) {
     const auto erase = [&] {
         tell<hook::BeforeChange<>>();
         tell<hook::Disturbed>(body.id);
-        data_.erase(data_.bodies.slot_of_id(body.id)); // looked up last: whom that woke changed places with others
+        // The slot is asked for last: bodies that this woke changed places with others.
+        data_.erase(data_.bodies.slot_of_id(body.id));
     };
     if constexpr (has_datum) {
         Datum nothing{}; // which may fail
@@ -55,7 +56,7 @@ template <class... P> void World<P...>::make_room_to_come(std::size_t bodies) {
     if constexpr (has_datum) user_.make_room(std::uint32_t(data_.bodies.ids() + bodies - 1));
 }
 
-/// Behind a step: who was made by dividing another has a copy of its datum.
+/// Behind a step: a body that was made by dividing another gets a copy of its datum.
 template <class... P> void World<P...>::follow_divisions() {
     if constexpr (Data::notes_divisions && std::is_copy_assignable_v<Datum>) {
         for (const auto& [id, part] : data_.divisions.value) user_.at(part) = user_.at(id);

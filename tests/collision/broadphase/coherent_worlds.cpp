@@ -2,10 +2,14 @@
 // Coherent in a world: the same bits as with any other broadphase.
 // Compiles like 25 kB: it has four worlds.
 
+#include <ansatz/world.hpp> // first: no name of it may hide what a broadphase calls
+
 #include "tests/collision/broadphase/scenes.hpp"
 #include "tests/collision/support.hpp"
 
+#include <ansatz/collision/broadphase/binary_split.hpp>
 #include <ansatz/collision/broadphase/coherent.hpp>
+#include <ansatz/collision/broadphase/octree.hpp>
 #include <ansatz/motion.hpp>
 #include <ansatz/world/save.hpp>
 #include <ansatz/world/save_parameters.hpp>
@@ -81,4 +85,23 @@ TEST_CASE("a world has the same bits with Coherent and without, copied and loade
     beside(in_pieces(SortAndSweep{}), in_pieces(Counted{}));
     CHECK(Counted::kept > Counted::searches * 3 / 4);
     beside(in_pieces(AllPairs{}), in_pieces(Coherent<SortAndSweep>{}));
+}
+
+TEST_CASE("every broadphase tells whoever asks, also one that asks for Coherent, behind <ansatz/world.hpp>",
+          "[broadphase][coherent]") {
+    Boxes<Space<>> boxes;
+    for (const double x : {0.0, 0.5, 3.0}) boxes.push_back(metres(x, 0, 0), metres(x + 1, 1, 1));
+    boxes.set_active(boxes.size());
+    auto told = [&]<class Broadphase>(const Broadphase& broadphase) {
+        typename Broadphase::template In<Space<>> finder(broadphase);
+        std::size_t pairs = 0;
+        finder.find(boxes, [&](std::size_t i, std::size_t j) { pairs += std::size_t(i == 0 && j == 1); });
+        return pairs;
+    };
+    CHECK(told(UniformGrid{}) == 1);
+    CHECK(told(SortAndSweep{}) == 1);
+    CHECK(told(Octree{}) == 1);
+    CHECK(told(BinarySplit{}) == 1);
+    CHECK(told(Coherent{Octree{}}) == 1);
+    CHECK(told(Coherent{BinarySplit{}}) == 1);
 }

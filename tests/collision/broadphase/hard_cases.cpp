@@ -197,7 +197,7 @@ TEST_CASE("G11: bodies in another order are the same pairs of bodies", "[broadph
     });
 }
 
-TEST_CASE("G12: boxes of the whole way of a step miss nobody who is met within it", "[broadphase][hard]") {
+TEST_CASE("G12: boxes of the whole way of a step miss no body that is met within it", "[broadphase][hard]") {
     Random random(12);
     const double dt = 1.0 / 60, speed = 100;
     std::vector<std::array<double, 3>> from, v;

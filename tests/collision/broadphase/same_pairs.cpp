@@ -77,7 +77,7 @@ TEST_CASE("G1: in 1000 scenes every broadphase tells each touching pair once and
     thousand_scenes<Space<float, 2>>();
 }
 
-TEST_CASE("AllPairs tells every pair of which one moves, and looks at no box", "[broadphase]") {
+TEST_CASE("AllPairs reports every pair of which one moves, and tests no box", "[broadphase]") {
     Boxes<Space<>> boxes;
     boxes.resize(9); // all at the origin
     boxes.set_active(4);

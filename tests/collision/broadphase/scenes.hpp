@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// What the tests of the broadphases share: seeded scenes, every policy by name, and an oracle that looks at numbers
+/// What the tests of the broadphases share: seeded scenes, every policy by name, and an oracle that compares numbers
 /// alone.
 
 #include <ansatz/collision/broadphase.hpp>
@@ -158,7 +158,7 @@ template <class F> void each_policy(F&& f) {
     f("Coherent<Octree<SortAndSweep>>", Coherent<Octree<SortAndSweep>>{});
 }
 
-/// Every broadphase anew: "<who>: <what is wrong>", or nothing.
+/// Every broadphase anew: "<which>: <what is wrong>", or nothing.
 template <class S> std::string fault_of_any(const Boxes<S>& boxes) {
     const Pairs right = oracle(boxes);
     std::string fault;

@@ -191,7 +191,7 @@ TEST_CASE("what grazes within rounding is a hit or none, and never not a number"
     });
 }
 
-TEST_CASE("who begins inside and comes nearer touches at once, who leaves does not, nor who stands still",
+TEST_CASE("what begins inside and comes nearer touches at once, what leaves does not, nor what stands still",
           "[collision][swept]") {
     for_each_type(AllSpaces{}, []<class S>() {
         auto at_x = [](double x) { return vector_in<S, unit::Length>(x); };
@@ -207,6 +207,12 @@ TEST_CASE("who begins inside and comes nearer touches at once, who leaves does n
         };
         check(Sphere{0.5 * metre}, Sphere{0.5 * metre}, 0.75);
         check(Sphere{0.5 * metre}, box, 1.25);
+        check(Sphere{0.5 * metre}, box, 0.75); // its centre, too
+        check(box, box, 1.5);
+        check(box, Plane{Eigen::Vector3d(1, 0, 0), 0.0 * metre}, 0.25);
         check(Sphere{0.5 * metre}, Plane{Eigen::Vector3d(1, 0, 0), 0.0 * metre}, 0.25);
+        // Along a face, from beside it and from upon it.
+        for (const double from : {-3.0, 0.0})
+            CHECK_FALSE(impact(box, vector_in<S, unit::Length>(from, 2), at_x(6), box, at_x(0), at_x(0)));
     });
 }

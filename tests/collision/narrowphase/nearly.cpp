@@ -32,7 +32,7 @@ double apart(const Box& one, const Plane& other, const Eigen::Vector3d& x) {
     return outside(other, x) - other.normal.value().normalized().cwiseAbs().dot(one.half.value());
 }
 
-/// Looks at two shapes, the second at the origin, in both orders.
+/// Tests two shapes, the second at the origin, in both orders.
 template <class S, class A, class B>
 void look(const A& a, const B& b, const Eigen::Vector3d& x, double margin, int& found) {
     const double gap = apart(a, b, x), bound = rounding<S>(20);

@@ -150,6 +150,8 @@ TEST_CASE("C17: the offset of a plane is where its surface lies, wherever the wo
         CHECK(double(touch->depth.value()) == 0.25);
         CHECK(contact(Sphere{half}, x3<S>(0, 3.25), steep, x3<S>(0, 1))->depth == touch->depth);
     });
+    for (const double length : {1e-300, 1e-200, 1.0, 1e200}) // through a point, too
+        CHECK(Plane::through(metres(7, 5, 3), Eigen::Vector3d(0, length, 0)).offset.value() == 5);
 }
 
 TEST_CASE("a sphere and a box: faces, edges, corners, and a centre inside", "[collision][narrowphase]") {

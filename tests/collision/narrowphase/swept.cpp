@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Steps that are too large, with Swept: hard cases C18 to C20, G12, and what must stay as it was.
-// Compiles like 20 kB: swept worlds under every integrator and in every space.
+// Compiles like 20 kB: worlds with Swept under every integrator and in every space.
 
 #include "tests/collision/support.hpp"
 
@@ -61,8 +61,8 @@ TEST_CASE("C18: without Swept a ball is stopped below the critical speed and may
                       -0.1 + close + rounding<S>(16));
             }
     });
-    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}), Wall::box, 500) <=
-          -0.1 + 0.025 + rounding<Space<>>(16)); // nothing parts them but Swept
+    // Nothing separates them but Swept.
+    CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}), Wall::box, 500) <= -0.1 + 0.025 + rounding<Space<>>(16));
     CHECK(furthest(swept(SemiImplicitEuler{}, Impulse<>{}, Projection{}), Wall::box, 200, 1e7) <=
           -0.1 + 0.025 + rounding<Space<>>(4e7));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Worlds with Swept: hard cases C19 and G12, energy, many impacts at once, and what must stay as it was.
-// Compiles like 25 kB: swept worlds, and others beside them, under many integrators and responses.
+// Compiles like 25 kB: worlds with Swept, and others beside them, under many integrators and responses.
 
 #include "tests/collision/support.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("what a platform takes along meets the same bodies, whatever the broad
           run(swept(SemiImplicitEuler{}, Gravity{}, Impulse<>{}, Projection{})));
 }
 
-TEST_CASE("who lies, rolls or falls slowly moves as without Swept, to the bit", "[collision][swept]") {
+TEST_CASE("what lies, rolls or falls slowly moves as without Swept, to the bit", "[collision][swept]") {
     for_each_type(Types<Space<>, Space<float, 2>>{}, []<class S>() {
         auto scene = [](auto world) {
             world.add(Plane::ground(), fixed);
@@ -101,7 +101,7 @@ TEST_CASE("a fast ball rolls over the seams of a floor, and off its edge", "[col
     CHECK(height_of(world, ball) < 0);
 }
 
-TEST_CASE("C19: of a swarm at 250 m/s in a box nobody escapes, and its energy stays", "[collision][swept]") {
+TEST_CASE("C19: of a swarm at 250 m/s in a box no ball escapes, and its energy stays", "[collision][swept]") {
 #ifdef NDEBUG
     constexpr int bodies = 5000, steps = 500;
 #else
@@ -210,7 +210,7 @@ TEST_CASE("a copy and a saved world continue with the same bits through impacts"
 TEST_CASE("a world without Swept holds nothing of it", "[collision][swept]") {
     using Without = decltype(discrete(SemiImplicitEuler{}, Impulse<>{}));
     using With = decltype(swept(SemiImplicitEuler{}, Impulse<>{}));
-    static_assert(!Without::composition::sweeps && With::composition::sweeps);
+    static_assert(!Without::composition::continuous && With::composition::continuous);
     static_assert(
         std::is_same_v<decltype(WorldData<Without::composition>::collisions), Collisions<Without::composition>>);
     static_assert(Without::bytes_per_body == With::bytes_per_body); // no column of its own

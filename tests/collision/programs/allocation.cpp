@@ -87,5 +87,6 @@ int main() {
          Penalty{2e4 * newton_per_metre, 50.0 * newton_second_per_metre});
     pile("SoftSubsteps", I{}, SortAndSweep{}, SoftSubsteps<>{});
     pile("SoftSubsteps<Friction>, Rest", I{}, SortAndSweep{}, SoftSubsteps<Friction>{}, Rest{});
+    pile("SoftSubsteps<Coloured, Friction>, Rest", I{}, UniformGrid<>{}, SoftSubsteps<Coloured, Friction>{}, Rest{});
     pile("SoftSubsteps, Verlet", Verlet{}, UniformGrid<>{}, SoftSubsteps<>{});
 }

@@ -69,7 +69,7 @@ TEST_CASE("C8: a ball with e = 1 comes back to its height, with every integrator
                           check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}), way);
                           check(apexes<I, Space<double, 3>>(dt, 20, Impulse<>{}, Projection{}), 1e-12);
                           check(apexes<I, Space<double, 3>>(dt, 20, SoftSubsteps<>{}),
-                                0.5 * 9.81 * dt * dt / 16); // what gravity bends its way in one of four parts
+                                0.5 * 9.81 * dt * dt / 16); // what gravity bends its way in one of four substeps
                       }
                       if constexpr (!std::same_as<I, OdeintRungeKutta4>) {
                           const auto apex = apexes<I, Space<float, 2>>(1.0 / 60, 20, Impulse<>{}, Projection{});

@@ -28,7 +28,7 @@ struct Column {
     std::vector<double> masses{};
     double e = 0;
 };
-/// How deep two are in each other at most, over a radius, and how fast somebody is at most, in the last two of ten
+/// How deep two are in each other at most, over a radius, and how fast some body is at most, in the last two of ten
 /// seconds.
 struct Settled {
     double depth = 0, speed = 0;

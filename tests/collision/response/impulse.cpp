@@ -20,7 +20,7 @@ template <class S> double close(double size = 1) {
 }
 } // namespace
 
-TEST_CASE("C1: two bodies part as restitution says, momentum stays, energy falls by mu (1 - e^2) v^2 / 2",
+TEST_CASE("C1: two bodies separate as restitution says, momentum stays, energy falls by mu (1 - e^2) v^2 / 2",
           "[collision][impulse]") {
     for_each_type(AllSpaces{}, []<class S>() {
         for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) {

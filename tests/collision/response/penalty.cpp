@@ -141,7 +141,7 @@ TEST_CASE("a bounce on a soft floor keeps the order of its integrator in the ste
           "[collision][penalty]") {
     // omega h = 0.2, 0.1, 0.05. The force has a kink where they come to touch, so that no method is better than of
     // second order there: velocity Verlet, in contact for the time s of a step, makes omega^2 s (h - s) of the energy
-    // wrong, at most (omega h)^2 / 4, and the other way round where they part. Found a step late, the spring would
+    // wrong, at most (omega h)^2 / 4, and the other way round where they separate. Found a step late, the spring would
     // begin v h deep: four times as much, and always a gain.
     for_each_type(Types<VelocityVerlet, RungeKutta4>{}, []<class I>() {
         const double h = 0.002;
@@ -197,7 +197,7 @@ namespace {
 /// start.
 struct Course {
     double most = 0;  // above the start, ever
-    double apart = 0; // above the last time that nobody touched, whenever nobody does
+    double apart = 0; // above the last time that no body touched, whenever no body does
 };
 struct PenaltyGas {
     double omega_h; // of a body against a wall, or of two that meet: of the stiffest pair
@@ -272,11 +272,11 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("V3: when all have parted, a damped one has no more than before they met, but for what a graze errs by",
+TEST_CASE("V3: when all have separated, a damped one has no more than before they met, but for what a graze errs by",
           "[collision][penalty]") {
-    // Who touches for about a step is pressed in by no more than v_N h: (omega h)^2 of the energy is in the contact, of
-    // which its beginning and its end err by up to (omega h)^2 / 4, and damping has had no time to take that. Whoever
-    // touches longer loses more than that.
+    // What touches for about a step is pressed in by no more than v_N h: (omega h)^2 of the energy is in the contact,
+    // of which its beginning and its end err by up to (omega h)^2 / 4, and damping has had no time to take that.
+    // Whatever touches longer loses more than that.
     const auto graze = [](double omega_h) { return std::pow(omega_h, 4) / 4; };
     for (const double zeta : {0.1, 0.2, 0.7})
         for_each_gas(zeta, [&](const PenaltyGas& gas) {

@@ -95,8 +95,8 @@ template <class... P> void check_gases(P... policies) {
                 ++seed;
                 const int parts = std::array{4, 1, 16, 2, 7}[seed % 5];
                 const Gas gas{bodies, radii_a_step * 0.1 / dt, e, parts, seed % 2 == 0, seed};
-                INFO(bodies << " bodies, " << radii_a_step << " radii a step, e = " << e << ", " << parts << " parts, "
-                            << (gas.boxes ? "with boxes" : "spheres"));
+                INFO(bodies << " bodies, " << radii_a_step << " radii a step, e = " << e << ", " << parts
+                            << " substeps, " << (gas.boxes ? "with boxes" : "spheres"));
                 CHECK(largest_gain(gas, bodies > 100 ? 60 : 120, policies...) <= 1e-12);
             }
 }
@@ -205,7 +205,7 @@ TEST_CASE("V3: nor with gravity, in float, in two dimensions and with friction: 
                            << ", left " << gains.left);
                 CHECK(gains.over_all <= most);
                 if (e == 1) CHECK(gains.step <= most);
-                // Held softly, who lies may be given 16 times the energy that gravity gives him in a part (`calm`).
+                // Held softly, what lies may be given 16 times the energy that gravity gives it in a substep (`calm`).
                 else CHECK(gains.step <= most + 4 * 16 * 0.5 * std::pow(g * dt / 4, 2) / (g * 9));
             }
     };
@@ -234,7 +234,7 @@ struct Unloaded {
     double speed = 0;  // the fastest of them in the last second, m/s
     double before = 0; // and before it happened
 };
-/// A column that has lain for half a minute loses its load, and is looked at while what is left settles: for five
+/// A column that has lain for half a minute loses its load, and is watched while what is left settles: for five
 /// seconds, or where the load stays and weighs half, for the fifteen that the column took to stand under it, at 300:1.
 template <class... P> Unloaded unload(const Column& column, double mu, P... policies) {
     World world{SemiImplicitEuler{}, Gravity{}, BoundingBoxes{}, Narrowphase<Sphere, Plane, Box>{}, policies...};
@@ -275,7 +275,7 @@ template <class... P> Unloaded unload(const Column& column, double mu, P... poli
 }
 } // namespace
 
-TEST_CASE("V4, R7: who loses the load upon it stays where it is", "[collision][soft]") {
+TEST_CASE("V4, R7: what loses the load upon it stays where it is", "[collision][soft]") {
     auto check = [](double mu, auto... policies) {
         for (const double load : {1.0, 10.0, 60.0, 100.0, 300.0})
             for (const int height : {3, 6, 10})
@@ -347,7 +347,7 @@ TEST_CASE("SoftSubsteps: five balls are a cradle, whatever the order in which th
         CHECK(std::abs(momentum - 3) <= 1e-12);
         CHECK(std::abs(energy - 1.5) <= 1e-12);
         for (std::size_t i = 0; i + 1 < 5; ++i)
-            CHECK(unequal[i] <= unequal[i + 1] + 1e-12); // nobody runs into the next any more
+            CHECK(unequal[i] <= unequal[i + 1] + 1e-12); // no body runs into the next any more
         const auto in_order = cradle({1, 0, 0, 0, 0}, masses, {0, 1, 2, 3, 4}, 0, 1,
                                      SoftSubsteps<>{.threshold = 0.0 * metre_per_second}, 30);
         for (std::size_t i = 0; i < 5; ++i) CHECK(std::abs(unequal[i] - in_order[i]) <= 1e-12);
@@ -355,7 +355,7 @@ TEST_CASE("SoftSubsteps: five balls are a cradle, whatever the order in which th
     }
 }
 
-TEST_CASE("SoftSubsteps: one ball that meets two at one moment parts from both as symmetry and energy demand",
+TEST_CASE("SoftSubsteps: one ball that meets two at one moment separates from both as symmetry and energy demand",
           "[collision][soft]") {
     // A ball of 1 kg at 1 m/s between two of 1 kg: the normals are at 30 degrees to its way. It goes back at 1/5, they
     // leave at 2 sqrt(3) / 5 each: momentum 1 = -1/5 + 2 cos(30) 2 sqrt(3) / 5, energy 1 = 1/25 + 2 * 12/25.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
 // An ensemble of oscillators on MPI ranks: every rank writes its results to a file, and says what they cost in
 // messages.
-//   ranks <stem> <file to keep results in, or -> [throw | die]
-// Rank 1 writes <stem>.1. With `throw` run 20 throws, with `die` its rank is killed.
+//   ranks <stem> <file to keep results in, or -> [throw | die | tell]
+// Rank 1 writes <stem>.1. With `throw` run 20 throws, with `die` its rank is killed, with `tell` what tells of the
+// progress throws a number.
 
 #include <ansatz/execution/on_ranks.hpp>
 #include <ansatz/springs.hpp>
@@ -43,6 +44,10 @@ int main(int count, char** words) {
     OnRanks executor(ranks);
     EnsembleOptions options;
     if (file != "-") options.kept = file;
+    if (mode == "tell")
+        options.progress = [](std::size_t done, std::size_t) {
+            if (done == 20) throw 7;
+        };
     try {
         const auto results = ensemble(run, steps, executor, options);
         // Not to standard output: mpirun passes on what several ranks print in pieces, in any order.

@@ -232,7 +232,7 @@ TEST_CASE("V7: a copy, and what is saved and loaded, goes on to the bit; the rem
         CHECK(other.hash() != same.hash());
     });
 }
-TEST_CASE("V7: who is put somewhere is exactly there", "[motion][far]") {
+TEST_CASE("V7: what is put somewhere is exactly there", "[motion][far]") {
     using S = Space<float, 2>;
     auto [world, body] = free_body<S, Compensated<RungeKutta4>>(4096);
     run(world, 1, 1.0 / 240);

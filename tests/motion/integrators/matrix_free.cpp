@@ -50,7 +50,7 @@ template <class World_> double left(const World_& before, const World_& after, d
     }
     return std::sqrt(sum);
 }
-/// The same before anything was solved: everybody goes on as he did.
+/// The same before anything was solved: every body goes on as it did.
 template <class World_> double left_at_first(const World_& before, double h) {
     auto after = before;
     for (const Handle body : before.handles())

@@ -10,7 +10,7 @@ using namespace ansatz;
 struct SlowMotion {
     using role = roles::System;
     static constexpr std::string_view name = "SlowMotion";
-    int parts = 10; // of a step, of which the first alone is taken
+    int parts = 10; // substeps of a step, of which the first alone is taken
     static void parameters(auto& self, auto&& visit) { visit("parts", self.parts); }
     template <class S> struct First {
         static constexpr Phase phase = phases::substeps, until = phases::fields;

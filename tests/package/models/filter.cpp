@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A filter says which pairs are looked at.
+// A filter says which pairs are tested.
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>

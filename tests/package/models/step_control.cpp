@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A step control decides into how many parts a step is divided.
+// A step control decides into how many substeps a step is divided.
 
 #include <ansatz/world.hpp>
 #include <cmath>
@@ -7,7 +7,7 @@
 using namespace ansatz;
 
 //! [model]
-/// No part is longer than this.
+/// No substep is longer than this.
 struct AtMost {
     using role = roles::StepControl;
     struct Kept {};

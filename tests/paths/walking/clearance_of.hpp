@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// How far places of a map are from its walls, by looking at all of them.
+/// How far places of a map are from its walls, by testing all of them.
 
 #include <ansatz/paths.hpp>
 

@@ -157,7 +157,7 @@ TEST_CASE("a traveller searches again when what is ahead is blocked, and not els
     CHECK(fox.arrived(world));
 }
 
-TEST_CASE("a line that is walked is looked at, too, where no tile of the path lies on it", "[walking]") {
+TEST_CASE("a line that is walked is tested, too, where no tile of the path lies on it", "[walking]") {
     Grid<> map(20, 12);
     AStar search{map};
     Plane world;
@@ -202,7 +202,7 @@ TEST_CASE("on maps that change while it walks a traveller touches nothing that i
         for (int k = 0; k < 1500 && !fox.arrived(world); ++k) {
             const auto at = world.position(body).value();
             const Cell c = random_cell(random, 24, 24);
-            // Farther than it needs to stop, v^2/2a with turns in between; nobody else is asked to look ahead.
+            // Farther than it needs to stop, v^2/2a with turns in between; no other walker is asked to plan ahead.
             if (k % 20 == 0 && k < 400 && std::hypot(c.x + 0.5 - at[0], c.y + 0.5 - at[1]) > 6 && !(c == goal))
                 map.set_passable(c, !map.passable(c));
             world.step(0.04 * second);

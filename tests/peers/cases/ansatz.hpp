@@ -114,7 +114,7 @@ template <class W> std::unique_ptr<Engine> our_engine(const Scene& scene, W worl
     return std::make_unique<OurEngine<W>>(scene, std::move(world));
 }
 
-/// The one composition for contacts: docs/collision.md, "what is supported". Eight parts at 120/s hold 300 : 1.
+/// The one composition for contacts: docs/collision.md, "what is supported". Eight substeps at 120/s hold 300 : 1.
 template <class Space_, class Narrow, class Integrator = ansatz::SemiImplicitEuler>
 std::unique_ptr<Engine> our_contacts(const Scene& scene, const Narrow& narrowphase, const Integrator& integrator = {}) {
     using namespace ansatz;
@@ -191,7 +191,7 @@ template <class Scalar> Contestant our_contestant() {
             .scalar = scalar,
             .epsilon = double(std::numeric_limits<Scalar>::epsilon()),
             .settings = {"contacts: SemiImplicitEuler, UniformGrid, Narrowphase<Sphere, Plane, Box>, "
-                         "SoftSubsteps<Friction> with 8 parts at 120/s, Rest",
+                         "SoftSubsteps<Friction> with 8 substeps at 120/s, Rest",
                          "Swept where a row asks for continuous detection, Compensated where it is far from the origin",
                          "springs, orbits and drag: VelocityVerlet where the step resolves them, else ImplicitEuler"},
             .make = ours<S>,

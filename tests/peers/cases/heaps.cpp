@@ -37,6 +37,35 @@ struct HeavyOnLight {
         }
     }
 };
+/// Balls on the ground, one on the other, under a plate that comes down for 80 cm, whatever is in its way.
+struct Press {
+    double out = 0;     // how far a centre is below the ground, or above the middle of the plate, m
+    double fastest = 0; // over the speed of the plate
+    explicit Press(const Contestant& who) {
+        for (const double speed : {0.3, 3.0})
+            for (const int n : {1, 2, 5})
+                for (const double ratio : {1.0, 3.0, 100.0}) press(who, speed, n, ratio);
+    }
+    void press(const Contestant& who, double speed, int n, double ratio) {
+        const double half = 0.5;
+        const auto world = who.make({});
+        world->plane(up, 0, 0, 0);
+        std::vector<int> balls;
+        for (int i = 0; i < n; ++i) balls.push_back(world->add(Ball{.x = at(0, 0.5 + i), .mass = i % 2 ? ratio : 1}));
+        const int plate = world->platform(at(0, n + 0.1 + half), at(4, half, 4));
+        world->send(plate, at(0, -speed));
+        for (int i = 0; i < 0.9 / speed * 60; ++i) {
+            world->step();
+            const double middle = world->x(plate)[1];
+            for (const int b : balls) {
+                const Vector x = world->x(b);
+                const bool beside = std::hypot(x[0], x[2]) > 4; // squeezed out, and falls
+                out = worse(out, beside ? 0 : std::max(-x[1], x[1] - middle));
+                fastest = worse(fastest, (world->v(b).norm() - g * frame) / speed); // one step of falling is allowed
+            }
+        }
+    }
+};
 struct Column {
     double aside = 0, energy = 0;
     explicit Column(const Contestant& who) {
@@ -149,6 +178,8 @@ double r4_speed(const Contestant& who) {
     for (const double ratio : {60.0, 100.0, 300.0, 400.0}) most = worse(most, HeavyOnLight(who, ratio).speed);
     return most;
 }
+double r17_out(const Contestant& who) { return Press(who).out; }
+double r17_speed(const Contestant& who) { return Press(who).fastest; }
 double r5_aside(const Contestant& who) { return Column(who).aside; }
 double r5_energy(const Contestant& who) { return Column(who).energy; }
 /// Above where the same engine lets the same two lie without a load.

@@ -216,7 +216,7 @@ peers::Contestant peers::ode() {
                              std::to_string(few) + " bodies and " + std::to_string(passes) +
                              " beyond, since dWorldStep gives up at balls exactly upon each other",
                          "springs: dWorldStep",
-                         "ERP 0.2 and CFM as they are, contact surface layer 1 mm, contacts part at 1 m/s at most",
+                         "ERP 0.2 and CFM as they are, contact surface layer 1 mm, contacts separate at 1 m/s at most",
                          "springs: double-ball joints, ERP = hk / (hk + c), CFM = 1 / (hk + c)",
                          "broadphase dHashSpace"},
             .does_more = {"bodies that turn, with their inertia", "capsules, cylinders, meshes and height fields",

@@ -74,6 +74,8 @@ double r14_jitter(const Contestant&);
 double r15_long(const Contestant&);
 double r16_way(const Contestant&);
 double r16_place(const Contestant&);
+double r17_out(const Contestant&);
+double r17_speed(const Contestant&);
 double v3_energy(const Contestant&);
 double v7_far(const Contestant&);
 double i8_free_fall(const Contestant&);

@@ -22,7 +22,9 @@ using peers::PileOf;
 
 namespace {
 
-template <class S> class OurPile : public PileOf {
+/// \tparam Broadphase with which pairs are found
+/// \tparam Response   with which contacts are answered
+template <class S, class Broadphase, class Response> class OurPile : public PileOf {
 public:
     explicit OurPile(const Pile& pile) {
         const double half = pile.half_side;
@@ -41,8 +43,8 @@ public:
     }
 
 private:
-    World<S, SemiImplicitEuler, Gravity, UniformGrid<>, Narrowphase<Sphere, Plane>, SoftSubsteps<>> world_{
-        S{}, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps{}};
+    World<S, SemiImplicitEuler, Gravity, Broadphase, Narrowphase<Sphere, Plane>, Response> world_{
+        S{}, SemiImplicitEuler{}, Gravity{}, Broadphase{}, Narrowphase<Sphere, Plane>{}, Response{}};
     std::vector<Handle> spheres_;
 };
 
@@ -57,10 +59,19 @@ struct Player {
 
 std::vector<Player> players(const Pile& pile) {
     std::vector<Player> all;
-    all.push_back({"ansatz SoftSubsteps", [&] { return std::make_unique<OurPile<Space<double, 3>>>(pile); },
+    using Kept = Coherent<UniformGrid<>>;
+    all.push_back({"ansatz SoftSubsteps",
+                   [&] { return std::make_unique<OurPile<Space<>, UniformGrid<>, SoftSubsteps<>>>(pile); },
                    "double; spheres do not turn"});
-    all.push_back({"ansatz SoftSubsteps float", [&] { return std::make_unique<OurPile<Space<float, 3>>>(pile); },
+    all.push_back({"ansatz SoftSubsteps float",
+                   [&] { return std::make_unique<OurPile<Space<float, 3>, UniformGrid<>, SoftSubsteps<>>>(pile); },
                    "float; spheres do not turn"});
+    all.push_back({"ansatz SoftSubsteps<Coloured>",
+                   [&] { return std::make_unique<OurPile<Space<>, Kept, SoftSubsteps<Coloured>>>(pile); },
+                   "double, Coherent<UniformGrid>; spheres do not turn"});
+    all.push_back({"ansatz SoftSubsteps<Coloured> float",
+                   [&] { return std::make_unique<OurPile<Space<float, 3>, Kept, SoftSubsteps<Coloured>>>(pile); },
+                   "float, Coherent<UniformGrid>; spheres do not turn"});
 #ifdef ANSATZ_PEER_ODE
     all.push_back({"ODE quick step", [&] { return peers::ode_pile(pile); },
                    "double; 20 passes; keeps turning and its inertia, too"});

@@ -53,7 +53,7 @@ Subject subject(const std::string& name, const std::vector<Query>& queries, int 
     }
     return {name,
             [&queries, passes, find]() mutable {
-                static volatile double sum = 0; // so that nothing is left out that nobody looks at
+                static volatile double sum = 0; // so that nothing unused is left out
                 for (int pass = 0; pass < passes; ++pass)
                     for (const auto& q : queries) sum = sum + find(q);
             },
@@ -73,7 +73,7 @@ public:
           textbook_(map),
           vectors_(map) {}
 
-    /// \param passes of all queries in one repeat: with several, what a query looks at may still lie in the cache, as
+    /// \param passes of all queries in one repeat: with several, what a query reads may still lie in the cache, as
     /// it does
     ///               where many walkers ask in every frame
     void play(Contest& contest, const std::string& scene, const std::vector<Query>& queries, int passes) {

@@ -88,7 +88,7 @@ void implicit_steps(Contest& contest, int n) {
             where.v[Eigen::Index(3 * i + k)] = begun.world.velocity(begun.bodies[i]).value()[Eigen::Index(k)];
         }
     where.assemble();
-    // What a change of velocities leaves of the system, in parts of its right-hand side.
+    // What a change of velocities leaves of the system, as a fraction of its right-hand side.
     const auto left = [&](const Eigen::VectorXd& change) {
         return (where.rhs - where.matrix * change).norm() / where.rhs.norm();
     };

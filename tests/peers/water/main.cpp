@@ -71,7 +71,7 @@ void columns(Contest& contest, std::size_t n, int steps) {
         sums.one_sweep<peers::RowOfSums>(strength, dt);
     }
     same<float>("the loop of two passes", water.heights(), two.height, 1e-5);
-    same<float>("the loop of one sweep", water.heights(), one.height, 1e-5);
+    same<float>("the loop of one pass", water.heights(), one.height, 1e-5);
     same<float>("the loop of sums", water.heights(), sums.height, 1e-4);
     std::vector<float> moved = two.height, rates(n * n, 0.0F);
     const double all = double(n) * double(n) * steps;
@@ -85,7 +85,7 @@ void columns(Contest& contest, std::size_t n, int steps) {
                        for (int i = 0; i < steps; ++i) peers::probe(moved, rates, 1e-3F, 1e-3F);
                    },
                    "reads and writes both lanes, no neighbours"},
-                  {"hand-written loop, one sweep",
+                  {"hand-written loop, one pass",
                    [&] {
                        for (int i = 0; i < steps; ++i) one.one_sweep<peers::RowOfDifferences>(strength, dt);
                    }},
@@ -195,16 +195,16 @@ template <class T> void shallow(Contest& contest, const std::string& scene, std:
                       lacks = kept ? "adds without that correction" : "";
     const double columns = double(n) * double(n) * steps / 1000;
     contest.play(scene + ", first order", int(n), "ps a column", columns,
-                 {{"ansatz ShallowWater", times([&] { first.step(h); }), "with the look at Courant's limit"},
+                 {{"ansatz ShallowWater", times([&] { first.step(h); }), "with the check of Courant's limit"},
                   {"ansatz ShallowWater, loops alone", times([&] { loops.advance(lanes, h); }), keeps},
                   {"hand-written loop", times([&] { one.step(dt); }), lacks}});
     contest.play(
         scene + ", second order", int(n), "ps a column", columns,
-        {{"ansatz SecondOrderShallowWater", times([&] { order2.step(h); }), "with the look at Courant's limit"},
+        {{"ansatz SecondOrderShallowWater", times([&] { order2.step(h); }), "with the check of Courant's limit"},
          {"ansatz SecondOrderShallowWater, loops alone", times([&] { loops2.advance(lanes2, h); }), keeps},
          {"hand-written loop", times([&] { two.step(dt, true); }), lacks},
          {"the same, a plain mean", times([&] { plain.step(dt, false); }),
-          "no look at the limit of the second stage"}});
+          "no check of the limit of the second stage"}});
 }
 
 } // namespace

@@ -75,5 +75,6 @@ int main() {
     SHOW(SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Shapes{}, SoftSubsteps<Friction>{}, Rest{});
     SHOW(Solid{}, Verlet{}, Gravity{}, Octree{}, Shapes{}, Impulse{}, Projection{});
     SHOW(Flat{}, VelocityVerlet{}, Gravity{}, SortAndSweep{}, Shapes{}, SoftSubsteps{});
+    SHOW(Solid{}, SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Shapes{}, SoftSubsteps<Coloured, Friction>{});
     SHOW(RungeKutta4{}, Gravity{}, BinarySplit{}, Shapes{}, Penalty{});
 }

@@ -6,6 +6,7 @@ from __future__ import annotations
 import contextlib
 import io
 import os
+import re
 import tempfile
 import unittest
 
@@ -52,26 +53,49 @@ class Sources(unittest.TestCase):
         self.assertIn(f"fuzz::Either<{broadphase}>{{{{}}, every_pair}}", text)
         self.assertIn(f'.text = "{one.policies(broadphase + "{}")}"', text)
         self.assertIn(f'.other = "{one.policies("BoundingBoxes{}")}"', text)
-        self.assertIn("composition{5, ", text)
+        self.assertIn("registered{5, ", text)
         self.assertNotIn("{{}}", text.replace("{{}, every_pair}", ""))
 
     def test_what_stays_is_not_written_again(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             names = compositions.write_all(folder, 3, 1)
-            self.assertEqual(len(names), 3)
+            self.assertEqual(len(names), 3)    # of three spaces
             for name in names:
                 os.utime(name, (1, 1))
             compositions.write_all(folder, 3, 1)
             self.assertEqual({os.stat(name).st_mtime for name in names}, {1.0})
-            compositions.write_all(folder, 3, 2)
+            names = compositions.write_all(folder, 3, 2)
             self.assertNotEqual({os.stat(name).st_mtime for name in names}, {1.0})
+
+    def test_those_of_one_space_stand_together_each_once(self) -> None:
+        drawn = compositions.drawn(30, 1)
+        texts = compositions.sources(drawn)
+        found: list[int] = []
+        for text in texts.values():
+            numbers = [int(n) for n in re.findall(r"registered\{(\d+),", text)]
+            self.assertLessEqual(len(numbers), compositions.TOGETHER)
+            self.assertEqual(len({drawn[n].chosen["space"] for n in numbers}), 1)
+            found += numbers
+        self.assertEqual(sorted(found), list(range(30)))
+        self.assertEqual(len(texts), 8)    # of four spaces, seven or eight each
+
+    def test_sources_of_another_drawing_go_and_other_files_stay(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("mine.cpp", "world_3.cpp"):
+                with open(os.path.join(folder, name), "w", encoding="utf-8"):
+                    pass
+            compositions.write_all(folder, 30, 1)
+            names = compositions.write_all(folder, 2, 1)
+            self.assertEqual({os.path.join(folder, name) for name in os.listdir(folder)},
+                             {*names, os.path.join(folder, "mine.cpp")})
 
     def test_the_command_prints_the_names(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             said = io.StringIO()
             with contextlib.redirect_stdout(said):
                 self.assertEqual(compositions.main([folder, "--count", "2"]), 0)
-            self.assertEqual(said.getvalue().split(), [os.path.join(folder, f"world_{n}.cpp") for n in (0, 1)])
+            self.assertEqual(said.getvalue().split(), compositions.write_all(folder, 2, 1))
+            self.assertEqual(sorted(said.getvalue().split()), [os.path.join(folder, name) for name in sorted(os.listdir(folder))])
 
     def test_no_composition_is_no_fuzzer(self) -> None:
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):

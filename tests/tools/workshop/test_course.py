@@ -31,7 +31,7 @@ A *threshold* and `inertia`.
 - Library: \ref ansatz::rest "rest".
 - Exercise: \ref exercise_motion_rest "rest".
 
-## Words {#motion_words}
+## Glossary {#motion_words}
 
 | word | meaning | where |
 |---|---|---|
@@ -191,12 +191,12 @@ class Words(unittest.TestCase):
             self.assertIn("section_1_7 uses", faults[0])
         self.assertIn("does not use it", course.used_too_early("p", page.replace("*threshold*", "*limit*"))[0])
         self.assertIn("not on this page", course.used_too_early("p", page.replace('\\ref section_1_7 "1.7" |', "\\ref a |"))[0])
-        self.assertIn("has no glossary", course.used_too_early("p", page.partition("## Words")[0])[0])
+        self.assertIn("has no glossary", course.used_too_early("p", page.partition("## Glossary")[0])[0])
 
     def test_earlier_chapters(self) -> None:
         """Terms of several words are looked for in chapters before theirs, by their numbers and not by their files' names."""
         def chapter(number: int, said: str, word: str = "", place: str = "") -> str:
-            return (f"# Chapter {number}: a {{#chapter_{number}}}\n\n## {number} B {{#section_{number}}}\n\n{said}\n\n## Words {{#words}}\n"
+            return (f"# Chapter {number}: a {{#chapter_{number}}}\n\n## {number} B {{#section_{number}}}\n\n{said}\n\n## Glossary {{#words}}\n"
                     + f'\n| {word} | what it is | \\ref {place} "there" |\n')
         later = chapter(3, "*Critical damping* and *drag*.", "critical damping", "section_3")
         for said in ("Nothing.", 'See \\ref section_3 "3".\n\nThe critical damping.', 'Critical damping (\\ref section_3 "3").', "A drag.",

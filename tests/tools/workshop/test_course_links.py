@@ -14,7 +14,7 @@ from workshop import course_links
 EXERCISE, HEADER = "exercises/1-motion/drag", "include/ansatz/motion/drag.hpp"
 LINK = '<a href="exercise_motion_drag.html">x</a>'
 PAGE = ('./workbook exercise drag exercises/1-motion/drag/exercise.hpp <a href="section_1_7.html">x</a>'
-        '<a href="drag_8hpp.html">x</a>')
+        '<a href="drag_8hpp.html">x</a><div class="image">')
 TITLE = "<title>Ansatz: ansatz/motion/drag.hpp File Reference</title>"
 WHOLE = {"exercise_motion_drag.html": PAGE, "section_1_7.html": LINK, "structansatz_1_1Drag.html": LINK,
          "drag_8hpp.html": TITLE}
@@ -49,6 +49,7 @@ class OfASite(unittest.TestCase):
         no_words = "the page of the exercise drag does not say"
         for part, fault in (("./workbook exercise drag", f"{no_words} its command"),
                             (f"{EXERCISE}/exercise.hpp", f"{no_words} which file to edit"),
+                            ('class="image"', "the page of the exercise drag shows no picture"),
                             ("section_1_7.html", "the exercise drag does not link to its section"),
                             ("drag_8hpp.html", f"the exercise drag does not link to {HEADER}")):
             self.assertEqual(self.faults(exercise_motion_drag=PAGE.replace(part, "")), [fault])

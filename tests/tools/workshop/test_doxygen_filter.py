@@ -8,7 +8,7 @@ import io
 import unittest
 
 from test_link_targets import OfAProject
-from workshop import doxygen_filter
+from workshop import doxygen_filter, link_targets
 
 
 class Links(OfAProject):
@@ -52,6 +52,23 @@ class Headers(OfAProject):
         taught = ["/// \\par In the course", '/// Section \\ref section_1_9 "1.9".']
         self.assertEqual(self.header("thing", "/// \\file", "/// (notes 1.9).", "int i;")[2:], [*taught, "int i;"])
         self.assertEqual(self.header("thing", "struct Thing {", "int i;"), ["struct Thing {", "int i;"])
+
+    def test_exercises_that_lead_to_the_header(self) -> None:
+        """That of its name first; the section of one says more where it lies below that of the notes, and only there."""
+        link = "[`thing.hpp`](../../../include/ansatz/motion/thing.hpp)"
+        for name, number in (("split", "1.9.3"), ("halved", "1.8")):
+            self.write(f"exercises/1-motion/{name}/README.md", f"# {number} A title", "", f"See {link}, {link}.")
+        halved, split = (f'\\ref exercise_motion_{name} "{name}"' for name in ("halved", "split"))
+
+        def taught(notes: str, path: str = "include/ansatz/motion/thing.hpp") -> str:
+            header = doxygen_filter.Header(link_targets.Course(), path)
+            return [line for row in ("/// \\file", f"/// {notes}", "int i;") for line in header.filtered(row)][-2]
+        self.assertEqual(taught("(notes 1.9)"), f"/// Section 1.9.3, exercises {halved} and {split}.")
+        self.assertEqual(taught("(notes 1.7)"), f'/// Section \\ref section_1_7 "1.7", exercises {halved} and {split}.')
+        self.assertEqual(taught("Plain."), f"/// The exercises {halved} and {split}.")
+        self.assertEqual(taught("Plain.", "include/ansatz/motion/other.hpp"), "/// Plain.")
+        self.write("exercises/1-motion/thing/README.md", "# 1.7 A title")
+        self.assertEqual(taught("Plain."), f'/// The exercises \\ref exercise_motion_thing "thing", {halved} and {split}.')
 
     def test_a_comment_of_its_own(self) -> None:
         """Is its first sentence: the header's is not told again. One that begins with a command is none."""

@@ -57,6 +57,25 @@ class Program(unittest.TestCase):
             said = [line.partition('title="')[2].partition('"')[0] or line for line in out.read().split("\n")]
             self.assertEqual(said, ["<a>", "1 B", "Chapter 2: two", "    </tab>", "Chapter 10: ten", "    </tab>", "A", "</a>", ""])
 
+    def test_models(self) -> None:
+        """By their names, and nothing else of their folder."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.addCleanup(os.chdir, os.getcwd())
+            os.chdir(folder)
+            os.makedirs("tests/package/models")
+            for name in ("b.cpp", "a_c.cpp", "a.txt"):
+                with open(f"tests/package/models/{name}", "w", encoding="utf-8") as stream:
+                    stream.write("//\n")
+            for name, text in (("l.xml", "<a>\n<!-- models -->\n</a>\n"), ("p.md", ""), ("d.md", "# A {#page_a}\n")):
+                with open(name, "w", encoding="utf-8") as stream:
+                    stream.write(text)
+            out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(out):
+                layout.main(["--programs", "p.md", "--exercises", "p.md", "l.xml", "d.md"])
+            out.seek(0)
+            self.assertEqual(out.read(), '<a>\n      <tab type="user" visible="yes" url="@ref model_a_c" title="a_c.cpp"/>\n'
+                                         '      <tab type="user" visible="yes" url="@ref model_b" title="b.cpp"/>\n</a>\n')
+
     def test_refusal(self) -> None:
         """Without the list of the programs."""
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as end:

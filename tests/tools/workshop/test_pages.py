@@ -9,7 +9,7 @@ import os
 import tempfile
 import unittest
 
-from workshop import pages
+from workshop import named, pages
 
 
 class OfAProject(unittest.TestCase):
@@ -20,6 +20,8 @@ class OfAProject(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(folder.name)
+        named.forget()
+        self.addCleanup(named.forget)
 
     def write(self, file: str, *lines: str) -> None:
         """A file of the project."""
@@ -55,13 +57,26 @@ class OneExercise(OfAProject):
         self.write(f"{folder}/exercise.hpp", "int a() { return 7; }")
         self.write(f"{folder}/hints.md", "# Hints: drag", "", "## Task 1: a <question>", "", "Why?", "", "## Task 1: the place",
                    "", "`a`.")
-        text = pages.exercise(folder, "out")
+        self.write(f"{folder}/README.md", "# 1.7 Drag", "", "Write `a`.")
+        text = pages.exercise(folder, "out", "# Exercise 1.7: Drag\n\nWrite `a`.\n")
+        self.assertTrue(text.startswith("# Exercise 1.7: Drag\n\nWrite `a`.\n\n## What you edit\n"))
         self.assertIn("todo(1);", self.text("out/listing/exercises/1-motion/drag/exercise.hpp"))
         self.assertNotIn("return", self.text("out/listing/exercises/1-motion/drag/exercise.hpp"))
         self.assertIn("\\include listing/exercises/1-motion/drag/exercise.hpp\n", text)
         self.assertIn("<details><summary>Task 1: a &lt;question&gt;</summary>\\endhtmlonly\n\nWhy?\n\n", text)
         self.assertEqual(text.count("<details>"), 2)
         self.assertEqual(text.count("</details>"), 2)
+
+    def test_picture_of_its_section(self) -> None:
+        """Behind the opening words; a task that has one of its own keeps it alone."""
+        self.write("docs/motion.md", "# Chapter 1 {#chapter_motion}", "", "## 1.7 Drag {#section_1_7}", "",
+                   '\\image html 1.7.svg "Falling" width=640px')
+        task = "# Exercise 1.7: Drag\n\n`./workbook exercise drag`\n\nAir resists.\n\n**Write** it.\n"
+        self.assertEqual(pages.illustrated(task, "1.7"), "# Exercise 1.7: Drag\n\n`./workbook exercise drag`\n\n"
+                         'Air resists.\n\n\\image html 1.7.svg "Falling" width=640px\n\n**Write** it.\n')
+        own = task + '\n\\image html own.svg "Mine"\n'
+        self.assertEqual(pages.illustrated(own, "1.7"), own)
+        self.assertEqual(pages.illustrated(task, "2.1"), task)
 
 
 class Reading(OfAProject):
@@ -81,7 +96,10 @@ class Reading(OfAProject):
         self.assertEqual(pages.order().split("\n"), [
             "chapter_motion\tChapter 2: motion", "chapter_water\tChapter 10: water", "",
             "exercise_motion_drag\t1.7 A &amp; B", "", "program_motion_1_9_a\t1.9-a.cpp",
-            "program_motion_1_10_b\t1.10-b.cpp", ""])
+            "program_motion_1_10_b\t1.10-b.cpp", "", "page_world\tWorlds", ""])
+        for name in ("b.cpp", "a.cpp", "a.txt"):
+            self.write(f"tests/package/models/{name}", "// A model")
+        self.assertTrue(pages.order().endswith("\n\npage_world\tWorlds\nmodel_a\ta.cpp\nmodel_b\tb.cpp\n"))
 
     def test_front(self) -> None:
         """Its places are filled; that of the demo stays empty until there is one."""
@@ -112,6 +130,18 @@ class Library(OfAProject):
         self.assertEqual(pages.library().partition("\n\n## ")[2],
                          "motion {#headers_motion}\n\n| header | what it holds |\n|---|---|\n"
                          '| \\ref ansatz/motion/drag.hpp "motion/drag.hpp" | \\|v\\|. |\n')
+
+    def test_insides(self) -> None:
+        """What no user names stands behind the others, in a table of its own."""
+        for name in ("a", "b", "c"):
+            self.write(f"include/ansatz/motion/{name}.hpp", "/// \\file", f"/// It is {name}.")
+        self.write("include/ansatz/motion.hpp", "/// \\file", "/// All.")
+        self.write("chapters/1-motion/1.cpp", "#include <ansatz/motion/b.hpp>")
+        head = "| header | what it holds |\n|---|---|\n"
+        self.assertEqual(pages.library().partition("{#headers_motion}\n\n")[2],
+                         f'{head}| \\ref ansatz/motion/b.hpp "motion/b.hpp" | It is b. |\n\nThe insides of motion:\n\n{head}'
+                         '| \\ref ansatz/motion/a.hpp "motion/a.hpp" | It is a. |\n'
+                         '| \\ref ansatz/motion/c.hpp "motion/c.hpp" | It is c. |\n')
 
 
 class Programs(OfAProject):

@@ -44,6 +44,22 @@ class Texts(unittest.TestCase):
                          "<head>\n<script>\\1</script>\n  </head>\n<body>\n")
 
 
+    def test_told_once(self) -> None:
+        """The sentence above a description goes where there is one below; links in it as well, and no other paragraph."""
+        brief = '<div>\n\n<p>First <a href="x">x</a>.  \n <a href="a.html#details">More...</a></p>\n<p>rest</p>\n'
+        self.assertEqual(site_pages.told_once(f'{brief}<a name="details">'), '<div>\n\n<p>rest</p>\n<a name="details">')
+        self.assertEqual(site_pages.told_once(brief), brief)
+        self.assertEqual(site_pages.told_once(f'\n<p>Other.</p>{brief}<a name="details">'),
+                         '\n<p>Other.</p><div>\n\n<p>rest</p>\n<a name="details">')
+
+    def test_paths(self) -> None:
+        """Of headers, in what is read of a link."""
+        link = '<a class="el" href="all__pairs_8hpp.html" title="a_b">collision/all_pairs.hpp</a>'
+        self.assertEqual(site_pages.with_broken_paths(link),
+                         link.replace(">collision/all_pairs", ">collision/<wbr/>all_<wbr/>pairs"))
+        for other in ('<a class="el" href="section_1.html">a_b</a>', "a/b_c.hpp"):
+            self.assertEqual(site_pages.with_broken_paths(other), other)
+
     def test_neighbours(self) -> None:
         """The first has none before it, the last none behind it, and a group ends where it ends."""
         lines = site_pages.neighbours("a\tA <1>\nb\tB\nc\tC\n\nx\tX\n")
@@ -73,8 +89,26 @@ class Program(unittest.TestCase):
                 with open(f"{folder}/{name}", "w", encoding="utf-8") as stream:
                     stream.write(text)
             self.assertEqual(site_pages.main(["mend", folder]), 0)
+            self.assertFalse(os.path.exists(f"{folder}/annotated.js"))
             pages.update({"concepta.html": "<p>detail::A</p>\n<p>words</p>\n<p>more</p>\n", "search/a.html": "x, "})
             for name, text in pages.items():
+                with open(f"{folder}/{name}", encoding="utf-8") as stream:
+                    self.assertEqual(stream.read(), text, name)
+
+    def test_which_pages_change_how(self) -> None:
+        """Types tell once, the list of headers may be broken, and every page has mended listings."""
+        brief = '\n<p>First. <a href="a.html#details">More...</a></p>\n<a name="details"></a>'
+        path = '<a class="el" href="a_8hpp.html">a/b.hpp</a>'
+        code = '<div class="fragment">x.<a class="code hl_variable" href="namespaceansatz.html#a">second</a></div><!-- fragment -->'
+        pages = {"structa.html": (brief + path, '\n<a name="details"></a>' + path), "section_1.html": (brief + path, brief + path),
+                 "page_library.html": (path, path.replace("/b", "/<wbr/>b")),
+                 "a.html": (code, '<div class="fragment">x.second</div><!-- fragment -->')}
+        with tempfile.TemporaryDirectory() as folder:
+            for name, (text, _) in pages.items():
+                with open(f"{folder}/{name}", "w", encoding="utf-8") as stream:
+                    stream.write(text)
+            site_pages.mend(folder)
+            for name, (_, text) in pages.items():
                 with open(f"{folder}/{name}", encoding="utf-8") as stream:
                     self.assertEqual(stream.read(), text, name)
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSL-1.0
 // A small world of each kind whose loops run on three threads, for the thread sanitizer: laws in one loop, with an
-// integrator that solves for no body, whom the world counts; stages with springs, a history of positions, rest. Ends
-// with 0 if the bits are those of one thread. With ANSATZ_RACE it has an effect that counts what it has slowed, in one
-// number for all bodies.
+// integrator that solves for no body, so that the world counts all as unsolved; stages with springs, a history of
+// positions, rest. Ends with 0 if the bits are those of one thread. With ANSATZ_RACE it has an effect that counts what
+// it has slowed, in one number for all bodies.
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>

@@ -43,11 +43,11 @@ struct XpbdRope {
     static void parameters(auto& self, auto&& visit) { visit("substeps", self.substeps); }
 
     template <class S> using State = ElementTable<S, Link, LinkRow<S>>;
-    template <class S> struct Parts {
+    template <class S> struct Substeps {
         static constexpr Phase phase = phases::substeps, until = phases::fields;
-        static constexpr std::string_view name = "rope: parts";
+        static constexpr std::string_view name = "rope: substeps";
         int n;
-        explicit Parts(const XpbdRope& rope) : n(rope.substeps) {}
+        explicit Substeps(const XpbdRope& rope) : n(rope.substeps) {}
         void run(auto&, const auto& dt, auto& part) const {
             const typename S::Time h = dt / typename S::Scalar(n);
             for (int i = 1; i < n; ++i) part(h);
@@ -91,7 +91,7 @@ struct XpbdRope {
             v = (x - before) / context.dt();
         }
     };
-    template <class S> using systems = Types<Parts<S>, Remember<S>, Solve<S>, Velocities<S>>;
+    template <class S> using systems = Types<Substeps<S>, Remember<S>, Solve<S>, Velocities<S>>;
 };
 //! [rope]
 

@@ -81,11 +81,12 @@ subject() {
     echo "${name/_/ }"
 }
 
-# Reads a build's output and shows how far it is; the seconds go on where a long compilation says nothing. Where ANNOUNCE is
+# Reads a build's output and shows how far it is; the seconds go on where a long compilation says nothing. Where there is no
+# terminal that a line could overwrite itself in, it is a line of its own every half minute (PROGRESS_SECONDS). Where ANNOUNCE is
 # set it is said once, if there is something to be built, and build/logs/announced is there then. A build tool tells of a
 # step when it is over, so that some seconds of silence say it as well.
 build_progress() {
-    local text=$1 start=$2 line status
+    local text=$1 start=$2 line status said=$SECONDS
     rm -f build/logs/announced
     if [ -n "${ANNOUNCE:-}" ]; then
         while :; do
@@ -100,7 +101,6 @@ build_progress() {
             break
         done
     fi
-    if ! $LIVE; then cat > /dev/null; return 0; fi
     while :; do
         IFS= read -r -t 1 line
         status=$?
@@ -108,7 +108,11 @@ build_progress() {
             if [[ $line =~ ^\[\ *([0-9]+)/([0-9]+)\] ]]; then text="building ${BASH_REMATCH[1]}/${BASH_REMATCH[2]} $(subject "$line")"
             elif [[ $line =~ ^\[\ *([0-9]+)%\] ]]; then text="building ${BASH_REMATCH[1]} % $(subject "$line")"; fi
         elif [ $status -le 128 ]; then break; fi
-        progress "$text  $((($(now) - start) / 1000)) s"
+        if $LIVE; then progress "$text  $((($(now) - start) / 1000)) s"
+        elif [ $((SECONDS - said)) -ge "${PROGRESS_SECONDS:-30}" ]; then
+            said=$SECONDS
+            echo "  ${text% }, $(duration $(($(now) - start)))"
+        fi
     done
 }
 

@@ -13,3 +13,6 @@ section_program() {
     elif [ -x "$own" ]; then echo "$own"
     fi
 }
+
+# Whether a section's picture shows times that it measured, which are never the same twice: kept as it was once, and not compared.
+shows_measured_times() { [ "${1##*/}" = 7.svg ]; }

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `AllPairs`: every pair, without a look at boxes (notes 2.1).
+/// `AllPairs`: every pair, without a test of boxes (notes 2.1).
 ///
 /// The \f$ N^2 \f$ problem that the notes start from, and what every other broadphase is measured by. Use it for a handful
 /// of bodies, or to see what the others save. It has no box test: what it tells is not the set that the others agree

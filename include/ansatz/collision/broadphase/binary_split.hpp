@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `BinarySplit`: the world divided in two along its longest axis, at the middle body, and each part again
+/// `BinarySplit`: the world divided in two along its longest axis, at the middle body, and each half again
 /// (notes 2.1.1, "Binary Search Partitioning").
 ///
 /// The plane lies where half of the bodies are on either side, so that N bodies are ten levels deep for each factor of
@@ -54,7 +54,7 @@ template <class Inside = BoundingBoxes> struct BinarySplit {
         /// Room for so many boxes.
         void reserve(std::size_t n) { recursion_.reserve(n); }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
-            constexpr double copies = 1.4; // two parts of 0.7 of the bodies are as much work as all of them in one
+            constexpr double copies = 1.4; // two halves of 0.7 of the bodies are as much work as all of them in one
             auto divide = [&](const detail::TreeCell<S>& cell, const std::uint32_t* members, std::size_t count,
                               int attempt, detail::Division<S>& division) {
                 return middle_body(boxes, cell, members, count, attempt, division);

@@ -21,7 +21,7 @@
 namespace ansatz::detail {
 
 /// Boxes in a table of cells, each in that of its lower corner, into which one is put and from which it is taken alone.
-/// Boxes wider than a cell are in a list of their own, and meet everybody.
+/// Boxes wider than a cell are in a list of their own, and are tested with all.
 template <class S> class BoxTable {
     static constexpr int dimension = S::dimension;
     using Cell = std::array<std::int64_t, std::size_t(dimension)>;
@@ -76,24 +76,24 @@ public:
     /// Calls `found(j)` for each that touches box `i`, that itself too; for some more than once.
     template <class F> void near(std::uint32_t i, F&& found) const {
         const auto own = lot_[i];
-        const auto look = [&](std::uint32_t j) {
+        const auto test = [&](std::uint32_t j) {
             unsigned touch = 1;
             for (std::size_t k = 0; k < std::size_t(dimension); ++k)
                 touch &= unsigned(lot_[j].lower(k) <= own.upper(k)) & unsigned(own.lower(k) <= lot_[j].upper(k));
             if (touch) found(j);
         };
         if (bucket_of_[i] == nobody) {
-            for (std::uint32_t j = 0; j < size_; ++j) look(j);
+            for (std::uint32_t j = 0; j < size_; ++j) test(j);
             return;
         }
-        for (const std::uint32_t j : wide_) look(j);
+        for (const std::uint32_t j : wide_) test(j);
         Cell from, to;
         for (std::size_t k = 0; k < std::size_t(dimension); ++k) {
             from[k] = index(double(own.lower(k))) - 1; // a box that reaches this one begins less than a cell before it
             to[k] = index(double(own.upper(k)));
         }
         for (Cell cell = from;;) {
-            for (std::uint32_t j = heads_[bucket(cell)]; j != nobody; j = next_[j]) look(j);
+            for (std::uint32_t j = heads_[bucket(cell)]; j != nobody; j = next_[j]) test(j);
             std::size_t k = 0;
             for (; k < std::size_t(dimension) && ++cell[k] > to[k]; ++k) cell[k] = from[k];
             if (k == std::size_t(dimension)) return;
@@ -131,7 +131,7 @@ private:
     double per_metre_ = 1;
     std::size_t size_ = 0;
     std::vector<std::uint32_t> heads_, next_; // the first of each bucket; after each box
-    std::vector<std::uint32_t> bucket_of_;    // nobody: among the wide
+    std::vector<std::uint32_t> bucket_of_;    // nobody: it is among the wide
     std::vector<std::uint32_t> wide_;
     Lot<S> lot_; // the boxes once more, each in one place
 };

@@ -36,7 +36,7 @@ template <class P, class S>
 concept FindsPairs = BindsBroadphase<P, S> && requires(typename P::template In<S>& bound, const Boxes<S>& boxes) {
     bound.find(boxes, PairProbe());
 };
-/// Whether it looks at boxes at all; one that does not says `static constexpr bool needs_boxes = false;`.
+/// Whether it uses boxes at all; one that does not says `static constexpr bool needs_boxes = false;`.
 template <class P> inline constexpr bool needs_boxes = true;
 template <class P>
     requires requires { P::needs_boxes; }

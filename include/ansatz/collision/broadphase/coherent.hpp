@@ -5,7 +5,7 @@
 /// `Coherent`: any broadphase, with pairs that live across steps (notes 2.1.1).
 ///
 /// Use it where most bodies move by less than a tenth of their width in a step: piles, crowds, what drifts. Bodies keep
-/// their neighbours then, and looking for them anew in each step is work for nothing. Each box is put into a fat one,
+/// their neighbours then, and searching for them anew in each step is work for nothing. Each box is put into a fat one,
 /// longer in the direction in which it goes; the inner broadphase finds the pairs of these, and until a box leaves its
 /// own they are all that can touch. Each call tests those pairs, by the boxes as they are, so that what it tells is
 /// what the inner one would tell, in another order: by the first index, then by the second.
@@ -28,7 +28,7 @@
 namespace ansatz {
 
 namespace detail {
-/// Whether its pairs can be kept: AllPairs looks at no box.
+/// Whether its pairs can be kept: AllPairs tests no box.
 template <class P> inline constexpr bool finds_by_boxes = PlaysRole<P, roles::Broadphase> && needs_boxes<P>;
 } // namespace detail
 
@@ -74,7 +74,7 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
                 for (const auto pair : kept_.find(inner_, boxes)) found(std::size_t(pair.i), std::size_t(pair.j));
         }
 
-        /// \name What it does, for who wants to know whether it pays
+        /// \name What it does, to see whether it pays
         /// @{
         /// Whether it keeps pairs now, and does not only hand the boxes on.
         bool keeps() const { return state_ == State::keeps; }
@@ -92,7 +92,7 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
 
         /// About what each costs, in nanoseconds where they were measured; only the ratios matter.
         struct Costs {
-            static constexpr std::uint64_t look = 8, kept_pair = 7, find = 65, pair = 38, fatten = 25, left = 700,
+            static constexpr std::uint64_t test = 8, kept_pair = 7, find = 65, pair = 38, fatten = 25, left = 700,
                                            wide = 2, merge = 2, table = 15;
         };
         static constexpr double reach = 0.3;                // of its width, which a body may go in a fat box
@@ -133,7 +133,7 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
         }
         /// Whether it has paid.
         void judge(std::size_t told) {
-            spent_ += size_ * Costs::look + kept_.size() * Costs::kept_pair;
+            spent_ += size_ * Costs::test + kept_.size() * Costs::kept_pair;
             saved_ += size_ * Costs::find + told * Costs::pair;
             if (++judged_ >= trial && spent_ > saved_) return give_up();
             if (judged_ < proven) return;

@@ -5,8 +5,8 @@
 /// What tests the bodies inside a cell of a partition: the concept of the parameter of `UniformGrid`, `Octree` and
 /// `BinarySplit` (notes 2.1.1: sort and sweep "can be used in conjunction with any other method").
 ///
-/// `BoundingBoxes` and `SortAndSweep` are such, so that `Octree<SortAndSweep>` is an octree in whose cells bodies are
-/// swept. Their `In<S>` has four verbs besides `find`:
+/// `BoundingBoxes` and `SortAndSweep` are such, so that `Octree<SortAndSweep>` is an octree whose cells are sorted
+/// along an axis. Their `In<S>` has four verbs besides `find`:
 ///
 /// - `order(boxes)`: in which order the bodies are handed out to the cells: a pointer to as many indices as there are
 /// boxes,

@@ -6,7 +6,7 @@
 /// call to the next (notes 2.1.1).
 ///
 /// While every box is inside its fat one, all that touch are among the pairs of fat ones that do. A box that has left
-/// its own gets another, whose pairs are looked for in a table of cells; where many have left, all is made anew. A user
+/// its own gets another, whose pairs are found in a table of cells; where many have left, all is made anew. A user
 /// of the library needs none of this.
 
 #include <ansatz/collision/boxes.hpp>
@@ -109,14 +109,14 @@ public:
     /// Whether there is a table of cells.
     bool table_is_made() const { return table_is_made_; }
 
-    /// Looks at the boxes of this call, and remembers them.
+    /// Reads the boxes of this call, and remembers them.
     void watch(const Boxes<S>& boxes) {
         auto& placed = next_places(boxes);
         for (std::size_t i = 0; i < boxes.size(); ++i) place(placed[i], boxes, i);
     }
-    /// The same, and notes who has left its fat box.
+    /// The same, and notes which bodies have left their fat box.
     void follow(const Boxes<S>& boxes) {
-        constexpr std::size_t block = 32; // looked at at once, without a branch
+        constexpr std::size_t block = 32; // tested at once, without a branch
         auto& placed = next_places(boxes);
         left_.clear();
         for (std::size_t first = 0; first < boxes.size(); first += block) {
@@ -213,7 +213,7 @@ public:
 
 private:
     static constexpr double skin = 0.05;    // of a box's longest side, all around
-    static constexpr double farthest = 0.5; // of it or a typical one's: who is fast shall not meet all on its way
+    static constexpr double farthest = 0.5; // of it or a typical one's: or the fast are tested against all on their way
 
     /// Where the boxes of this call are kept; those of the last one stay.
     std::vector<PlacedBox<S>>& next_places(const Boxes<S>& boxes) {
@@ -235,7 +235,7 @@ private:
     /// Makes a box longer in the direction in which its sides go, and a little wider all around.
     /// \return whether it is finite
     bool fatten(std::size_t i, double calls) {
-        constexpr Scalar most = std::numeric_limits<Scalar>::max(), least = std::numeric_limits<Scalar>::lowest();
+        const Scalar most = std::numeric_limits<Scalar>::max(), least = std::numeric_limits<Scalar>::lowest();
         const PlacedBox<S>&before = placed_[1 - now_][i], &after = placed_[now_][i];
         Scalar wide(0), wrong(0); // 0, or 0 / 0
         for (std::size_t k = 0; k < dimension; ++k) {

@@ -81,8 +81,7 @@ template <class S, class F>
         lower[k] = boxes.lower(int(k)), upper[k] = boxes.upper(int(k));
         own_lower[k] = lower[k][p], own_upper[k] = upper[k][p];
     }
-    constexpr std::size_t block =
-        32; // tested at once, without a branch, then looked through: so the compiler makes vectors of it
+    constexpr std::size_t block = 32; // tested without a branch, then gone through: so it becomes vector instructions
     for (std::size_t q = first; q < last; q += block) {
         std::array<std::uint8_t, block> touch;
         const std::size_t count = last - q < block ? last - q : block;

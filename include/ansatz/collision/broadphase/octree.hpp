@@ -52,7 +52,7 @@ template <class Inside = BoundingBoxes> struct Octree {
         /// Room for so many boxes.
         void reserve(std::size_t n) { recursion_.reserve(n); }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
-            // A part holds a quarter of its bodies when the eight hold twice as many: still half of the work.
+            // A child holds a quarter of its bodies when the eight hold twice as many: still half of the work.
             constexpr double copies = 2;
             recursion_.find(boxes, threshold_, depth_, copies, halves, found);
         }

@@ -50,7 +50,7 @@ public:
 
     /// \param threshold cells of so many bodies, or fewer, are not divided
     /// \param depth     nor are cells that are so many divisions deep
-    /// \param copies    nor where the parts would together hold so many times as many bodies, or more
+    /// \param copies    nor where the children would together hold so many times as many bodies, or more
     /// \param divide    divide(cell, members, count, attempt, division): false where there is nothing (more) to try
     template <class Divide, class F>
     void find(const Boxes<S>& boxes, std::size_t threshold, int depth, double copies, const Divide& divide, F&& found) {
@@ -124,7 +124,7 @@ private:
         members_.resize(ends[0]);
     }
 
-    /// Appends the lists of the parts; leaves all as it was where that is not worth it.
+    /// Appends the lists of the children; leaves all as it was where that is not worth it.
     bool hand_on(const Boxes<S>& boxes, const Division<S>& division, std::size_t first, std::size_t last,
                  std::array<std::size_t, sides + 1>& ends) {
         std::array<std::size_t, sides> counts{};
@@ -155,7 +155,7 @@ private:
         for (std::size_t p = 0; p < count; ++p) lot_.put(p, boxes, members_[first + p]);
         inside_.arrange(lot_, 0, count);
         inside_.among(lot_, 0, count, [&](std::size_t p, std::size_t q) {
-            if (holds_corner(cell, p, q)) tell(lot_[p].id, lot_[q].id, boxes.active(), found);
+            if (holds_corner(cell, p, q)) ansatz::tell(lot_[p].id, lot_[q].id, boxes.active(), found);
         });
     }
     /// Whether the lower corner of what two boxes have in common is in the cell.

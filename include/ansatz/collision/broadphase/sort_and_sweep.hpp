@@ -33,7 +33,7 @@ enum class Sorting : bool {
     in_cells      ///< each cell's by themselves
 };
 
-/// The pairs whose boxes touch, by a sweep along the axis of largest variance.
+/// The pairs whose boxes touch, by one pass along the axis of largest variance.
 struct SortAndSweep {
     using role = roles::Broadphase;
 
@@ -61,7 +61,7 @@ struct SortAndSweep {
             among(lot_, 0, keys_.size(),
                   [&](std::size_t p, std::size_t q) { tell(lot_[p].id, lot_[q].id, boxes.active(), found); });
         }
-        /// The axis of the last sweep.
+        /// The axis of the last pass.
         int axis() const { return axis_; }
 
         /// \name Inside a cell
@@ -89,18 +89,18 @@ struct SortAndSweep {
                 scan(lot, p, p + 1, end_of(lot, p + 1, last, lot[p].upper(std::size_t(axis_))),
                      [&](std::size_t q) { touch(p, q); });
         }
-        /// Sweeps two lists at once: whichever begins first looks ahead in the other.
+        /// Goes along two lists at once: whichever begins first is compared with those of the other.
         template <class F>
         void between(const Lot<S>& lot, std::size_t first, std::size_t last, std::size_t other_first,
                      std::size_t other_last, F&& touch) const {
             const auto k = std::size_t(axis_);
-            auto look_ahead = [&](std::size_t p, std::size_t from, std::size_t to) {
+            auto compare_from = [&](std::size_t p, std::size_t from, std::size_t to) {
                 scan(lot, p, from, end_of(lot, from, to, lot[p].upper(k)), [&](std::size_t q) { touch(p, q); });
             };
             std::size_t p = first, q = other_first;
             while (p < last && q < other_last) {
-                if (lot[p].lower(k) <= lot[q].lower(k)) look_ahead(p++, q, other_last);
-                else look_ahead(q++, p, last);
+                if (lot[p].lower(k) <= lot[q].lower(k)) compare_from(p++, q, other_last);
+                else compare_from(q++, p, last);
             }
         }
         /// @}

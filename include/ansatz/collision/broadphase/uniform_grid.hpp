@@ -9,13 +9,12 @@
 /// broadphase/uniform: UniformGrid < SortAndSweep from 256; collision broadphase/uniform: UniformGrid < Octree from
 /// 256; collision broadphase/uniform: UniformGrid < BinarySplit from 256 --> A cell is as wide as the largest of them,
 /// so that a body reaches at most into the next cell on each axis. The notes let a body "exist in multiple partitions";
-/// here it is written down once, in the cell of its lower corner, and looked for in the cells around: each two
+/// here it is written down once, in the cell of its lower corner, and searched for in the cells around: each two
 /// neighbours meet once, so no pair has to be remembered or told twice.
 ///
 /// - **Bodies much larger** than the rest get coarser grids of their own, each four times as coarse; a smaller body
-/// looks into
-///   the coarser grids, into three cells on each axis at most. The few that are largest of all are tested with
-///   everything.
+///   is tested in the coarser grids, in three cells on each axis at most. The few that are largest of all are tested
+///   with everything.
 /// - **A world of any size**: cells are counted from the lowest and wrap around where there would be more than a few
 /// for each
 ///   body. Bodies that share a cell from afar cost a test and nothing else.
@@ -141,7 +140,7 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
                 if (n < most_levels) levels_[n].take(boxes, i);
             }
         }
-        /// The counting sort. All bodies of one size is the usual case, and needs no look at the levels.
+        /// The counting sort. All bodies of one size is the usual case, and needs no search of the levels.
         void fill_one(const Boxes<S>& boxes, const std::uint32_t* order) {
             Level& level = levels_[0];
             for (std::size_t i = 0; i < boxes.size(); ++i) places_[i] = level.count_in(boxes, i);

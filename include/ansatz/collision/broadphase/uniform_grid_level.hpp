@@ -192,7 +192,7 @@ private:
                 found[runs_found] = {starts_[begin], starts_[end]};
                 runs_found += found[runs_found].from != found[runs_found].to;
             };
-            auto look = [&](std::int64_t other_base, std::int64_t a, std::int64_t b) {
+            auto test = [&](std::int64_t other_base, std::int64_t a, std::int64_t b) {
                 if (!wraps_[0]) a = std::max<std::int64_t>(a, 0), b = std::min(b, size_[0] - 1);
                 runs(a, b, [&](std::int64_t c, std::int64_t d) {
                     if constexpr (join_cells) add_run(std::size_t(other_base + c), std::size_t(other_base + d));
@@ -200,8 +200,8 @@ private:
                         for (; c < d; ++c) add_run(std::size_t(other_base + c), std::size_t(other_base + c + 1));
                 });
             };
-            look(base, x + 1, x + 1);
-            for (std::size_t n = 0; n < count_after; ++n) look(after[n], x - 1, x + 1);
+            test(base, x + 1, x + 1);
+            for (std::size_t n = 0; n < count_after; ++n) test(after[n], x - 1, x + 1);
             inside.among(lot, from, to, touch);
             for (std::size_t n = 0; n < runs_found; ++n)
                 inside.between(lot, from, to, found[n].from, found[n].to, touch);

@@ -2,10 +2,10 @@
 #pragma once
 
 /// \file
-/// `Layers`: which bodies are looked at together: each belongs to some of 24 layers, and may ignore others.
+/// `Layers`: which bodies are tested together: each belongs to some of 24 layers, and may ignore others.
 ///
 /// Use it for bullets that do not hit their shooter, ghosts that walls do not stop, ragdolls that do not meet
-/// themselves. Two bodies are looked at unless one of them ignores a layer of the other. A body that is given nothing
+/// themselves. Two bodies are tested unless one of them ignores a layer of the other. A body that is given nothing
 /// meets everything.
 
 #include <ansatz/collision/concepts.hpp>
@@ -31,7 +31,7 @@ struct Member {
     static constexpr bool whole = true;           ///< bits
     /// Which policy reads it.
     template <bool Stored> struct Needs {
-        static_assert(Stored, "Ansatz: this world has no filter that looks at layers; add Layers{} to its policies, or "
+        static_assert(Stored, "Ansatz: this world has no filter that reads layers; add Layers{} to its policies, or "
                               "leave member_of(...) and "
                               "ignores(...) out");
     };
@@ -71,7 +71,7 @@ template <class Bits> auto member_of(const Bits& layers) { return detail::layers
 /// \throws as `member_of`
 template <class Bits> auto ignores(const Bits& layers) { return detail::layers_given<Ignored>("ignores", layers); }
 
-/// Two bodies are looked at unless one of them ignores a layer of the other.
+/// Two bodies are tested unless one of them ignores a layer of the other.
 struct Layers {
     using role = roles::Filter;
     using reads = Columns<Member, Ignored>;
@@ -80,7 +80,7 @@ struct Layers {
 
     template <class S> struct In {
         explicit In(const Layers&) {}
-        /// Whether the two are looked at.
+        /// Whether the two are tested.
         bool passes(const auto& a, const auto& b) const {
             return (bits<Ignored>(a) & bits<Member>(b)) == 0 && (bits<Ignored>(b) & bits<Member>(a)) == 0;
         }

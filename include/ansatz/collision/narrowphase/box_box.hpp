@@ -2,11 +2,11 @@
 #pragma once
 
 /// \file
-/// Two boxes along the axes: they intersect where they overlap on every axis, and part along the axis with the least
-/// overlap.
+/// Two boxes along the axes: they intersect where they overlap on every axis, and separate along the axis with the
+/// least overlap.
 ///
-/// Where two axes have the same overlap the lower one is taken; boxes with one centre on it part upwards for the first.
-/// The contact point is the middle of what they have in common.
+/// Where two axes have the same overlap the lower one is taken; boxes with one centre on it separate upwards for the
+/// first. The contact point is the middle of what they have in common.
 
 #include <ansatz/collision/box.hpp>
 #include <ansatz/collision/contact.hpp>

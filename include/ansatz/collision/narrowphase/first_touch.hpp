@@ -16,9 +16,9 @@
 /// | box, plane    | as a sphere whose radius is the reach of the box along N                                     |
 /// | box, box      | the last axis on which they come together                                                   |
 ///
-/// A shape of yours that should be swept needs its own `first_touch`, in the namespace of your shape and in either
-/// order; without one it is looked at where it is at the end of a step. Use `impact` without a World for two bodies of
-/// your own.
+/// A shape of yours that should be detected continuously needs its own `first_touch`, in the namespace of your shape
+/// and in either order; without one it is tested where it is at the end of a step. Use `impact` without a World for two
+/// bodies of your own.
 
 #include <ansatz/collision/narrowphase/narrowphase.hpp>
 
@@ -65,19 +65,23 @@ template <class Raw, class Scalar>
 bool point_meets_box(const Raw& q, const Raw& m, const Raw& half, Scalar& time, int& axis) {
     time = Scalar(0);
     axis = -1;
-    Scalar leaves = std::numeric_limits<Scalar>::max();
+    Raw leaves = Raw::Constant(std::numeric_limits<Scalar>::max());
     for (int k = 0; k < int(Raw::RowsAtCompileTime); ++k) {
         const Scalar h = half[k];
         if (m[k] == Scalar(0)) {
-            if (abs(q[k]) > h) return false;
+            if (abs(q[k]) > h || (abs(q[k]) == h && h > Scalar(0))) return false; // beside it, or along a face
             continue;
         }
         const Scalar side = m[k] > Scalar(0) ? Scalar(-1) : Scalar(1); // of the face that it comes through
-        const Scalar in = (side * h - q[k]) / m[k], out = (-side * h - q[k]) / m[k];
+        const Scalar in = (side * h - q[k]) / m[k];
+        leaves[k] = (-side * h - q[k]) / m[k];
         if (in > time || (in == time && axis < 0 && side * q[k] >= h)) time = in, axis = k;
-        if (out < leaves) leaves = out;
     }
-    return time < leaves; // what only grazes an edge does not come in
+    // What only grazes an edge does not come in. On the axis of the face that it comes through it leaves later than it
+    // comes, though from afar both may be rounded to one time: a thin wall is there all the same.
+    for (int k = 0; k < int(Raw::RowsAtCompileTime); ++k)
+        if (k == axis && half[k] > Scalar(0) ? leaves[k] < time : !(time < leaves[k])) return false;
+    return true;
 }
 
 /// When the point q + t m, t from 0 to 1, first comes to within `reach` of a box around the origin.
@@ -135,7 +139,8 @@ bool comes_down(const typename S::Scalar& above, const typename S::Scalar& by, t
 /// \param between x_a - x_b at the beginning, m
 /// \param motion  by how much a moves, seen from b, m
 /// \param deeper  how deep, m; zero for when they touch
-/// \param first   what is found out; its `time` is 0 for bodies that are as deep already and come nearer
+/// \param first   what is found out; its `time` is 0 for bodies that are as deep already. Boxes need not ask whether
+///                those come nearer: who calls looks at N
 /// @{
 
 /// Two spheres.
@@ -263,7 +268,8 @@ auto impact(const A& a, const X& xa, const X& da, const B& b, const X& xb, const
         if constexpr (requires { a.check(); }) a.check();
         if constexpr (requires { b.check(); }) b.check();
         there = detail::touch_first<S>(typename A::template In<S>(a), typename B::template In<S>(b), X(xa - xb),
-                                       X(da - db), S::Length::from_value(typename S::Scalar(0)), first);
+                                       X(da - db), S::Length::from_value(typename S::Scalar(0)), first) &&
+                (first.time > typename S::Scalar(0) || dot(X(da - db), first.normal).value() < typename S::Scalar(0));
     }
     return there ? std::optional<FirstTouch<S>>(first) : std::nullopt;
 }

@@ -5,7 +5,7 @@
 /// `Narrowphase<Shapes...>`: whether two bodies really intersect, and where (notes 2.1.2).
 ///
 /// The list of shapes is part of the type: which two meet is decided by a comparison of two small numbers, and the
-/// function that looks at them is known to the compiler. A pair of shapes that no `collide` knows is a sentence at
+/// function that tests them is known to the compiler. A pair of shapes that no `collide` knows is a sentence at
 /// compile time, if both have a box; two that have none (planes) never meet. Free functions do the same for two bodies
 /// without a World: `contact(Sphere{1.0 * metre}, xa, Sphere{1.0 * metre}, xb)`.
 
@@ -64,7 +64,7 @@ template <class C, class Policies> class Query; // queries_in_world.hpp, for tho
 /// The contacts of bodies with these shapes.
 template <class... T> struct Narrowphase {
     using role = roles::Narrowphase;
-    using shapes = Types<T...>; ///< whose list collision/check.hpp looks at
+    using shapes = Types<T...>; ///< whose list collision/check.hpp checks
 
     static constexpr std::string_view name = "Narrowphase"; ///< in a saved file
     /// Whether it knows a shape.

@@ -5,7 +5,7 @@
 /// Two spheres (notes 2.1.2): \f$ d < r_1 + r_2 \f$, \f$ p = r_1 + r_2 - d \f$, \f$ \mathbf N = (\mathbf S_1 - \mathbf S_2)/d \f$.
 ///
 /// Right from the smallest to the largest distance that the scalar can hold. Spheres with one centre have no direction
-/// between them; they part along the second axis, upwards for the first.
+/// between them; they separate along the second axis, upwards for the first.
 
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/sphere.hpp>

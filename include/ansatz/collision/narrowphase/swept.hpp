@@ -9,7 +9,7 @@
 /// would pass through another in a step, or come so deep into it that it would be pushed out on the wrong side, is kept
 /// at the place where the two first touch, with the velocity that it had there, and the responses see a contact with
 /// the right normal. What is left of the step is lost to it. Not for scenes in which nothing moves by more than a
-/// quarter of its radius in a step: there it costs a look at each body and changes nothing, to the bit.
+/// quarter of its radius in a step: there it costs a check of each body and changes no bit.
 ///
 /// - Spheres are followed against spheres, planes and boxes, boxes against planes and boxes; a shape of yours needs
 ///   `first_touch`.
@@ -19,8 +19,8 @@
 ///   impact, so that a ball may roll over the seams of a floor.
 /// - `Penalty` needs bodies inside each other: they are kept that sixteenth deep, and its spring throws them out again.
 ///   Nothing escapes, but the energy of such a hit is not kept.
-/// - Springs between bodies act over the whole step: momentum is kept, and energy but for what they do in the lost
-/// part.
+/// - Springs between bodies act over the whole step: momentum is kept, and energy but for what they do in the time
+///   that is lost.
 
 #include <ansatz/collision/swept_collisions.hpp>
 
@@ -38,7 +38,7 @@ struct NothingToSweep {
 };
 } // namespace detail
 
-/// A narrowphase that looks at the motion of a step, too.
+/// A narrowphase that tests the motion of a step, too.
 /// \tparam N    the narrowphase, e.g. Narrowphase<Sphere, Plane, Box>
 /// \tparam More nothing; it stands here so that Swept<Sphere, Box> is told what is missing
 template <class N, class... More> struct Swept : std::conditional_t<detail::Wrappable<N>, N, detail::NothingToSweep> {
@@ -47,7 +47,7 @@ template <class N, class... More> struct Swept : std::conditional_t<detail::Wrap
         "Ansatz: Swept of something that is no narrowphase; write e.g. Swept<Narrowphase<Sphere, Plane, Box>>{}");
 
     static constexpr std::string_view name = "Swept"; ///< in a saved file
-    static constexpr bool sweeps = true;              ///< bodies are followed through the step
+    static constexpr bool continuous = true;          ///< bodies are followed through the step
 
     /// Of any narrowphase.
     Swept() = default;

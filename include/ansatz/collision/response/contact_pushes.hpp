@@ -5,11 +5,11 @@
 /// `ContactPushes`: all contacts of a step at once, as one least-squares problem: what `Impulse` and `Projection` work
 /// with.
 ///
-/// One contact after another, a column of n bodies asks for some n^2 rounds, because each push is news to the neighbour
+/// One contact after another, a column of n bodies needs some n^2 sweeps, because each push reaches the neighbour
 /// only. Here the pushes \f$ \lambda_i \ge 0 \f$ along the normals are those for which the whole moves as little as it
 /// can, \f[ \min \tfrac12 \sum_b m_b |\Delta\mathbf u_b|^2 \quad\text{with}\quad \mathbf N_i\cdot(\mathbf u_a - \mathbf
 /// u_b) \ge t_i, \f] found by conjugate gradients: a chain of n is solved in n sweeps, whatever its bodies weigh. u is
-/// a velocity or a displacement. Every sweep comes nearer, so that no number of them gives energy to velocities (where
+/// a velocity or a displacement. Every sweep comes nearer, so that no number of them adds energy to velocities (where
 /// no t is greater than zero); each cluster of bodies that touch is solved for itself, and the order of the contacts
 /// decides nothing but the last bit.
 ///
@@ -62,7 +62,7 @@ public:
         Scalar depth{};  ///< m; negative where they do not touch yet
         Scalar target{}; ///< t
         Scalar kept{};   ///< t, while something else is solved
-        Scalar along{};  ///< N . (u_a - u_b) when it was looked at last
+        Scalar along{};  ///< N . (u_a - u_b) when it was computed last
         Scalar total{};  ///< what was pushed so far, bounces and all
         Scalar restitution{}; ///< of the two
         Scalar friction{};    ///< of the two
@@ -107,7 +107,7 @@ public:
         }
         return place_[slot];
     }
-    /// In an order that the ids of bodies have no part in.
+    /// Sorts contacts independently of the ids of bodies.
     void arrange() {
         std::sort(pushes.begin(), pushes.end(), [](const Push& p, const Push& q) {
             for (int k = S::dimension; k-- > 0;)
@@ -120,7 +120,7 @@ public:
         return dot(Raw(bodies[p.a].u - bodies[p.b].u), p.normal);
     }
 
-    /// Up to `sweeps` of them, so that every contact has at least its target.
+    /// Solves by up to `sweeps` sweeps, so that every contact has at least its target.
     /// \param enough what may be missing of the targets, of what was
     void solve(int sweeps, Scalar enough = Scalar(16) * std::numeric_limits<Scalar>::epsilon()) {
         cluster([](const Push& p) { return !p.waits; });
@@ -131,10 +131,10 @@ public:
             detail::miss_least(bodies, pushes, scratch_, sweeps, [&](std::uint32_t n) { return roots_.of(n); });
     }
 
-    /// Bodies that bounce and are to be parted by `depth` get the velocity that they had where they first touched: to
-    /// part them is to go back that way, against what pulls. In a column this holds for all bodies that are lifted and
-    /// not for the two that meet alone; otherwise parting throws a dropped column upwards.
-    /// With the displacements \f$ \mathbf d \f$ that part them, u becomes \f$ \mathbf u + \gamma\mathbf d \f$
+    /// Bodies that bounce and are to be separated by `depth` get the velocity that they had where they first touched:
+    /// to separate them is to go back that way, against what pulls. In a column this holds for all bodies that are
+    /// lifted and not for the two that meet alone; otherwise separating them throws a dropped column upwards.
+    /// With the displacements \f$ \mathbf d \f$ that separate them, u becomes \f$ \mathbf u + \gamma\mathbf d \f$
     /// with \f$ \tfrac12\sum m\,|\mathbf u + \gamma\mathbf d|^2 = \tfrac12\sum m\,|\mathbf u|^2 + \sum m\,\mathbf
     /// a\cdot\mathbf d \f$ in each cluster; for two alone that is \f$ v^2 + 2 a p \f$ along the normal.
     /// \param lead    s, by how much u is ahead of the positions
@@ -152,7 +152,7 @@ public:
             p.target = bounces(p) ? p.depth : std::min(p.depth, Scalar(0));
         }
         solve(sweeps, Scalar(1) / 64); // the energy is right for whatever displacements they are
-        // Of the pushes only those that part act; sums over contacts are those over bodies.
+        // Of the pushes only those that separate act; sums over contacts are those over bodies.
         for (auto& c : scratch_) c.slope = c.curvature = c.mixed = Scalar(0);
         for (auto& p : pushes) {
             if (p.lambda > Scalar(0)) {
@@ -194,8 +194,8 @@ public:
         }
     }
 
-    /// One round of bounces: all that approach are reflected at once, to `wanted(push)` where each is alone.
-    /// \param wanted the speed at which a contact that approaches is to part; nothing, if it does not bounce
+    /// One sweep of bounces: all that approach are reflected at once, to `wanted(push)` where each is alone.
+    /// \param wanted the speed at which a contact that approaches is to separate; nothing, if it does not bounce
     /// \return whether there was one
     template <class Wanted> bool bounce(const Wanted& wanted) {
         bool any = false;
@@ -307,7 +307,7 @@ private:
         return any;
     }
     [[gnu::flatten]] void advance() {
-        constexpr Scalar unbounded = std::numeric_limits<Scalar>::max();
+        const Scalar unbounded = std::numeric_limits<Scalar>::max();
         for (auto& c : scratch_) c.slope = c.curvature = Scalar(0), c.longest = unbounded;
         for (const auto& p : pushes) {
             if (p.waits) continue;
@@ -321,7 +321,7 @@ private:
         for (auto& c : scratch_) {
             if (c.count == 0) continue;
             const bool descends = c.slope > Scalar(0);
-            c.endless = c.endless || (descends && c.longest == unbounded && !(c.curvature > nothing * c.norm));
+            c.endless = c.endless || (descends && c.longest == unbounded && !(c.curvature > nothing() * c.norm));
             const Scalar best = descends ? length(c) : Scalar(0);
             c.anew = !descends || best >= c.longest;
             c.length = std::min(best, c.longest);
@@ -361,7 +361,7 @@ private:
         return any;
     }
     /// Of a curvature, what is not distinguished from none.
-    static constexpr Scalar nothing = Scalar(4) * std::numeric_limits<Scalar>::epsilon();
+    static Scalar nothing() { return Scalar(4) * std::numeric_limits<Scalar>::epsilon(); }
 
     std::vector<std::uint32_t> place_; // by slot
     std::vector<Cluster> scratch_;     // by the body that stands for it

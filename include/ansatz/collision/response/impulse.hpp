@@ -43,7 +43,7 @@
 namespace ansatz {
 
 /// \f$ J = \frac{-(1 + e)\,v_N}{w_a + w_b} \f$: the impulse on the first of two bodies along N, from the second to the first; zero
-/// where they part.
+/// where they separate.
 /// \param va, vb m/s, vectors
 /// \param wa, wb 1/m, 1/kg, not both zero
 template <class V, class W, class N, class E>
@@ -65,8 +65,8 @@ void slow_sliding(const Vector<typename S::Scalar, S::dimension>& normal, Body& 
     const auto speed = norm(sliding);
     if (!(speed.value() > 0)) return;
     const auto mu = sqrt(a.template get<Friction>().value() * b.template get<Friction>().value());
-    const auto holding =
-        min(std::decay_t<J>(speed / (wa + wb)), std::decay_t<J>(mu * pressed)); // no more than would stop it
+    // No more than would stop it.
+    const auto holding = min(std::decay_t<J>(speed / (wa + wb)), std::decay_t<J>(mu * pressed));
     const typename S::Momentum j = (-holding / speed) * sliding;
     va += wa * j;
     vb -= wb * j;
@@ -84,12 +84,12 @@ template <class... Options> struct Impulse {
     using reads = Columns<Restitution, Options...>;
     using writes = Columns<Velocity>;
 
-    /// m/s, finite, not negative: slower approaches do not bounce. At least 1.5 g dt (g: what pulls), or what rests
-    /// trembles.
+    /// m/s, finite, not negative: slower approaches do not bounce. At least 1.5 g dt with the acceleration g of
+    /// gravity, or resting bodies tremble.
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
-    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most, for blows and for what
-    /// lies. A blow goes one body further each time, and a column of n needs n. A cluster that they do not half solve
-    /// is gone through twice as often again (infeasible_contacts.hpp).
+    /// The largest number of sweeps over all contacts of a cluster in a step, at least 1: for blows, and again for
+    /// resting contacts. A blow goes one body further with each sweep, and a column of n needs n. A cluster that they
+    /// do not half solve gets up to twice as many again (infeasible_contacts.hpp).
     int sweeps = 24;
     static constexpr bool as_one = true; ///< all contacts of a step are answered together
 
@@ -109,7 +109,7 @@ template <class... Options> struct Impulse {
         int sweeps;
         explicit In(const Impulse& impulse) : threshold(S::convert(impulse.threshold)), sweeps(impulse.sweeps) {}
 
-        /// What the two of a contact are made of.
+        /// The material of the two bodies of a contact.
         void note(auto& push, const auto& a, const auto& b) const {
             push.restitution = max(a.template get<Restitution>(), b.template get<Restitution>()).value();
             if constexpr (rubs)
@@ -160,7 +160,7 @@ template <class... Options> struct Impulse {
         }
 
     private:
-        /// Those that will be parted get the velocities of where they touched, if something pulls at them.
+        /// Those that will be separated get the velocities of where they touched, if something pulls at them.
         void go_back(auto& pushes, const typename S::Scalar& lead, const auto& pull) const {
             using Scalar = typename S::Scalar;
             const auto bounces = [&](const auto& push) {
@@ -178,7 +178,7 @@ template <class... Options> struct Impulse {
                 sweeps, lead, [](const auto& push) { return push.bounces; },
                 [&](const auto& push) { return pull(push).value(); });
         }
-        /// The speed at which a contact is to part that bounces. What pulls is accounted for once in a step.
+        /// The speed at which a contact that bounces is to separate. What pulls is accounted for once in a step.
         std::optional<typename S::Scalar> parting(auto& push) const {
             using Scalar = typename S::Scalar;
             const auto& e = push.restitution;
@@ -191,8 +191,8 @@ template <class... Options> struct Impulse {
             push.target = min(speed, Scalar(0));
             return speed;
         }
-        /// The velocity along N that the integrator has to be given, so that the two part as they should; zero if they
-        /// do not bounce.
+        /// The velocity along N that the integrator has to be given, so that the two separate as they should; zero if
+        /// they do not bounce.
         typename S::Speed bounce(const auto& touch, const typename S::Speed& along, const typename S::Scalar& e,
                                  const auto& meeting) const {
             using Scalar = typename S::Scalar;

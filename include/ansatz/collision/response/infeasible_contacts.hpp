@@ -3,7 +3,7 @@
 
 /// \file
 /// What contacts do whose targets contradict each other: no velocity keeps a ball out of a floor and out of the press
-/// that comes down on it, and no displacement parts it from both.
+/// that comes down on it, and no displacement separates it from both.
 ///
 /// The least motion that meets all targets (contact_pushes.hpp) does not exist then: conjugate gradients push without
 /// end, and what they push is thrown away. Here the targets are missed by least squares instead, each in units of its
@@ -34,7 +34,7 @@ template <class Push, class Scalar> Scalar missed(Push& p, const Scalar& along) 
 /// Solves the clusters that are marked as infeasible once more, from where their bodies and pushes started. Those that
 /// do not miss less than before, of `Cluster::size`, stay as they are.
 /// \param bodies, pushes, clusters those of ContactPushes
-/// \param sweeps           half as often as all contacts are gone through
+/// \param sweeps           half as many sweeps as are made
 /// \param root             the cluster of a body, by its place among `bodies`
 template <class Bodies, class Pushes, class Clusters, class Root>
 void miss_least(Bodies& bodies, Pushes& pushes, Clusters& clusters, int sweeps, const Root& root) {

@@ -24,7 +24,7 @@
 ///
 /// The notes have F = -kp - c v_N for both bodies. With N from b to a it is **+kp**: p grows while they approach; and
 /// Newton's third law gives b the opposite, or two bodies that touch push each other off with momentum from nowhere.
-/// And a higher c is *less* bouncy, not more: two that meet part with
+/// And a higher c is *less* bouncy, not more: two that meet separate with
 /// \f$ e = e^{-\pi\zeta/\sqrt{1-\zeta^2}} \f$, \f$ \zeta = c / (2\sqrt{k\mu}) \f$. k sets how deep and how long they touch,
 /// not how they bounce.
 

@@ -29,11 +29,10 @@ struct Projection {
     /// p0, m: how deep bodies may stay in each other; finite, not negative. Larger than zero, resting bodies keep their
     /// contact.
     Parameter<unit::Length> slop = 0.0 * metre;
-    /// s: how much of the rest is taken away in a step; greater than 0, at most 1
+    /// s: the fraction of the depth beyond p0 that a step takes away; greater than 0, at most 1
     double share = 1;
-    /// How often all contacts of a cluster are gone through in a step, at least 1 and at most. A column of n needs n;
-    /// fewer leave it deeper. A cluster that they do not half solve is gone through twice as often again
-    /// (infeasible_contacts.hpp).
+    /// The largest number of sweeps over all contacts of a cluster in a step, at least 1. A column of n needs n; fewer
+    /// leave it deeper. A cluster that they do not half solve gets up to twice as many again (infeasible_contacts.hpp).
     int sweeps = 24;
     static constexpr bool as_one = true; ///< all contacts of a step are answered together
 

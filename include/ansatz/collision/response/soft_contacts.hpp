@@ -70,6 +70,12 @@ public:
         for (const auto n : acting_) f(all[n]);
     }
 
+    /// How many those are.
+    std::size_t acting() const { return acting_.size(); }
+    /// One of them.
+    Constraint& nth_acting(std::size_t n) { return all[acting_[n]]; }
+    const Constraint& nth_acting(std::size_t n) const { return all[acting_[n]]; } ///< one of them
+
     /// The contacts of the state that a step has made; those that were there before keep their impulses.
     template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
         if (old_.capacity() < contacts.size())
@@ -138,7 +144,8 @@ public:
         if constexpr (Rubs)
             each_acting([&](Constraint& c) {
                 c.friction = friction(c.slot_a, c.slot_b);
-                c.rubbing -= dot(c.rubbing, c.normal) * c.normal; // the normal has turned since
+                if (c.friction > Scalar(0)) c.rubbing -= dot(c.rubbing, c.normal) * c.normal; // it has turned since
+                else c.rubbing = Raw::Zero(); // of a friction that it had before
             });
     }
     /// The same where the slots are known: which contacts act, and against what mass.
@@ -152,7 +159,8 @@ public:
             acting_.push_back(std::uint32_t(n));
             c.mass = 1 / (wa + wb);
         }
-        islands_.forget(); // those of another step; they are looked for where they are asked for
+        loads_.reserve_contacts(all.capacity());
+        islands_.forget(); // those of another step; they are searched for where they are asked for
     }
     /// How many bodies contacts may push; they come first.
     std::size_t awake() const { return awake_; }
@@ -180,9 +188,9 @@ public:
             if constexpr (Rubs) push(c, c.rubbing);
         });
     }
-    /// One pass in which contacts may not come deeper than they are, and those that are too deep part.
+    /// One pass in which contacts may not come deeper than they are, and those that are too deep separate.
     /// \param h        s, the substep
-    /// \param push_out m/s, how fast they part at most
+    /// \param push_out m/s, how fast they separate at most
     [[gnu::flatten]] void solve(Scalar h, const Softness<Scalar>& soft, const Softness<Scalar>& soft_held, Scalar slop,
                                 Scalar push_out) {
         const Scalar per_h = 1 / h;
@@ -197,7 +205,7 @@ public:
             rub(c);
         });
     }
-    /// One pass that takes back the velocity which only parted them. Those that do not touch yet keep what they meet
+    /// One pass that takes back the velocity which only separated them. Those that do not touch yet keep what they meet
     /// with.
     [[gnu::flatten]] void relax(Scalar h) {
         const Scalar per_h = 1 / h;
@@ -212,7 +220,9 @@ public:
     }
     /// After the warm start of a step: what pushes because of a load that has gone is taken back (soft_loads.hpp).
     /// \param before by slot: the velocities before the warm start, m/s
-    void unload(const std::vector<Raw>& before) { loads_.take_off(*this, before); }
+    void unload(const std::vector<Raw>& before) {
+        if (loads_.take_off(*this, before)) warm_start();
+    }
     /// Islands whose contacts have given them energy give it back (soft_islands.hpp).
     /// \param before by slot: the velocities before the last pass, m/s
     /// \return whether there was such an island; its bodies' velocities are not those of before
@@ -269,7 +279,7 @@ public:
             hash.add_number(c.impulse);
         });
     }
-    /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: looked for anew, it
+    /// To a file: `f(a, b, numbers)` for each contact. Where and how they touch is written, too: found anew, it
     /// would be another by the last bits, and a loaded world would go on beside the saved one.
     template <class F> void saved(F&& f) const {
         each([&](const Constraint& c) {
@@ -303,6 +313,13 @@ public:
     /// They hold no body.
     static void for_each_body(std::uint32_t, auto&&) {}
     /// @}
+
+protected:
+    std::vector<std::uint32_t> acting_; ///< which of all act in this step
+    SoftLoads<S> loads_;                ///< what remembers a load that has gone
+    SoftIslands<S> islands_;            ///< what has been given energy
+    bool platforms_ = false;            ///< whether there are bodies that move and are not moved
+
 private:
     /// Those whose bodies sleep, too.
     void each(const auto& f) const { asleep_.each(all, f, f); }
@@ -326,11 +343,7 @@ private:
     }
     SleepingContacts<Constraint> asleep_;
     std::vector<Constraint> old_;
-    std::vector<std::uint32_t> acting_; // which of all act in this step
-    SoftLoads<S> loads_;
-    SoftIslands<S> islands_;
     std::size_t awake_ = 0;
-    bool platforms_ = false; // whether there are bodies that move and are not moved
 };
 
 } // namespace ansatz

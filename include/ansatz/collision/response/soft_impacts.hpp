@@ -2,14 +2,14 @@
 #pragma once
 
 /// \file
-/// `SoftImpacts`: which bodies hit each other within a substep, when, and how they part: the bounces of `SoftSubsteps`.
-/// Beyond the notes.
+/// `SoftImpacts`: which bodies hit each other within a substep, when, and how they separate: the bounces of
+/// `SoftSubsteps`. Beyond the notes.
 ///
 /// Each pair that runs into each other faster than the threshold has a moment at which it meets, by the velocities that
 /// its bodies have *then*: what one impact has changed is what the next one sees. They are answered in the order of
-/// these moments; those of one moment that share a body are answered together, and the moments of all others are looked
-/// for anew. Balls that touch in a row (Newton's cradle) meet one pair after another, as they would with the smallest
-/// gap between them: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
+/// these moments; those of one moment that share a body are answered together, and the moments of all others are
+/// computed anew. Balls that touch in a row (Newton's cradle) meet one pair after another, as they would with the
+/// smallest gap between them: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
 ///
 /// | symbol   | meaning                                                                            | unit |
 /// |----------|------------------------------------------------------------------------------------|------|
@@ -114,7 +114,7 @@ private:
         bool struck = false;
     };
 
-    /// Nobody has been struck yet: of those that may be, and of those whom they may meet.
+    /// No body has been struck yet: of those that may be, and of those that they may meet.
     void begin(const auto& contacts) {
         bodies_.resize(contacts.bodies.size());
         std::fill_n(bodies_.begin(), contacts.awake(), Struck());
@@ -146,7 +146,7 @@ private:
             if (gap > Scalar(0)) {
                 const Scalar squared = now * now - 2 * pull * gap;
                 if (!(squared > Scalar(0))) continue;
-                pair.approach = std::sqrt(squared);
+                pair.approach = sqrt(squared);
                 const Scalar sum = pair.approach - now;
                 if (!(sum > Scalar(0))) continue;
                 pair.time += 2 * gap / sum;
@@ -161,7 +161,7 @@ private:
                       [&](Struck& body) { body.first = std::min(body.first, pairs[n].time); });
         std::erase_if(meeting_, [&](std::uint32_t n) {
             bool later = false;
-            const Scalar alike = h * std::sqrt(std::numeric_limits<Scalar>::epsilon());
+            const Scalar alike = h * sqrt(std::numeric_limits<Scalar>::epsilon());
             each_body(contacts, contacts.all[pairs[n].which],
                       [&](Struck& body) { later = later || pairs[n].time > body.first + alike; });
             return later;
@@ -201,7 +201,7 @@ private:
                 const auto& c = contacts.all[pair.which];
                 const Scalar wrong = pair.approach - change(contacts, c),
                              now = std::max(pair.impulse + c.mass * wrong, Scalar(0));
-                done = done && std::abs(now - pair.impulse) <= small * c.mass * pair.approach;
+                done = done && abs(now - pair.impulse) <= small * c.mass * pair.approach;
                 push(contacts, c, Raw((now - pair.impulse) * c.normal),
                      [](Struck& body, const Raw& by) { body.change += by; });
                 pair.impulse = now;
@@ -216,7 +216,7 @@ private:
         }
         for (const auto n : meeting_) pairs[n].together = std::min(pairs[n].together, 2 * taken / given - 1);
     }
-    /// They part, and what slides is slowed.
+    /// They separate, and what slides is slowed.
     void part(auto& contacts) {
         for (const auto n : meeting_) {
             auto& pair = pairs[n];

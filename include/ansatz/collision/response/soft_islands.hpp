@@ -4,7 +4,7 @@
 /// \file
 /// `SoftIslands`: contacts of `SoftSubsteps` take energy and do not give it. Beyond the notes.
 ///
-/// An island whose contacts have given it some, because they parted bodies that lay in each other, gets the share of
+/// An island whose contacts have given it some, because they separated bodies that lay in each other, gets the share of
 /// its impulses that leaves it the least kinetic energy.
 
 #include <ansatz/world/bodies.hpp>

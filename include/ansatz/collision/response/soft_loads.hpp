@@ -17,8 +17,10 @@
 #include <ansatz/world/bodies.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -30,33 +32,50 @@ public:
     using Scalar = typename S::Scalar;
     using Raw = Vector<Scalar, S::dimension>; ///< raw SI
 
-    /// Takes off what is too much after the warm start, and starts again with what is left.
+    /// Takes off what is too much after the warm start.
     /// \param before by slot: the velocities before the warm start, m/s
-    void take_off(auto& contacts, const std::vector<Raw>& before) {
+    /// \return whether there was anything: then velocities are those before, and a warm start is due with what is left
+    bool take_off(auto& contacts, const std::vector<Raw>& before) {
         auto& bodies = contacts.bodies;
-        nets_.resize(bodies.size(), Raw::Zero());
-        bool any = false;
+        nets_.resize(contacts.awake());
+        suspects_.clear();
         for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
             nets_[slot] = bodies[slot].weight > Scalar(0) ? Raw(bodies[slot].u - before[slot]) : Raw::Zero();
-            any = any || is_overpushed(contacts, slot);
+            if (is_overpushed(contacts, slot)) suspects_.push_back(std::uint32_t(slot));
         }
-        if (!any) return;
+        if (suspects_.empty()) return false;
+        begin(contacts);
         bool less = false;
         for (int round = 0; round < most_rounds && find_overpushed(contacts) && lessen(contacts); ++round) less = true;
-        if (!less) return;
+        if (!less) return false;
         for (std::size_t slot = 0; slot < contacts.awake(); ++slot)
             if (bodies[slot].weight > Scalar(0)) bodies[slot].u = before[slot];
-        contacts.warm_start();
+        return true;
     }
     /// Room for so many bodies.
     void reserve(std::size_t n) {
         nets_.reserve(n);
         over_.reserve(n);
+        suspects_.reserve(n + of_body_.capacity());
+        found_.reserve(n);
+        first_.reserve(n + 1);
+    }
+    /// Room for so many contacts, each of which may make both of its bodies suspect.
+    void reserve_contacts(std::size_t n) {
+        of_body_.reserve(2 * n);
+        marked_.reserve(n / 64 + 1);
+        suspects_.reserve(nets_.capacity() + 2 * n);
     }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const SoftLoads& other) {
-        nets_.reserve(other.nets_.size());
-        over_.reserve(other.over_.size());
+        const auto make = [](auto& list, const auto& as) { list.reserve(as.size()); };
+        make(nets_, other.nets_);
+        make(over_, other.over_);
+        make(suspects_, other.suspects_);
+        make(found_, other.found_);
+        make(first_, other.first_);
+        make(of_body_, other.of_body_);
+        make(marked_, other.marked_);
     }
 
 private:
@@ -65,65 +84,110 @@ private:
 
     /// A body that its impulses push too much.
     struct Overpushed {
-        Raw towards;              // a unit vector: where they push it together
-        Scalar by{0}, against{0}; // of each, along that, m/s; the second is negative
-        Scalar keep{1};           // the share of the first that is right
+        Raw towards = Raw::Zero(); // a unit vector: where they push it together
+        Scalar by{0}, against{0};  // of each, along that, m/s; the second is negative
+        Scalar keep{1};            // the share of the first that is right
         bool is = false;
     };
 
     bool is_overpushed(const auto& contacts, std::size_t slot) const {
         return nets_[slot].squaredNorm() > Scalar(times * times) * contacts.kicks[slot].squaredNorm();
     }
-    bool find_overpushed(const auto& contacts) {
-        bool any = false;
-        for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
-            if (!is_overpushed(contacts, slot)) continue;
-            if (!any) over_.assign(nets_.size(), Overpushed());
-            any = true;
-            over_[slot].is = true;
-            over_[slot].towards = nets_[slot] / std::sqrt(nets_[slot].squaredNorm());
+    /// Which contacts act on each body, in their order: of a pile only those of a few bodies are looked at.
+    void begin(auto& contacts) {
+        over_.assign(nets_.size(), Overpushed());
+        found_.clear();
+        first_.assign(nets_.size() + 1, 0);
+        contacts.each_acting([&](const auto& c) {
+            for (const auto slot : {c.slot_a, c.slot_b})
+                if (slot < nets_.size()) ++first_[slot];
+        });
+        std::uint32_t count = 0;
+        for (auto& first : first_) first = count += first; // where those of a body end
+        of_body_.resize(count);
+        for (auto n = std::uint32_t(contacts.acting()); n-- > 0;) {
+            const auto& c = contacts.nth_acting(n);
+            for (const auto slot : {c.slot_a, c.slot_b})
+                if (slot < nets_.size()) of_body_[--first_[slot]] = n;
         }
-        return any;
+        marked_.assign(contacts.acting() / 64 + 1, 0);
+    }
+    /// Of those whose pushes have changed, and of those found before: into `found_`.
+    bool find_overpushed(const auto& contacts) {
+        for (const auto slot : found_) {
+            over_[slot] = Overpushed();
+            suspects_.push_back(slot);
+        }
+        found_.clear();
+        for (const auto slot : suspects_) {
+            auto& over = over_[slot];
+            if (over.is || !is_overpushed(contacts, slot)) continue;
+            over.is = true;
+            over.towards = nets_[slot] / sqrt(nets_[slot].squaredNorm());
+            found_.push_back(slot);
+        }
+        suspects_.clear();
+        return !found_.empty();
     }
     /// \return whether there was anything to take
     bool lessen(auto& contacts) {
-        const auto& bodies = contacts.bodies;
-        auto count = [](Overpushed& o, const Raw& by) {
-            if (!o.is) return;
-            const Scalar along = dot(by, o.towards);
-            (along > Scalar(0) ? o.by : o.against) += along;
-        };
-        contacts.each_acting([&](const auto& c) {
-            const Raw impulse = contacts.whole(c);
-            count(over_[c.slot_a], bodies[c.slot_a].weight * impulse);
-            count(over_[c.slot_b], -bodies[c.slot_b].weight * impulse);
-        });
-        for (std::size_t slot = 0; slot < contacts.awake(); ++slot) {
-            auto& o = over_[slot];
-            if (!o.is) continue;
-            const Scalar needed = std::max(-dot(o.towards, contacts.kicks[slot]), Scalar(0)) - o.against;
-            if (o.by - needed > Scalar(1e-5) * o.by) o.keep = needed / o.by;
-        }
+        for (const auto slot : found_) weigh(contacts, slot);
         bool any = false;
-        contacts.each_acting([&](auto& c) {
-            const auto &a = over_[c.slot_a], &b = over_[c.slot_b];
-            const Raw impulse = contacts.whole(c);
-            Scalar keep(1);
-            if (a.is && dot(a.towards, impulse) > Scalar(0)) keep = std::min(keep, a.keep);
-            if (b.is && dot(b.towards, impulse) < Scalar(0)) keep = std::min(keep, b.keep);
-            if (!(keep < Scalar(1)) || !(c.impulse > Scalar(0))) return;
-            const Raw less = (keep - 1) * impulse;
-            nets_[c.slot_a] += bodies[c.slot_a].weight * less;
-            nets_[c.slot_b] -= bodies[c.slot_b].weight * less;
-            c.impulse *= keep;
-            if constexpr (std::remove_cvref_t<decltype(contacts)>::rubs) c.rubbing *= keep;
-            any = true;
-        });
+        each_marked([&](std::uint32_t n) { any = lessen_one(contacts, contacts.nth_acting(n)) || any; });
         return any;
     }
+    /// What pushes a body, and how much of that is right. Its contacts are marked.
+    void weigh(const auto& contacts, std::uint32_t slot) {
+        auto& over = over_[slot];
+        for (auto at = first_[slot]; at < first_[slot + 1]; ++at) {
+            const auto n = of_body_[at];
+            marked_[n / 64] |= std::uint64_t(1) << n % 64;
+            const auto& c = contacts.nth_acting(n);
+            const Scalar weight = contacts.bodies[slot].weight;
+            const Raw impulse = contacts.whole(c);
+            const Scalar along = dot(Raw(c.slot_a == slot ? weight * impulse : -weight * impulse), over.towards);
+            (along > Scalar(0) ? over.by : over.against) += along;
+        }
+        const Scalar needed = std::max(-dot(over.towards, contacts.kicks[slot]), Scalar(0)) - over.against;
+        if (over.by - needed > Scalar(1e-5) * over.by) over.keep = needed / over.by;
+    }
+    bool lessen_one(const auto& contacts, auto& c) {
+        const Raw impulse = contacts.whole(c);
+        Scalar keep(1);
+        const auto ask = [&](std::uint32_t slot, const Scalar& sign) {
+            if (slot >= over_.size()) return;
+            const auto& over = over_[slot];
+            if (over.is && dot(over.towards, impulse) * sign > Scalar(0)) keep = std::min(keep, over.keep);
+        };
+        ask(c.slot_a, Scalar(1));
+        ask(c.slot_b, Scalar(-1));
+        if (!(keep < Scalar(1)) || !(c.impulse > Scalar(0))) return false;
+        const Raw less = (keep - 1) * impulse;
+        for (const auto slot : {c.slot_a, c.slot_b}) {
+            const Scalar weight = contacts.bodies[slot].weight;
+            if (!(weight > Scalar(0))) continue;
+            if (slot == c.slot_a) nets_[slot] += weight * less;
+            else nets_[slot] -= weight * less;
+            suspects_.push_back(slot);
+        }
+        c.impulse *= keep;
+        if constexpr (std::remove_cvref_t<decltype(contacts)>::rubs) c.rubbing *= keep;
+        return true;
+    }
+    /// In the order of the contacts, and takes the marks away.
+    void each_marked(const auto& f) {
+        for (std::uint32_t word = 0; word < marked_.size(); ++word)
+            for (auto& bits = marked_[word]; bits != 0; bits &= bits - 1)
+                f(word * 64 + std::uint32_t(std::countr_zero(bits)));
+    }
 
-    std::vector<Raw> nets_;        // by slot: what impulses do to a body together, m/s
-    std::vector<Overpushed> over_; // by slot
+    std::vector<Raw> nets_;               // by slot of those that are awake: what impulses do to a body together, m/s
+    std::vector<Overpushed> over_;        // by slot
+    std::vector<std::uint32_t> suspects_; // slots that may be overpushed
+    std::vector<std::uint32_t> found_;    // slots that are
+    std::vector<std::uint32_t> first_;    // by slot: where those of a body begin in `of_body_`
+    std::vector<std::uint32_t> of_body_;  // which of the acting contacts
+    std::vector<std::uint64_t> marked_;   // a bit for each acting contact
 };
 
 } // namespace ansatz

@@ -2,16 +2,16 @@
 #pragma once
 
 /// \file
-/// `SoftSubsteps`: takes a step in parts and solves all contacts in each of them, softly and with memory. Beyond the
+/// `SoftSubsteps`: takes a step in substeps and solves all contacts in each of them, softly and with memory. Beyond the
 /// notes.
 ///
 /// Use it for piles, stacks and crowds: it remembers what presses from step to step, which a few iterations of
-/// `Impulse` and `Projection` do not make up for in a high column. Heavy bodies on light ones want more parts and a
+/// `Impulse` and `Projection` do not make up for in a high column. Heavy bodies on light ones want more substeps and a
 /// higher frequency. Pairs are found once a step, with those that may come to touch in it, and again where a sleeper
-/// wakes in it; then the forces and the integrator run `parts` times over a part of the step, and the contacts are
+/// wakes in it; then the forces and the integrator run in each of `parts` substeps, and the contacts are
 /// solved between them (soft_contacts.hpp). It needs no other response. What it costs is about `parts` integrations and
-/// twice as many passes over the contacts. Where nobody wakes, a law of one body is asked once in each part, for the
-/// contacts and the integrator's first stage, and once more in the step.
+/// twice as many passes over the contacts. Where no body wakes, a law of one body is asked once in each substep, for
+/// the contacts and the integrator's first stage, and once more in the step.
 ///
 /// **Impacts at one moment** (soft_impacts.hpp). Pairs that meet faster than `threshold` bounce when they meet, one
 /// after another in time, and together where they share a body and a moment; the order in which bodies were added makes
@@ -23,36 +23,51 @@
 
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact_step.hpp>
+#include <ansatz/collision/response/coloured_soft_contacts.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
 #include <ansatz/units/requirements.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <string_view>
+#include <type_traits>
 
 namespace ansatz {
 
-/// \tparam Options Friction, or none
+/// An option of SoftSubsteps: contacts are solved by colours, many at once (contact_colours.hpp).
+///
+/// Use it for piles of a thousand bodies and more. The same formula for each contact, in another order: what comes out
+/// is as good, and is other bits. Along a column the order of ids is better than colours: there news runs from end to
+/// end in one pass.
+struct Coloured {};
+
+/// \tparam Options Friction, Coloured, both or none
 template <class... Options> struct SoftSubsteps {
-    static_assert((std::same_as<Options, Friction> && ...) && sizeof...(Options) < 2,
-                  "Ansatz: the option of SoftSubsteps is Friction, e.g. SoftSubsteps<Friction>{}");
-    static constexpr bool rubs = sizeof...(Options) > 0; ///< whether there is friction
+    static_assert(((std::same_as<Options, Friction> || std::same_as<Options, Coloured>)&&...) &&
+                      (0 + ... + int(std::same_as<Options, Friction>)) < 2 &&
+                      (0 + ... + int(std::same_as<Options, Coloured>)) < 2,
+                  "Ansatz: the options of SoftSubsteps are Friction and Coloured, each once, e.g. "
+                  "SoftSubsteps<Friction>{}");
+    static constexpr bool rubs = (std::same_as<Options, Friction> || ...);     ///< whether there is friction
+    static constexpr bool coloured = (std::same_as<Options, Coloured> || ...); ///< whether contacts go by colours
 
     using role = roles::Response;
     static constexpr Level level = Level::substeps; ///< what it acts on
-    using reads = Columns<Restitution, Options...>;
+    using reads = std::conditional_t<rubs, Columns<Restitution, Friction>, Columns<Restitution>>;
     using writes = Columns<Velocity>;
-    template <class S> using State = SoftContacts<S, rubs>; ///< the contacts, with their impulses
+    /// the contacts, with their impulses
+    template <class S> using State = std::conditional_t<coloured, ColouredSoftContacts<S, rubs>, SoftContacts<S, rubs>>;
 
-    /// Into how many parts a step is divided, at least 1.
+    /// Number of substeps of a step, at least 1.
     int parts = 4;
-    /// 1/s, how fast a depth is taken away, finite and greater than zero; at most a quarter of the parts in a second is
-    /// used
+    /// 1/s, how fast a depth is removed, finite and greater than zero; at most a quarter of the number of substeps
+    /// a second is used
     Parameter<unit::Frequency> frequency = 60.0 * hertz;
-    /// How softly; finite and greater than zero
+    /// Of each contact as a spring; finite and greater than zero
     double damping_ratio = 5;
     /// m, how deep bodies may stay in each other; finite, not negative
     Parameter<unit::Length> slop = 0.0 * metre;
-    /// m/s, how fast bodies part at most that were put into each other; finite and greater than zero
+    /// m/s, how fast bodies that were put into each other separate at most; finite and greater than zero
     Parameter<unit::Velocity> push_out = 1.5 * metre_per_second;
     /// m/s, finite, not negative: slower approaches do not bounce
     Parameter<unit::Velocity> threshold = 0.25 * metre_per_second;
@@ -82,28 +97,30 @@ template <class... Options> struct SoftSubsteps {
         SoftSubsteps policy;
         explicit In(const SoftSubsteps& p) : policy(p) {}
 
-        /// How many parts.
+        /// The number of substeps.
         int parts() const { return policy.parts; }
         /// Finds the contacts that may bounce in this step.
         /// \return whether there are any; where there are none, nothing is done for them
-        template <class Data> bool find_bouncing(SoftContacts<S, rubs>& contacts, const Data& data) const {
-            auto& pairs = contacts.impacts.pairs;
+        template <class Data> bool find_bouncing(auto& contacts, const Data& data) const {
+            const auto larger = [&](const auto& c) {
+                return max(data.lanes.template get<Restitution>(c.slot_a),
+                           data.lanes.template get<Restitution>(c.slot_b))
+                    .value();
+            };
             bool any = false;
-            contacts.each_acting([&](const auto& c) {
-                const auto e =
-                    max(data.lanes.template get<Restitution>(c.slot_a), data.lanes.template get<Restitution>(c.slot_b));
-                any = any || e.value() > Scalar(0);
-                pairs.push_back({std::uint32_t(&c - contacts.all.data()), e.value()});
-            });
-            if (!any) pairs.clear();
+            contacts.each_acting([&](const auto& c) { any = any || larger(c) > Scalar(0); });
+            if (any)
+                contacts.each_acting([&](const auto& c) {
+                    contacts.impacts.pairs.push_back({std::uint32_t(&c - contacts.all.data()), larger(c)});
+                });
             return any;
         }
         /// Those that meet in this substep bounce.
-        bool bounce(SoftContacts<S, rubs>& contacts, Scalar h) const {
+        bool bounce(auto& contacts, Scalar h) const {
             return contacts.impacts.answer(contacts, h, Scalar(policy.threshold.value()));
         }
-        /// One pass that holds contacts, and parts those that are too deep.
-        void solve(SoftContacts<S, rubs>& contacts, Scalar h) const {
+        /// One pass that holds contacts, and separates those that are too deep.
+        void solve(auto& contacts, Scalar h) const {
             const Scalar f = std::min(Scalar(policy.frequency.value()), Scalar(0.25) / h),
                          zeta = Scalar(policy.damping_ratio);
             contacts.solve(h, Softness<Scalar>::of(f, zeta, h), Softness<Scalar>::of(2 * f, zeta, h),
@@ -117,8 +134,8 @@ template <class... Options> struct SoftSubsteps {
         /// The friction of two bodies.
         template <class Data> Scalar friction(const Data& data, std::size_t a, std::size_t b) const {
             if constexpr (rubs)
-                return std::sqrt(data.lanes.template get<Friction>(a).value() *
-                                 data.lanes.template get<Friction>(b).value());
+                return sqrt(data.lanes.template get<Friction>(a).value() *
+                            data.lanes.template get<Friction>(b).value());
             else return Scalar(0);
         }
     };

@@ -19,7 +19,7 @@
 /// The impulse is kept by the element, as one of its fields: it begins the next substep (warm start), and is copied,
 /// hashed and saved with it. Rows are solved in the order in which they are given, before the contacts of each pass, so
 /// that of the two it is the contacts that hold to the last. Softness is that of the response; a row that may only pull
-/// or only push looks ahead, as contacts do.
+/// or only push acts ahead, as contacts do.
 ///
 /// E. Catto, Soft Constraints (GDC 2011), and Solver2D (2024).
 

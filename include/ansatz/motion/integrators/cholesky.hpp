@@ -19,14 +19,14 @@ namespace ansatz {
 
 /// Solves A x = b for a symmetric, positive definite A by its factors.
 struct Cholesky {
-    static constexpr bool pattern_may_grow_old =
-        false; ///< the order of elimination, and with it the last bit, follows from the pattern
+    /// The order of elimination, and with it the last bit, follows from the pattern.
+    static constexpr bool pattern_may_grow_old = false;
 
     /// What it keeps between steps.
     template <class Scalar> class Solver {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
-        /// How small a part of b it leaves, about.
+        /// How small a fraction of b it leaves, about.
         static Scalar close() { return 1000 * std::numeric_limits<Scalar>::epsilon(); }
 
         /// The pattern is another: finds a new order of elimination.

@@ -69,7 +69,7 @@ template <class IntegratorT> struct Compensated {
     /// \name As the inner one
     /// @{
 
-    /// The times of the stages, in parts of the step.
+    /// The times of the stages, as fractions of the step.
     static constexpr auto nodes = []<int... K>(std::integer_sequence<int, K...>) {
         return std::array<double, std::size_t(stages)>{detail::node<Inner>(K)...};
     }(std::make_integer_sequence<int, stages>{});

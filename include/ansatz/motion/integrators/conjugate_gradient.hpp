@@ -30,13 +30,13 @@ struct ConjugateGradient {
     template <class Scalar> class Solver {
     public:
         using Column = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>; ///< a number for each row
-        /// How small a part of b it leaves, unless it is told.
+        /// How small a fraction of b it leaves, unless it is told.
         static Scalar close() {
             return std::max<Scalar>(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon());
         }
 
         /// \param x    the solution; what it holds is not used
-        /// \param leave how small a part of b it leaves
+        /// \param leave how small a fraction of b it leaves
         /// \return whether it converged
         template <class Matrix> bool solve(const Matrix& A, const Column& b, Column& x, const Scalar& leave = close()) {
             x.setZero(b.size());
@@ -73,7 +73,7 @@ struct ConjugateGradient {
         Eigen::Index iterations() const { return iterations_; }
 
     private:
-        /// In four parts, added in one order: what vector units do, and the same in every build.
+        /// In four sums, added in one order: what vector units do, and the same in every build.
         static Scalar sum(const Column& a, const Column& b) {
             Scalar part[4] = {};
             const auto whole = a.size() / 4 * 4;

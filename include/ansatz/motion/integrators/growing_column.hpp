@@ -29,13 +29,13 @@ public:
 
     GrowingColumn() : View(nullptr, 0) {}
     /// A copy has no more room than it needs.
-    GrowingColumn(const GrowingColumn& other) : View(nullptr, 0), numbers_(other.numbers_) { look(); }
+    GrowingColumn(const GrowingColumn& other) : View(nullptr, 0), numbers_(other.numbers_) { rebind(); }
     /// Leaves the other empty.
     GrowingColumn(GrowingColumn&& other) noexcept : View(nullptr, 0) { swap(other); }
     /// The values of another; the room that is here stays.
     GrowingColumn& operator=(const GrowingColumn& other) {
         numbers_ = other.numbers_;
-        look();
+        rebind();
         return *this;
     }
     /// Exchanges both with their room.
@@ -55,13 +55,13 @@ public:
     void reserve(std::size_t rows) {
         if (rows <= numbers_.capacity()) return;
         numbers_.reserve(rows);
-        look();
+        rebind();
     }
     /// Another length; what was there stays.
     void resize(Index rows) {
         if (rows == this->size()) return;
         numbers_.resize(std::size_t(rows));
-        look();
+        rebind();
     }
     /// So many zeros.
     void setZero(Index rows) {
@@ -71,13 +71,13 @@ public:
     /// Exchanges both with their room; nothing is copied.
     void swap(GrowingColumn& other) noexcept {
         numbers_.swap(other.numbers_);
-        look();
-        other.look();
+        rebind();
+        other.rebind();
     }
 
 private:
     /// The way in which Eigen lets a Map be given another place.
-    void look() noexcept { new (static_cast<View*>(this)) View(numbers_.data(), Index(numbers_.size())); }
+    void rebind() noexcept { new (static_cast<View*>(this)) View(numbers_.data(), Index(numbers_.size())); }
 
     std::vector<Scalar, detail::CacheLineAllocator<Scalar>> numbers_;
 };

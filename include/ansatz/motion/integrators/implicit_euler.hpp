@@ -9,7 +9,7 @@
 /// 81 % of its energy in a second. Not for orbits or anything that should keep its energy.
 ///
 /// "Solved" is meant: Newton's method with the forces' Jacobians. Repeating x = x + v dt, v = v + a dt until nothing
-/// moves (fixed-point sweeps) converges only while omega dt < 1, just where no implicit method was needed.
+/// moves (fixed-point iterations) converges only while omega dt < 1, just where no implicit method was needed.
 ///
 /// Where nothing couples bodies, each is solved by itself. Where springs couple them, all are solved together, as one
 /// sparse system: `ImplicitEuler` with conjugate gradients (conjugate_gradient.hpp), `ImplicitEulerBy<Cholesky>` with a
@@ -42,8 +42,8 @@ template <class LinearSolver> struct ImplicitEulerBy {
     static constexpr int order = 1;
     using linear_solver = LinearSolver; ///< for worlds whose bodies are coupled
 
-    /// Where bodies are coupled: Newton's method ends when what is left of the equation is this part of what there was
-    /// at the beginning; less than 1. Each linear system is solved as accurately, with MatrixFree only as accurately as
+    /// Where bodies are coupled: Newton's method ends when the residual is this fraction of what it was at the
+    /// beginning; less than 1. Each linear system is solved as accurately, with MatrixFree only as accurately as
     /// Newton's method can use. 0 is the linear solver's own: 1e-10 with conjugate gradients, rounding with factors,
     /// 1e-2 with MatrixFree. Bodies that nothing couples are solved to rounding always, which takes two or three
     /// iterations.
@@ -77,7 +77,7 @@ template <class LinearSolver> struct ImplicitEulerBy {
 
     /// Bound to a space.
     template <class S> struct In {
-        double tolerance;    ///< what part of the equation may be left
+        double tolerance;    ///< what fraction of the residual may be left
         int most_iterations; ///< of Newton's method
 
         /// Takes the parameters.
@@ -117,13 +117,13 @@ template <class LinearSolver> struct ImplicitEulerBy {
                     next = u - step;
                     next_r = residual(next);
                 }
-                const bool settled = norm(step).value() <= accurate * (norm(next).value() + norm(v).value());
+                const bool steady = norm(step).value() <= accurate * (norm(next).value() + norm(v).value());
                 const bool rounding = norm(step).value() <= close && !(norm(next_r) < norm(r));
-                if (!rounding || settled) {
+                if (!rounding || steady) {
                     u = next;
                     r = next_r;
                 }
-                converged = settled || rounding;
+                converged = steady || rounding;
             }
             if (is_finite(u)) v = u;
             x += v * dt;

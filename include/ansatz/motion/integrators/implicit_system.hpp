@@ -5,8 +5,9 @@
 /// `ImplicitSystem`: one step of implicit Euler for all bodies at once, where springs couple them (notes 1.6.2, 3).
 // not in the umbrella: only worlds that couple bodies and solve need it, and Eigen's sparse module takes half a second
 ///
-/// Newton's method for the velocities u at the end of the step: \f$ M (u - v) - \Delta t\,f(x + \Delta t\,u, u) = 0 \f$. Each
-/// iteration solves \f$ (M - \Delta t\,\partial f/\partial v - \Delta t^2\,\partial f/\partial x)\,\delta = r \f$, which is
+/// Newton's method for the velocities u at the end of the step:
+/// \f$ M (u - v) - \Delta t\,f(x + \Delta t\,u, u) = 0 \f$. Each iteration solves
+/// \f$ (M - \Delta t\,\partial f/\partial v - \Delta t^2\,\partial f/\partial x)\,\delta = r \f$, which is
 /// symmetric, positive definite and sparse. For springs along a line one iteration is the solution; where they turn, a
 /// few are needed, and a step that makes the residual larger is halved. The pattern, the vectors and the solver are
 /// kept.
@@ -55,7 +56,8 @@ public:
                 return h * change <= factor * eps * x_.cwiseAbs().maxCoeff() ||
                        change <= factor * eps * u_.cwiseAbs().maxCoeff();
             };
-            const bool settled = negligible(Scalar(4)), rounds = negligible(Scalar(4000));
+            const bool steady = negligible(Scalar(4)), near = negligible(Scalar(4000));
+            const bool rounds = near && left <= rounding_left(h);
             next_ = u_ - step_;
             Scalar next_left = residual(system, next_, h, next_r_);
             for (int half = 0; half < 30 && !rounds && !(next_left <= left); ++half) {
@@ -63,14 +65,14 @@ public:
                 next_ = u_ - step_;
                 next_left = residual(system, next_, h, next_r_);
             }
-            const bool rounding = rounds && !(next_left < left); // as small as rounding lets it become
+            const bool rounding = near && !(next_left < left); // as small as rounding lets it become
             if (!rounding) {
                 std::swap(u_, next_);
                 std::swap(r_, next_r_);
                 left = next_left;
             }
             // As good as the solver can make it: springs along a line are there after one iteration.
-            converged = settled || rounding || left <= enough;
+            converged = steady || rounding || left <= enough;
         }
         if (u_.allFinite()) v_ = u_;
         x_ += h * v_;
@@ -84,7 +86,7 @@ public:
 
 private:
     using Solver = typename LinearSolver::template Solver<Scalar>;
-    /// What part of a residual may be left: as much as is wanted, or the solver's own.
+    /// What fraction of a residual may be left: as much as is wanted, or the solver's own.
     static Scalar close_enough(double tolerance) {
         return tolerance > 0 ? std::max<Scalar>(Scalar(tolerance), 16 * std::numeric_limits<Scalar>::epsilon())
                              : Solver::close();
@@ -111,6 +113,20 @@ private:
         return unit * sqrt(sum);
     }
 
+    /// How much of |r| may come of how the places are rounded, by the matrix as it is. What is larger, and does not
+    /// fall, is no rounding but a force that sets in on the way: a rope that becomes taut, of which the matrix knows
+    /// nothing yet. So a short step that does not help is halved then, as a long one is.
+    Scalar rounding_left(const Scalar& h) const {
+        using std::sqrt;
+        const Scalar digits = 4 * std::numeric_limits<Scalar>::epsilon() * x_.cwiseAbs().maxCoeff() / h;
+        Scalar sum(0);
+        for (Eigen::Index i = 0; i < r_.size(); ++i)
+            if (mass_[i] > Scalar(0)) {
+                const Scalar push = digits * matrix_.matrix().coeff(i, i);
+                sum += push * push / mass_[i];
+            }
+        return sqrt(sum);
+    }
     /// M - dt df/dv - dt^2 df/dx at the end of the step; the rows of bodies that do not take part say "no change".
     template <class System> void linearise(System& system, const Scalar& h) {
         if (matrix_.bodies() != system.bodies() || !LinearSolver::pattern_may_grow_old) find_pattern(system);

@@ -15,7 +15,7 @@
 /// stiff.
 ///
 /// `ImplicitEulerBy<MatrixFree>{.most_iterations = 1}` is the step of Baraff and Witkin: one linear system, solved to
-/// the tolerance, and the whole of its solution is taken. The equation is not looked at again; what counts as unsolved
+/// the tolerance, and the whole of its solution is taken. The equation is not evaluated again; what counts as unsolved
 /// is the linear system. It takes half the time. A tolerance of 0.1 is too rough for it: a sheet that swings gains
 /// energy.
 ///
@@ -38,19 +38,19 @@ namespace ansatz {
 
 /// Names the solver: conjugate gradients over pairs of bodies.
 struct MatrixFree {
-    static constexpr double tolerance = 1e-2; ///< what part of the equation may be left, unless it is told
+    static constexpr double tolerance = 1e-2; ///< what fraction of the residual may be left, unless it is told
 
     /// Solves A x = b for a PairMatrix A, symmetric and positive definite.
     template <class Scalar> class Solver {
     public:
         using Column = GrowingColumn<Scalar>; ///< a number for each row; so may be any of Eigen's vectors
-        /// How small a part of b it leaves, unless it is told.
+        /// How small a fraction of b it leaves, unless it is told.
         static Scalar close() { return Scalar(tolerance); }
 
         /// \param weight  of each row in the norm in which b and what is left of it are measured, the square root of
         ///                the sum of weight * value^2; 1 / mass makes it Newton's
         /// \param x       the solution; what it holds is not used. Where it did not converge, the best so far.
-        /// \param leave   how small a part of b it leaves
+        /// \param leave   how small a fraction of b it leaves
         /// \return whether it converged
         template <class Matrix, class X>
         bool solve(const Matrix& A, const auto& b, const auto& weight, X& x, const Scalar& leave = close()) {
@@ -89,17 +89,17 @@ struct MatrixFree {
         /// How many iterations the last solution took.
         Eigen::Index iterations() const { return iterations_; }
 
-        /// In four parts, added in one order: what vector units do, and the same in every build.
+        /// In four sums, added in one order: what vector units do, and the same in every build.
         static Scalar sum(const auto& a, const auto& b) {
-            return in_parts(a.size(), [&](Eigen::Index i) { return a[i] * b[i]; });
+            return in_four(a.size(), [&](Eigen::Index i) { return a[i] * b[i]; });
         }
         /// The same with weights.
         static Scalar sum(const auto& a, const auto& b, const auto& weight) {
-            return in_parts(a.size(), [&](Eigen::Index i) { return a[i] * b[i] * weight[i]; });
+            return in_four(a.size(), [&](Eigen::Index i) { return a[i] * b[i] * weight[i]; });
         }
 
     private:
-        template <class F> [[gnu::always_inline]] static Scalar in_parts(Eigen::Index size, F&& f) {
+        template <class F> [[gnu::always_inline]] static Scalar in_four(Eigen::Index size, F&& f) {
             Scalar part[4] = {};
             const auto whole = size / 4 * 4;
             for (Eigen::Index i = 0; i < whole; i += 4)
@@ -185,16 +185,18 @@ private:
             linearise(system, h);
             linear(leave);
             if (!step_.allFinite()) break;
-            const bool settled = negligible(h, Scalar(4)), rounds = negligible(h, Scalar(4000));
-            const Scalar next_left = go(system, h, left, rounds);
-            const bool rounding = rounds && !(next_left < left); // as small as rounding lets it become
+            const bool steady = negligible(h, Scalar(4)), near = negligible(h, Scalar(4000));
+            bool downhill = false;
+            const Scalar next_left = go(system, h, left, near && left <= rounding_left(h), downhill);
+            // As small as rounding lets it become.
+            const bool rounding = near && !downhill && !(next_left < left);
             const Scalar before = left;
             if (!rounding) {
                 u_.swap(next_);
                 r_.swap(next_r_);
                 left = next_left;
             }
-            converged = settled || rounding || left <= enough;
+            converged = steady || rounding || left <= enough;
             leave = next_accuracy(leave, before, left, enough);
         }
         return converged;
@@ -218,16 +220,31 @@ private:
         return h * change <= factor * eps * x_.cwiseAbs().maxCoeff() ||
                change <= factor * eps * u_.cwiseAbs().maxCoeff();
     }
+    /// How much of what is left may come of how the places are rounded: as in implicit_system.hpp.
+    Scalar rounding_left(const Scalar& h) const {
+        using std::sqrt;
+        const Scalar digits = 4 * std::numeric_limits<Scalar>::epsilon() * x_.cwiseAbs().maxCoeff() / h;
+        Scalar sum(0);
+        for (Eigen::Index i = 0; i < r_.size(); ++i) {
+            const Scalar push = digits * matrix_.diagonal(i);
+            sum += push * push * weight_[i];
+        }
+        return sqrt(sum);
+    }
     /// Takes the step, or the part of it behind which the energy would rise.
+    /// \param rounds what is left may be rounding: then all of it is taken
+    /// \param downhill becomes true where the energy falls, whatever is left
     /// \return what is left
-    template <class System> Scalar go(System& system, const Scalar& h, const Scalar& left, bool rounds) {
+    template <class System>
+    Scalar go(System& system, const Scalar& h, const Scalar& left, bool rounds, bool& downhill) {
         next_ = u_ - step_;
         Scalar next_left = residual(system, next_, h, next_r_);
         const Scalar fall = Solver::sum(r_, step_);
         for (int i = 0; i < 30 && !rounds && !(next_left <= left); ++i) {
             const Scalar ahead = Solver::sum(next_r_, step_); // both along the step as it is now
             const Scalar steep = i == 0 ? fall : Solver::sum(r_, step_);
-            if (ahead >= Scalar(-0.5) * steep) break;
+            downhill = ahead >= Scalar(-0.5) * steep;
+            if (downhill) break;
             const Scalar part = is_finite(ahead) ? Scalar(steep / (steep - ahead)) : Scalar(0.1);
             step_ *= std::min(Scalar(0.9), std::max(Scalar(0.1), part));
             next_ = u_ - step_;

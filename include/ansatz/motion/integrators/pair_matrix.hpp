@@ -7,7 +7,7 @@
 // not in the umbrella: only worlds that couple bodies and solve by MatrixFree need it
 ///
 /// Use it for implicit integrators of your own that only ever multiply by the matrix, as conjugate gradients do: it is
-/// filled by one look at each spring, has no pattern that could grow old, and takes a third of the memory of a sparse
+/// filled by one pass over the springs, has no pattern that could grow old, and takes a third of the memory of a sparse
 /// matrix. A spring between two bodies is kept as what it is, a block that acts on the difference of two vectors,
 /// \f$ y_a \mathrel{+}= K(x_a - x_b),\; y_b \mathrel{-}= K(x_a - x_b) \f$, which is half of the multiplications and says to the
 /// last digit that nothing happens to a body that moves along with its neighbours. Where blocks are wanted by their
@@ -44,6 +44,7 @@ public:
     void reserve_bodies(std::size_t bodies) {
         own_.reserve(bodies);
         alone_.reserve(bodies);
+        products_.reserve(bodies);
         inverse_.reserve(bodies);
     }
     /// Forgets everything; the room stays.
@@ -96,39 +97,47 @@ public:
     void finish() {
         for (int k = 0; k < waiting_; ++k) release(std::size_t(k));
         waiting_ = 0;
+        products_.resize(own_.size());
         inverse_.resize(own_.size());
         for (std::size_t i = 0; i < own_.size(); ++i) invert(own_[i], inverse_[i]);
     }
     /// Bodies.
     Index bodies() const { return Index(own_.size()); }
+    /// The number of a row on the diagonal.
+    const Scalar& diagonal(Index row) const {
+        return own_[std::size_t(row / dimension)](row % dimension, row % dimension);
+    }
     /// Pairs that are kept as springs.
     std::size_t springs() const { return springs_.size(); }
     /// Pairs whose block is not symmetric or not that of both bodies by themselves.
     std::size_t others() const { return pairs_.size(); }
 
-    /// \f$ y = A x \f$
+    /// \f$ y = A x \f$; not from two threads at once, which would share the room for it.
     /// \param x,y one of Eigen's vectors, or a GrowingColumn, each
     template <class X, class Y> void multiply(const X& x, Y& y) const {
         y.resize(x.size());
         const Scalar* in = x.data();
         Scalar* out = y.data();
-        for (std::size_t i = 0; i < alone_.size(); ++i)
+        Product* products = products_.data();
+        for (std::size_t i = 0; i < alone_.size(); ++i) {
+            Product& of = products[i];
+            for (int c = 0; c < dimension; ++c) of.in[c] = in[i * dimension + std::size_t(c)];
             for (int r = 0; r < dimension; ++r) {
-                const auto at = i * dimension;
-                Scalar sum = alone_[i](r, 0) * in[at];
-                for (int c = 1; c < dimension; ++c) sum += alone_[i](r, c) * in[at + std::size_t(c)];
-                out[at + std::size_t(r)] = sum;
-            }
-        for (const Spring& s : springs_) {
-            const auto a = std::ptrdiff_t(s.a) * dimension, b = std::ptrdiff_t(s.b) * dimension;
-            Scalar apart[dimension], pull[dimension];
-            for (int c = 0; c < dimension; ++c) apart[c] = in[a + c] - in[b + c];
-            apply(s.block, apart, pull);
-            for (int r = 0; r < dimension; ++r) {
-                out[a + r] += pull[r];
-                out[b + r] -= pull[r];
+                Scalar sum = alone_[i](r, 0) * of.in[0];
+                for (int c = 1; c < dimension; ++c) sum += alone_[i](r, c) * of.in[c];
+                of.out[r] = sum;
             }
         }
+        for (const Spring& s : springs_) {
+            Product &a = products[s.a], &b = products[s.b];
+            const Wide apart = a.in - b.in;
+            Wide pull = s.column(0) * apart[0];
+            for (int c = 1; c < dimension; ++c) pull += s.column(c) * apart[c];
+            a.out += pull;
+            b.out -= pull;
+        }
+        for (std::size_t i = 0; i < alone_.size(); ++i)
+            for (int r = 0; r < dimension; ++r) out[i * dimension + std::size_t(r)] = products[i].out[r];
         for (const Pair& p : pairs_)
             for (int r = 0; r < dimension; ++r)
                 for (int c = 0; c < dimension; ++c) {
@@ -145,9 +154,22 @@ public:
 
 private:
     using Packed = std::array<Scalar, std::size_t(packed)>; // 3 x 3: xx, xy, xz, yy, yz, zz
+    // As many numbers as vector units take at once: what a body has, or a column of a block. What stands behind the
+    // last component is of no meaning; in a column it repeats a number of the block, since with a zero there
+    // g++ 12 makes a solve that takes five times as long.
+    using Wide = Eigen::Array<Scalar, dimension == 3 ? 4 : dimension, 1>;
     struct Spring {
         int a, b;
         Packed block; // of either by itself
+        [[gnu::always_inline]] Wide column(int c) const {
+            if constexpr (dimension == 2) return Wide(block[std::size_t(c)], block[std::size_t(c + 1)]);
+            else if (c == 0) return Wide(block[0], block[1], block[2], block[3]);
+            else if (c == 1) return Wide(block[1], block[3], block[4], block[4]);
+            else return Wide(block[2], block[4], block[5], block[5]);
+        }
+    };
+    struct Product { // what a body is multiplied with, and what it comes to
+        Wide in = Wide::Zero(), out = Wide::Zero();
     };
     struct Pair {
         int a, b;
@@ -214,6 +236,7 @@ private:
     std::vector<Block> own_, alone_; // all of a body's, and that part which is no spring's
     std::vector<Spring> springs_;
     std::vector<Pair> pairs_;
+    mutable std::vector<Product> products_; // room for multiply
     std::vector<Packed> inverse_;
     std::array<Waiting, 2> kept_; // blocks of bodies by themselves, whose bodies are not known yet
     int waiting_ = 0;

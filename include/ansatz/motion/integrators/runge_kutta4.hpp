@@ -19,7 +19,7 @@ struct RungeKutta4 {
     using scratch = Columns<ScratchVector<unit::Length>, ScratchVector<unit::Velocity, 0>,
                             ScratchVector<unit::Velocity, 1>, ScratchVector<unit::Acceleration>>;
     static constexpr int stages = 4;
-    static constexpr double nodes[] = {0, 0.5, 0.5, 1}; ///< the times of the stages, in parts of the step
+    static constexpr double nodes[] = {0, 0.5, 0.5, 1}; ///< the times of the stages, as fractions of the step
     static constexpr int order = 4;
 
     // x0, v0: the state that the step started from; sum_v, sum_a: the weighted slopes so far.

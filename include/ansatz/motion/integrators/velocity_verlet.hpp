@@ -22,7 +22,7 @@ struct VelocityVerlet {
     using writes = Columns<Position, Velocity>;
     using scratch = Columns<ScratchVector<unit::Velocity>>;
     static constexpr int stages = 2;
-    static constexpr double nodes[] = {0, 1}; ///< the times of the stages, in parts of the step
+    static constexpr double nodes[] = {0, 1}; ///< the times of the stages, as fractions of the step
     static constexpr int order = 2;
     static constexpr bool reversible = true;
 

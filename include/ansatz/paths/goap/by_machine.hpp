@@ -51,8 +51,8 @@ concept PlayedMachine =
 
 /// A `Performer` whose actions are states of a machine.
 ///
-/// - The state of an action has the action's name; its event has it too, with `_` for every space, since a space parts
-///   the events of a transition: "fell tree" is the state, "fell_tree" the event.
+/// - The state of an action has the action's name; its event has it too, with `_` for every space, since a space
+///   separates the events of a transition: "fell tree" is the state, "fell_tree" the event.
 /// - Beginning an action is its event. It must be taken wherever the machine may stand: after an action, and in the
 ///   midst of one that a new plan gives up. A guard on it may refuse; then the action has failed.
 /// - A tick is one update. In the action's state, or one inside it, the action is going on; in the state "done" it is
@@ -109,7 +109,7 @@ public:
     Progress tick(Action a) {
         require(a);
         machine_->update(*context_, dt_); // also where it refused the action: it may be busy with what made it refuse
-        // Who refuses an action may still stand in "done", from the one before.
+        // A machine that refuses an action may still stand in "done", from the one before.
         if (!begun_) return Progress::failed;
         if (machine_->is_in(done_)) return Progress::done;
         return machine_->is_in(steps_[a].state) ? Progress::going : Progress::failed;

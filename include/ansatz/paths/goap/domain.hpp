@@ -60,14 +60,16 @@ public:
     public:
         /// To add to this action.
         Building(Domain& domain, Action action) : domain_(&domain), action_(action) {}
-        /// \throws std::invalid_argument for a fact of another domain, and for one that is needed both ways
+        /// \throws std::invalid_argument, and adds none of them, for a fact of another domain, and for one that is
+        ///         needed both ways
         template <class... Facts> Building& needs(Facts... facts) {
-            (domain_->put(action_, "needs", domain_->rules_[action_].needs, facts), ...);
+            domain_->put(action_, "needs", domain_->rules_[action_].needs, {facts...});
             return *this;
         }
-        /// \throws std::invalid_argument for a fact of another domain, and for one that is made both ways
+        /// \throws std::invalid_argument, and adds none of them, for a fact of another domain, and for one that is made
+        ///         both ways
         template <class... Facts> Building& makes(Facts... facts) {
-            (domain_->put(action_, "makes", domain_->rules_[action_].makes, facts), ...);
+            domain_->put(action_, "makes", domain_->rules_[action_].makes, {facts...});
             return *this;
         }
         /// The action itself.
@@ -162,12 +164,16 @@ private:
         c.value.set(f.number, f.holds);
         return true;
     }
-    void put(Action a, const char* verb, Condition& c, Fact f) {
-        require(f);
-        if (!add(c, f))
-            refuse_value("goap::Domain::action", "\"" + facts_[f.number] + "\"", "given both ways",
-                         "\"" + names_[a] + "\" " + verb + " it or its opposite, not both");
-        ++version_;
+    void put(Action a, const char* verb, Condition& c, std::initializer_list<Fact> facts) {
+        Condition more = c; // all of them or none
+        for (const Fact f : facts) {
+            require(f);
+            if (!add(more, f))
+                refuse_value("goap::Domain::action", "\"" + facts_[f.number] + "\"", "given both ways",
+                             "\"" + names_[a] + "\" " + verb + " it or its opposite, not both");
+        }
+        c = more;
+        version_ += facts.size();
     }
     void require(Fact f) const {
         if (f.number >= facts_.size())

@@ -6,8 +6,8 @@
 ///
 /// | policy | an action that has failed | use it |
 /// |---|---|---|
-/// | `Forgets` | is planned again at once, up to the runner's `attempts` | where failure is bad luck: a blow that misses |
-/// | `Remembers` | is left out of plans for a while, twice as long each time | where something hidden is wrong: a door that is stuck |
+/// | `Forgets` | is planned again at once, up to the runner's `attempts` | where it was bad luck: a blow that misses |
+/// | `Remembers` | is left out for a while, twice as long each time | where something hidden is wrong: a stuck door |
 ///
 /// The facts of a domain do not say why an action failed, or it would not have been planned. So a runner that forgets
 /// plans the stuck door for ever, while there is a window. One that remembers takes the window; where there is none it
@@ -54,7 +54,8 @@ public:
         friend bool operator==(const Record&, const Record&) = default;
     };
 
-    /// \throws std::invalid_argument for no attempt at all, and for a pause that is not positive, or longer than the longest
+    /// \throws std::invalid_argument for no attempt at all, and for a pause that is not positive, or longer than the
+    /// longest
     explicit Failures(const Remembers& policy) : policy_(policy) {
         if (policy.attempts < 1)
             refuse_value("goap::Remembers", "attempts", std::to_string(policy.attempts),
@@ -95,7 +96,7 @@ public:
     std::uint64_t failures(Action a) const { return a < records_.size() ? records_[a].failures : 0; }
     std::uint64_t version() const { return version_; } // another set is left out
 
-    // For who saves it.
+    // To save it.
     const std::vector<Record>& records() const { return records_; }
     Quantity<unit::Time> now() const { return now_; }
     void set(std::vector<Record> records, Quantity<unit::Time> now) {

@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `perform`: how a plan meets who carries it out, one tick of the game at a time. Whoever can begin an action and say
+/// `perform`: how a plan is carried out, one tick of the game at a time. Whatever can begin an action and say
 /// how it goes is a `Performer`: a function of yours, an animation, a state machine whose states are named after the
 /// actions.
 
@@ -20,7 +20,7 @@ enum class Progress {
     failed, ///< it cannot be finished
 };
 
-/// Who can begin an action, and be asked each tick how it goes.
+/// What can begin an action, and be asked each tick how it goes.
 template <class P>
 concept Performer = requires(P& p, Action a) {
     p.begin(a);
@@ -32,7 +32,7 @@ struct Performance {
     std::optional<Action> begun; ///< the action that was begun and has not ended
 };
 
-/// One tick: looks whether the plan still holds, begins the action that is due unless it is being done already, and
+/// One tick: checks whether the plan still holds, begins the action that is due unless it is being done already, and
 /// asks how it goes. An action goes on when there is another plan that begins with it.
 /// \param state_of a function that answers with the state of the world at this moment; it is asked again behind the
 /// action

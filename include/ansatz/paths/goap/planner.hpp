@@ -5,7 +5,7 @@
 /// `Planner`: the cheapest series of actions from a state to a goal (notes 6.2), by the same A* that finds paths.
 ///
 /// `Planner{domain}` plans with `Careful` and finds the cheapest plan; `Planner{domain, Greedy{}}` is faster and may
-/// not. <!-- costs: paths planner/*: Greedy < 0.5 Careful --> %Keep it: it allocates nothing once warm. It looks at the
+/// not. <!-- costs: paths planner/*: Greedy < 0.5 Careful --> %Keep it: it allocates nothing once warm. It reads the
 /// domain, so actions may be added and costs changed between plans.
 
 #include <ansatz/paths/a_star.hpp>
@@ -40,11 +40,11 @@ public:
     using Search = typename std::conditional_t<chosen, std::type_identity<paths::AStar<Graph, Policies...>>,
                                                std::type_identity<paths::AStar<Graph, Careful, Policies...>>>::type;
 
-    /// \param domain looked at, never copied: it must live as long as this
+    /// \param domain read, never copied: it must live as long as this
     explicit Planner(const Domain<Words>& domain, Policies... policies)
         : graph_(domain), search_(made(graph_, policies...)) {}
     explicit Planner(const Domain<Words>&&, Policies...) = delete;
-    Planner(const Planner&) = delete; // its search looks at its own graph
+    Planner(const Planner&) = delete; // its search reads its own graph
     Planner& operator=(const Planner&) = delete;
 
     /// Plans in one go.
@@ -72,7 +72,7 @@ public:
         start_ = now;
         actions_.clear();
     }
-    /// Looks at up to so many states more and says how it stands then.
+    /// Expands up to so many states more and returns the outcome so far.
     Outcome advance(std::size_t states) {
         search_.advance(states);
         return search_.outcome() == Outcome::running ? Outcome::running : read(start_);
@@ -84,10 +84,10 @@ public:
     std::span<const Action> actions() const { return actions_; }     ///< what to do, in order
     std::span<const State> states() const { return search_.path(); } ///< before the first and after each
     double cost() const { return double(search_.cost()); }           ///< of all actions together
-    std::size_t expanded() const { return search_.expanded(); }      ///< states whose actions were looked at
+    std::size_t expanded() const { return search_.expanded(); }      ///< states whose actions were visited
     /// What it plans with.
     const Domain<Words>& domain() const { return graph_.domain(); }
-    /// Its search, to look at.
+    /// Its search, to read.
     const Search& search() const { return search_; }
     /// The plan, or why there is none, in a sentence.
     std::string why() const {
@@ -100,7 +100,7 @@ public:
                 return "there is no plan without what is left out: " + names;
             }
             return "there is no plan: every fact of the goal can be had, but not all at once; all " +
-                   std::to_string(expanded()) + " states that can be reached were looked at";
+                   std::to_string(expanded()) + " states that can be reached were expanded";
         }
         if (outcome() != Outcome::found) return search_.why();
         if (actions_.empty()) return "nothing needs to be done";

@@ -26,7 +26,7 @@
 
 namespace ansatz::goap {
 
-/// Who writes runners down and reads them back: goap/save.hpp.
+/// What writes runners down and reads them back: goap/save.hpp.
 struct RunnerArchive;
 
 /// A plan on its way.
@@ -115,7 +115,7 @@ public:
         outcome_ = Outcome::gave_up;
         at_ = actions_.size();
     }
-    /// Who plans for it.
+    /// Its planner.
     const Planner& planner() const { return *planner_; }
 
     /// \name What failed, of a runner that remembers

@@ -296,7 +296,7 @@ void save(const Runner<Planner, Memory>& runner, const Performance& performance,
     ansatz::detail::write_whole_file(path, RunnerArchive::text(runner, performance));
 }
 /// Puts a runner where the one was that was saved.
-/// \param performer who goes on with the action that is begun: one with `resume(action)`, such as ByMachine, is told of it
+/// \param performer what goes on with the action that is begun: one with `resume(action)`, such as ByMachine, is told of it
 /// \param name      of the file, for its sentences
 /// \throws std::invalid_argument for a file of another version, of another domain or of a runner with a memory where this
 ///         one has none, or the other way about, and for one that cannot be; everything is as it was

@@ -71,14 +71,14 @@ private:
 template <std::size_t Words = 1> class StateGraph {
 public:
     using goal_type = Condition<Words>; ///< a search ends in any state in which this holds
-    /// \param domain looked at, never copied: it must live as long as this
+    /// \param domain read, never copied: it must live as long as this
     explicit StateGraph(const Domain<Words>& domain) : domain_(&domain) {}
-    /// Whose states these are.
+    /// The domain of these states.
     const Domain<Words>& domain() const { return *domain_; }
     using Rules = std::vector<typename Domain<Words>::Rule>; ///< one for each action
-    /// What the actions do: as the domain says, or as somebody says who leaves some out.
+    /// What the actions do: as the domain says, or as a caller that leaves some out.
     const Rules& rules() const { return instead_ != nullptr ? *instead_ : domain_->rules(); }
-    /// Rules in the place of the domain's, one for each of its actions; null: those of the domain. They are looked at,
+    /// Rules in the place of the domain's, one for each of its actions; null: those of the domain. They are read,
     /// never copied. A rule that makes nothing is no change, and so no edge.
     void use(const Rules* instead) { instead_ = instead; }
 

@@ -92,7 +92,7 @@ public:
         const int d = contains(from) && contains(to) ? direction(from, to) : -1;
         return d >= 0 && (open_[index(from)] >> d & 1) != 0;
     }
-    /// One edge in one direction: a drop that nobody climbs.
+    /// One edge in one direction: a drop that cannot be climbed.
     void set_passable(Cell from, Cell to, bool free) {
         require_inside("Grid::set_passable", from);
         require_inside("Grid::set_passable", to);

@@ -4,7 +4,7 @@
 /// \file
 /// `Grid` as a graph of Boost.Graph: IncidenceGraph and VertexListGraph, vertex_index and edge_weight.
 ///
-/// A vertex is a `Cell`, an edge a `GridEdge`. Edges are made while one looks at them: a byte a tile says which steps
+/// A vertex is a `Cell`, an edge a `GridEdge`. Edges are made on demand: a byte a tile says which steps
 /// lead out of it, so flags and corner rule are not asked again for each search.
 
 #include <ansatz/paths/grid/declaration.hpp>
@@ -160,7 +160,7 @@ template <class N, class G, class Cost> double bucket_width(const Grid<N, G>& g,
 }
 template <class N, class G> bool has_vertex(Cell c, const Grid<N, G>& g) { return g.contains(c); }
 template <class N, class G> bool is_blocked(Cell c, const Grid<N, G>& g) {
-    return g.open_directions(c) == 0 && !g.passable(c); // whoever has a way out is free: the flags need not be fetched
+    return g.open_directions(c) == 0 && !g.passable(c); // a tile with a way out is free: the flags need not be fetched
 }
 template <class N, class G> std::string name_of(Cell c, const Grid<N, G>&) { return name_of(c); }
 /// "2.4142137 tiles", in whatever number a search has counted.

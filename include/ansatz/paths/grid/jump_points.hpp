@@ -52,9 +52,9 @@ constexpr unsigned diagonal_left_of(unsigned d) { return 4 + left_of(d); }
 template <bool Cuts> struct Pruning {
     static constexpr bool has(unsigned open, unsigned d) { return (open >> d & 1) != 0; }
 
-    /// The directions that only a wall makes necessary, for who came by a step to direction d.
-    /// \param before the open directions of the tile he came from
-    /// \param open   those of the tile he is on
+    /// The directions that only a wall makes necessary, for a walk that came by a step to direction d.
+    /// \param before the open directions of the tile it came from
+    /// \param open   those of the tile it is on
     static constexpr unsigned forced(unsigned before, unsigned open, unsigned d) {
         unsigned turns = 0;
         if (d < 4) {

@@ -5,7 +5,7 @@
 /// `check_heuristic` and `Checked`: does a heuristic ever estimate too much, and where?
 ///
 /// The notes: a heuristic **must** be an underestimate or exact. This finds out, by the true cost of every vertex, and
-/// names the node. To learn and to test with: it looks at the whole graph for every goal. It judges in the number in
+/// names the node. To learn and to test with: it visits the whole graph for every goal. It judges in the number in
 /// which the search counts, since an estimate is right or wrong only in that: on a Grid a tile is 33461, not 1.
 
 #include <ansatz/paths/true_costs.hpp>

@@ -7,7 +7,7 @@
 /// A search knows tiles; a body has a radius and turns in curves. `map_for` is the map as it is for such a body: tiles
 /// whose centre it does not fit are blocked, and steps on which it would touch. On that search. `way_points` then
 /// leaves out the corners of the path between which the body passes in a straight line, and finds for each of the
-/// others by how much it may be cut, the most that the map allows: walls are looked at where they are, not tile by
+/// others by how much it may be cut, the most that the map allows: walls are tested where they are, not tile by
 /// tile.
 ///
 /// Blocked tiles, and all beyond the map, are walls for the whole body. Edges that are shut (thin walls, drops) hold

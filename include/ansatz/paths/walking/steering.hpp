@@ -10,7 +10,7 @@
 /// your own is made of. For a body that follows a path take `Walkers`, which plans its speed along the whole of it.
 ///
 /// Each has a closed form, of the steps and not only of their limit: `arrive` brakes by exactly a dt in each step and
-/// lands on the target to the rounding, so that nobody circles it, however long the step is. The verbs are Reynolds'
+/// lands on the target to the rounding, so that no walker circles it, however long the step is. The verbs are Reynolds'
 /// (Steering Behaviors For Autonomous Characters, 1999); his arrival slows down in proportion to the distance and lands
 /// only in the limit of short steps.
 
@@ -101,7 +101,7 @@ arrive(const detail::Arrow<unit::Length, S, D, O>& place, const detail::Arrow<un
     return detail::along(way, u < speed ? u : speed);
 }
 
-/// When a walker of this speed can first meet somebody who goes on as now: the smaller root t > 0 of
+/// When a walker of this speed can first meet another that goes on as now: the smaller root t > 0 of
 /// \f$ |\mathbf r + \mathbf w t| = c\,t \f$. Nothing where there is none. \return s
 /// \param offset   m, from the walker to the other
 /// \param velocity m/s, of the other
@@ -119,7 +119,7 @@ std::optional<Quantity<unit::Time, S>> meeting_time(const detail::Arrow<unit::Le
     if (!(closing.value() > S(0))) return std::nullopt;
     return Quantity<unit::Time, S>(apart / closing);
 }
-/// Towards where somebody who goes on as now can be met, or where that is nowhere, after him. \return m/s
+/// Towards where another that goes on as now can be met, or where that is nowhere, after it. \return m/s
 template <class S, int D, int O>
 detail::Arrow<unit::Velocity, S, D, O>
 pursue(const detail::Arrow<unit::Length, S, D, O>& place, const detail::Arrow<unit::Length, S, D, O>& other,

@@ -28,7 +28,7 @@
 
 namespace ansatz::paths {
 
-/// How somebody walks.
+/// How a walker walks.
 struct Gait {
     Parameter<unit::Velocity> speed;              ///< m/s, the greatest
     Parameter<unit::Acceleration> acceleration;   ///< m/s^2, the greatest
@@ -41,7 +41,7 @@ struct Gait {
 
 /// \tparam Search an AStar on a Grid: where the radius is more than half a tile, or the grid has another corner rule than
 ///                BothFree, on `map_for(map, radius)`
-/// \tparam Map    the map itself, on which walls are looked for
+/// \tparam Map    the map itself, on which walls are searched for
 template <class Search, class Map = std::remove_cvref_t<decltype(std::declval<const Search&>().graph())>>
 class Traveller {
 public:
@@ -232,7 +232,7 @@ private:
     Cell goal_{};
     std::vector<WayPoint> points_;
     std::optional<ElementHandle<Walk>> walk_;
-    std::size_t version_ = 0; ///< of the map that was looked at
+    std::size_t version_ = 0; ///< of the map that was searched
     bool waiting_ = false;    ///< for the walker to stand, to give it the next way
     bool lost_ = false;
 };

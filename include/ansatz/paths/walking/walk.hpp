@@ -24,10 +24,10 @@ namespace ansatz::paths {
 /// Lets a body follow a path, from where it is: `world.add(Walk{.body = fox, .path = {...}, .speed = ...})`. Setting
 /// another Walk for the same handle gives it another path, while it walks.
 struct Walk {
-    using element = Walk;            ///< it is one
-    Handle body;                     ///< who walks; a body that is free to move; who walks already is refused
-    std::vector<WayPoint> path;      ///< the places to come, in their order; the last is where it stops
-    Parameter<unit::Velocity> speed; ///< m/s, the greatest
+    using element = Walk;                       ///< it is one
+    Handle body;                                ///< a body that is free to move and has no walk yet
+    std::vector<WayPoint> path;                 ///< the places to come, in their order; the last is where it stops
+    Parameter<unit::Velocity> speed;            ///< m/s, the greatest
     Parameter<unit::Acceleration> acceleration; ///< m/s^2, the greatest that it adds to what else acts on it
     /// Where walking has a ground, the direction away from it, such as (0, 1, 0): what goes on along it, gravity and
     /// jumps, is left alone, and heights of way points mean nothing. It is zero for what flies, and for worlds seen
@@ -137,7 +137,7 @@ template <class S> struct WalkRow {
             way.prepare();
         }
     }
-    /// A place to come from, for one who is there already.
+    /// A place to come from, for a walker that is there already.
     typename S::Position behind(const typename S::Position& place) const {
         int k = 0;
         for (int i = 1; i < S::dimension; ++i)
@@ -253,7 +253,7 @@ public:
     /// @}
 
 private:
-    /// Room for a body, and who walks, if a file has brought them: this may fail, and what follows cannot.
+    /// Room for a body, and for the walkers, if a file has brought them: this may fail, and what follows cannot.
     void find_bodies(std::uint32_t body) {
         if (body >= by_body_.size()) by_body_.resize(std::max<std::size_t>(body + 1, 2 * by_body_.size()), none);
         if (known_) return;

@@ -13,7 +13,7 @@
 /// drag and contacts do to it what they do to any body; what they add in a step it feels behind that step, so that a
 /// steady push g leaves it g dt^2 beside its way.
 ///
-/// It knows no map. Who finds the path, and looks for another when the map changes, is `Traveller` (traveller.hpp).
+/// It knows no map. `Traveller` finds the path, and another one when the map changes (traveller.hpp).
 /// Between the ends of a step a body moves straight, and may cut its own curve by a dt^2/8. A walker that Rest has put
 /// to sleep, because something is in its way, is told as stuck; it goes on when its body wakes: what it leant on is
 /// gone, or it is given another Walk.
@@ -59,7 +59,7 @@ struct Walkers {
     using Element = Walk; ///< what it keeps
     static constexpr std::string_view name = "Walkers";
 
-    /// s, after which one who gets no nearer is told as stuck
+    /// s, after which a walker that gets no nearer is reported as stuck
     Parameter<unit::Time> patience = 1.0 * second;
     static void parameters(auto& self, auto&& visit) { visit("patience", self.patience); }
     void check() const { require_positive("Walkers", "patience", patience); }
@@ -128,7 +128,7 @@ struct Walkers {
         static typename S::Length rounding_at(const typename S::Position& x) {
             return Scalar(16) * std::numeric_limits<Scalar>::epsilon() * norm(x);
         }
-        /// The velocity of one who is beside his way: along it, and towards it as `arrive`, by half of the acceleration
+        /// The velocity of a walker beside its way: along it, and towards it as `arrive`, by half of the acceleration
         /// while the other half may be needed to brake.
         static typename S::Velocity correcting(const Row& row, const typename S::Position& x,
                                                const typename S::Position& from, const typename S::Velocity& v,
@@ -176,7 +176,7 @@ struct Walkers {
             const bool arrived = there || (row.arrived && way.is_end(row.moment) && !off);
             if (arrived && !row.arrived) note(WalkNews::arrived);
             row.arrived = arrived;
-            // Who walks from rest gets on by this much in a tenth of the time.
+            // A walker that starts from rest gets on by this much in a tenth of the time.
             const typename S::Length little =
                 Scalar(0.05) * min(way.speed * patience, way.acceleration * patience * patience);
             const typename S::Length left = way.left(row.moment) + norm(aside);

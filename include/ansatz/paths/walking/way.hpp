@@ -2,7 +2,7 @@
 #pragma once
 
 /// \file
-/// `Way`: how somebody with a greatest speed and acceleration goes along a path: a place for every time, as quickly as
+/// `Way`: how a walker with a greatest speed and acceleration goes along a path: a place for every time, as quickly as
 /// its corners allow. `Walkers` has one for each walker; alone it moves what is no body, a camera or a cursor.
 ///
 /// A corner may be cut: the walker leaves the line at a distance t before it, and is back on the next line t behind it.
@@ -12,11 +12,11 @@
 ///
 /// which is the quickest way to turn a velocity of one size from \f$ \mathbf d_1 \f$ to \f$ \mathbf d_2 \f$, and needs
 /// no function but the root. The whole acceleration turns a pace of
-/// \f$ u = \sqrt{2 a t / |\mathbf d_2 - \mathbf d_1|} \f$. A tight corner is taken with nine tenths of it, which costs a
-/// twentieth of that pace, and leaves something to gather and lose speed with. The walker comes no nearer to the corner
-/// than \f$ t\,|\mathbf d_2 - \mathbf d_1| / 4 \f$, and lies within the triangle of the corner and its two ends. A corner
-/// that may not be cut, t = 0, is one to stop at. Between corners, and in each of them, the speed is a trapezoid:
-/// greatest acceleration, greatest speed, greatest deceleration.
+/// \f$ u = \sqrt{2 a t / |\mathbf d_2 - \mathbf d_1|} \f$. A tight corner is taken with nine tenths of it, which costs
+/// a twentieth of that pace, and leaves something to gather and lose speed with. The walker comes no nearer to the
+/// corner than \f$ t\,|\mathbf d_2 - \mathbf d_1| / 4 \f$, and lies within the triangle of the corner and its two
+/// ends. A corner that may not be cut, t = 0, is one to stop at. Between corners, and in each of them, the speed is a
+/// trapezoid: greatest acceleration, greatest speed, greatest deceleration.
 ///
 /// The place as a function of time has nowhere a speed or an acceleration above the greatest. So steps of any length
 /// that go from \f$ \mathbf r(t) \f$ to \f$ \mathbf r(t + \Delta t) \f$ have velocities that are no greater than the
@@ -55,7 +55,7 @@ template <class S> struct Way {
     using Acceleration = typename S::template ScalarOf<unit::Acceleration>;
     using Direction = Vector<Scalar, S::dimension>; ///< of length one
 
-    /// How far somebody is on it.
+    /// How far a walker is on it.
     struct Moment {
         std::uint32_t leg = 1; ///< from corner leg - 1 to corner leg, and the parabola at that corner
         Length along{};        ///< m, from corner leg - 1; on the parabola as if it were the two lines
@@ -169,7 +169,7 @@ private:
         return std::min(Scalar(1), Scalar((m.along - line) / (Scalar(2) * cuts[m.leg])));
     }
     /// The share of the acceleration that turns, where a corner is tight.
-    static constexpr Scalar turned = Scalar(0.9);
+    static constexpr double turned = 0.9;
     /// How fast one may be in a part of the way, and what is left there to gather and lose speed.
     struct Turn {
         Speed pace;
@@ -180,7 +180,7 @@ private:
         const Scalar size = detail::root(change.squaredNorm());
         if (!(size > detail::root(std::numeric_limits<Scalar>::epsilon()))) return {speed, acceleration}; // straight on
         const auto most = Scalar(2) * acceleration * cuts[i] / size; // the square of the pace that all of it turns
-        const Scalar share = most * turned > speed * speed ? Scalar(speed * speed / most) : turned;
+        const Scalar share = most * Scalar(turned) > speed * speed ? Scalar(speed * speed / most) : Scalar(turned);
         const Scalar side = share * size / Scalar(2);
         const Scalar kept = detail::root(side * side + Scalar(1) - share * share) - side;
         return {min(speed, Speed(sqrt(share * most))), kept * acceleration};
