@@ -11,8 +11,10 @@ TEST_CASE("how far bodies come in a step, and which bodies meet", "[collision]")
     using S = Space<double, 2>;
     Bodies bodies;
     const auto swap = [](std::size_t, std::size_t) {};
-    for (const auto motion : {Motion::awake, Motion::awake, Motion::moving, Motion::fixed})
-        bodies.move(Bodies::Slot(bodies.size()), (bodies.push_back(), motion), swap);
+    for (const auto motion : {Motion::awake, Motion::awake, Motion::moving, Motion::fixed}) {
+        bodies.push_back();
+        bodies.move(Bodies::Slot(bodies.size() - 1), motion, swap);
+    }
     LookAhead<S> ahead;
     const auto pull = [](Bodies::Slot) { return metres_per_second_squared(0, -10); };
     ahead.begin(bodies, 0.1 * second, pull, [](Bodies::Slot slot) {
