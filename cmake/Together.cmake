@@ -7,7 +7,7 @@
 
 # What compiles many worlds needs memory: no more at a time than the machine has room for.
 cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)    # MiB
-math(EXPR at_a_time "${memory} / 3000")
+math(EXPR at_a_time "${memory} / 4500")
 if(at_a_time LESS 1)
     set(at_a_time 1)
 endif()

@@ -76,10 +76,11 @@ public:
     /// Moves a body, and its velocity with it.
     [[gnu::always_inline]] void move(std::size_t slot, const Vec& by) {
         Body& body = bodies_[slot];
-        for (int k = 0; k < S::dimension; ++k) {
-            body.x[std::size_t(k)] += by[k];
-            body.v[std::size_t(k)] += by[k] * rate_;
-        }
+        // `rate_` is read before anything is stored: read again for each number, it keeps g++ from storing two at once,
+        // and the next constraint, which loads two at once, waits for both (a sixth of an XPBD step).
+        const Vec faster = by * rate_;
+        Eigen::Map<Vec>(body.x.data()) += by;
+        Eigen::Map<Vec>(body.v.data()) += faster;
     }
     /// All of them, for a solver that moves many at once.
     std::span<Body> bodies() { return bodies_; }

@@ -82,19 +82,9 @@ struct Xpbd {
         void solve(auto& system, Room& room) const {
             auto& multipliers = room.multipliers;
             multipliers.clear();
-            if (iterations_ == 1) {
-                system.each([&](const auto& constraint) { hold_one(system, room, constraint, Scalar(0)); });
-                return;
-            }
-            system.each(
-                [&](const auto& constraint) { multipliers.push_back(hold_one(system, room, constraint, Scalar(0))); });
-            for (int i = 1; i < iterations_; ++i) {
-                std::size_t next = 0;
-                system.each([&](const auto& constraint) {
-                    auto& multiplier = multipliers[next++];
-                    multiplier = hold_one(system, room, constraint, multiplier);
-                });
-            }
+            if (iterations_ == 1) return sweep<Sweep::only>(system, room);
+            sweep<Sweep::first>(system, room);
+            for (int i = 1; i < iterations_; ++i) sweep<Sweep::later>(system, room);
         }
 
         /// Holds one constraint.
@@ -110,6 +100,23 @@ struct Xpbd {
         /// Whether a constraint says that its gradients have the length 1: they are not waited for then.
         template <class K> static constexpr bool unit_gradients = requires { requires K::unit_gradients; };
 
+        /// Which of a substep's sweeps: the multipliers of a single one are not kept.
+        enum class Sweep { only, first, later };
+
+        /// Holds each constraint once. Flattened, and a function of its own, so that it is compiled in a file with
+        /// several worlds as in a file with one.
+        template <Sweep Which> [[gnu::noinline, gnu::flatten]] static void sweep(auto& system, Room& room) {
+            [[maybe_unused]] std::size_t next = 0;
+            system.each([&](const auto& constraint) {
+                if constexpr (Which == Sweep::only) hold_one(system, room, constraint, Scalar(0));
+                else if constexpr (Which == Sweep::first)
+                    room.multipliers.push_back(hold_one(system, room, constraint, Scalar(0)));
+                else {
+                    auto& multiplier = room.multipliers[next++];
+                    multiplier = hold_one(system, room, constraint, multiplier);
+                }
+            });
+        }
         template <class K> [[gnu::always_inline]] static Scalar hold(auto& system, const K& k, Scalar multiplier) {
             static_assert(ConstraintIn<K, S>,
                           "Ansatz: what `constraints` gives is no constraint; it needs `bodies`, `slots`, `stiffness`, "
