@@ -15,7 +15,7 @@
 ///
 /// Loops are written out in one order, so that every build comes to the same bits.
 
-#include <ansatz/core/compiler_flags.hpp>
+#include <ansatz/motion/integrators/group_correction.hpp>
 
 #include <Eigen/Core>
 
@@ -46,7 +46,12 @@ public:
         alone_.reserve(bodies);
         products_.reserve(bodies);
         inverse_.reserve(bodies);
+        groups_.reserve(bodies);
     }
+    /// Says which bodies may be coupled and move, by all of whom `precondition` then moves groups as wholes; without
+    /// it, each body by its own block alone. Where the pairs are the same as last time, nothing is done.
+    /// \param each_pair calls a function with the two bodies of each pair
+    void group(Index bodies, const auto& each_pair) { groups_.group(std::size_t(bodies), each_pair); }
     /// Forgets everything; the room stays.
     void clear(Index bodies) {
         own_.assign(std::size_t(bodies), Block::Zero());
@@ -100,6 +105,7 @@ public:
         products_.resize(own_.size());
         inverse_.resize(own_.size());
         for (std::size_t i = 0; i < own_.size(); ++i) invert(own_[i], inverse_[i]);
+        add_to_groups();
     }
     /// Bodies.
     Index bodies() const { return Index(own_.size()); }
@@ -145,12 +151,16 @@ public:
                     out[std::ptrdiff_t(p.b) * dimension + r] += p.block(c, r) * in[std::ptrdiff_t(p.a) * dimension + c];
                 }
     }
-    /// \f$ y = D^{-1} x \f$, D being the blocks of the bodies by themselves: the preconditioner of block Jacobi.
+    /// \f$ y = D^{-1} x \f$, D being the blocks of the bodies by themselves (block Jacobi), and what groups of bodies
+    /// move as wholes (group_correction.hpp): the preconditioner. Not from two threads at once.
     template <class X, class Y> void precondition(const X& x, Y& y) const {
         y.resize(x.size());
         for (std::size_t i = 0; i < inverse_.size(); ++i)
             apply(inverse_[i], x.data() + i * dimension, y.data() + i * dimension);
+        groups_.correct(x.data(), y.data());
     }
+    /// The groups that it moves as wholes.
+    const GroupCorrection<Scalar, dimension>& groups() const { return groups_; }
 
 private:
     using Packed = std::array<Scalar, std::size_t(packed)>; // 3 x 3: xx, xy, xz, yy, yz, zz
@@ -180,6 +190,21 @@ private:
         Block block = Block::Zero();
     };
 
+    void add_to_groups() {
+        groups_.clear();
+        if (!groups_.wanted()) return;
+        for (std::size_t i = 0; i < alone_.size(); ++i) groups_.add(i, alone_[i]);
+        for (const Spring& s : springs_) groups_.add_spring(std::size_t(s.a), std::size_t(s.b), unpacked(s.block));
+        for (const Pair& p : pairs_) groups_.add(std::size_t(p.a), std::size_t(p.b), p.block);
+        groups_.finish();
+    }
+    static Block unpacked(const Packed& from) {
+        Block block;
+        std::size_t k = 0;
+        for (int r = 0; r < dimension; ++r)
+            for (int c = r; c < dimension; ++c) block(r, c) = block(c, r) = from[k++];
+        return block;
+    }
     void release(std::size_t k) { alone_[std::size_t(kept_[k].body)] += kept_[k].block; }
     bool is_spring(Index i, Index j, const Block& block) const {
         if (waiting_ != 2) return false;
@@ -238,6 +263,7 @@ private:
     std::vector<Pair> pairs_;
     mutable std::vector<Product> products_; // room for multiply
     std::vector<Packed> inverse_;
+    GroupCorrection<Scalar, dimension> groups_;
     std::array<Waiting, 2> kept_; // blocks of bodies by themselves, whose bodies are not known yet
     int waiting_ = 0;
 };
