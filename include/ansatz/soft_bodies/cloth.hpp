@@ -19,9 +19,9 @@
 /// and damping is not built.
 ///
 /// In a world with `Bending` a sheet may have a `rigidity` D, too: a hinge on each inner edge, between triangles of
-/// areas A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its lines, or along
-/// the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each area; across those diagonals a
-/// mesh of triangles is stiffer than that.
+/// areas A_1 and A_2, with the stiffness \f$ D\,|\mathbf e|^2 / (A_1 + A_2) \f$. So a sheet that is rolled up along its
+/// lines, or along the diagonals of its triangles, holds the energy of a plate, \f$ \tfrac12 D \kappa^2 \f$ for each
+/// area; across those diagonals a mesh of triangles is stiffer than that.
 ///
 /// In a world with `Springs<Breaking>` the springs of a kind have a limit, `.structural = {..., .breaks =
 /// breaks_at(0.3)}`; in one with `Tearing`, too, each triangle is one that tears where a spring along it breaks.

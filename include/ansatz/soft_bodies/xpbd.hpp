@@ -80,8 +80,7 @@ struct Xpbd {
 
         /// Holds all constraints behind one substep.
         void solve(auto& system, Room& room) const {
-            auto& multipliers = room.multipliers;
-            multipliers.clear();
+            room.multipliers.clear();
             if (iterations_ == 1) return sweep<Sweep::only>(system, room);
             sweep<Sweep::first>(system, room);
             for (int i = 1; i < iterations_; ++i) sweep<Sweep::later>(system, room);

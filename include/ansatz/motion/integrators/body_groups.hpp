@@ -7,8 +7,8 @@
 // not in the umbrella: only worlds that couple bodies and solve by MatrixFree need it
 ///
 /// A group grows from one body to its neighbours, to theirs, and so on, so that it is as compact as what couples them
-/// lets it be. What is too small in the end joins a group beside it. Bodies that nothing couples, or only few others,
-/// are in no group. The groups depend on nothing but the pairs, in their order.
+/// lets it be. A remainder that is too small for a group joins one beside it. Bodies that nothing couples, or only few
+/// others, are in no group. The groups depend on nothing but the pairs, in their order.
 
 #include <ansatz/core/compiler_flags.hpp>
 
@@ -63,9 +63,9 @@ private:
 
     std::size_t degree(std::size_t body) const { return first_[body + 1] - first_[body]; }
     /// Half the root of the number of bodies that are coupled, so that solving for the groups costs less than
-    /// multiplying with the matrix; with smaller ones iterations are fewer and dearer (of conjugate gradients to 1e-10,
-    /// a sheet of 100 x 100: 138 with groups of 25, 171 of 50, 216 of 100). No less than what pays in systems of
-    /// hundreds.
+    /// multiplying with the matrix; with smaller ones iterations are fewer but each costs more (of conjugate gradients
+    /// to 1e-10, a sheet of 100 x 100: 138 with groups of 25, 171 of 50, 216 of 100). No less than what pays in systems
+    /// of hundreds.
     std::size_t wanted_size(std::size_t bodies) const {
         std::size_t coupled = 0;
         for (std::size_t body = 0; body < bodies; ++body) coupled += degree(body) > 0;

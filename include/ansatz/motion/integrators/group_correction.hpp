@@ -6,15 +6,16 @@
 /// the notes.
 // not in the umbrella: only worlds that couple bodies and solve by MatrixFree need it
 ///
-/// An iteration of conjugate gradients carries news from a body to its neighbours, so that a sheet of n x n bodies
-/// takes some n of them to hear that its other end is held. Beside each body's own block, let every group of
-/// neighbours (body_groups.hpp) move as a whole, by the exact solution of the small system that is left of the matrix
+/// An iteration of conjugate gradients carries information from a body to its neighbours, so that a sheet of n x n
+/// bodies takes some n of them until one end knows that the other is held. Beside each body's own block, let every
+/// group of neighbours (body_groups.hpp) move as a whole, by the exact solution of the small system that is left of the
+/// matrix
 /// then, \f$ E = P^T A P \f$, where P gives each body the movement of its group:
 ///
 /// \f[ M^{-1} = D^{-1} + P\,E^{-1}P^T \f]
 ///
-/// News then crosses the sheet in one iteration. The solution is the same, since it is the residual that ends the
-/// iterations and not the preconditioner.
+/// Information then crosses the sheet in one iteration. The solution is the same, since it is the residual that ends
+/// the iterations and not the preconditioner.
 ///
 /// E is factored by Cholesky inside its envelope: a row begins where its first number does, and groups that lie beside
 /// each other have numbers near each other.
@@ -36,6 +37,19 @@
 
 namespace ansatz {
 
+namespace detail {
+/// The sum of `f(i)` for i below n, in four parts that are added in one order: what vector units do, and the same bits
+/// in every build.
+template <class Scalar, class F> [[gnu::always_inline]] inline Scalar sum_in_four(Eigen::Index n, F&& f) {
+    std::array<Scalar, 4> part{};
+    const auto whole = n / 4 * 4;
+    for (Eigen::Index i = 0; i < whole; i += 4)
+        for (int k = 0; k < 4; ++k) part[std::size_t(k)] += f(i + k);
+    for (Eigen::Index i = whole; i < n; ++i) part[std::size_t(i - whole)] += f(i);
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+} // namespace detail
+
 /// \tparam Scalar    float or double
 /// \tparam dimension numbers of a body
 template <class Scalar, int dimension> class GroupCorrection {
@@ -47,7 +61,7 @@ public:
         groups_.reserve(bodies);
         const std::size_t groups = bodies / BodyGroups::fewest, rows = dim * groups;
         begin_.reserve(groups);
-        first_.reserve(rows + 1);
+        first_.reserve(rows);
         sums_.reserve(rows);
         rows_.reserve(std::min<std::size_t>(rows * (rows + 1) / 2, 1 << 14)); // of a small system the whole
     }
@@ -104,7 +118,7 @@ public:
         if (i != BodyGroups::none && j != BodyGroups::none)
             put(std::max(i, j), std::min(i, j), Block(-block)); // it is symmetric
     }
-    /// Behind all that was added. A matrix without a factor, which is not positive, is not used.
+    /// After everything has been added. A matrix that is not positive definite has no factor, and is not used.
     void finish() { works_ = wanted() && factor(); }
     /// Whether there is anything to correct.
     bool works() const { return works_; }
@@ -139,20 +153,19 @@ private:
             auto& begin = begin_[std::max(i, j)];
             begin = std::min(begin, std::min(i, j));
         });
-        first_.resize(size + 1);
+        first_.resize(size);
         std::size_t end = 0;
         for (std::size_t row = 0; row < size; ++row) {
             first_[row] = end;
             end += row - start(row) + 1;
         }
-        first_[size] = end;
         if (rows_.capacity() < end) rows_.reserve(2 * end); // a sheet that tears is coupled in another way
         rows_.resize(end);
         sums_.resize(size);
     }
     /// The first column of a row.
     std::size_t start(std::size_t row) const { return dim * begin_[row / dim]; }
-    /// A row, as if it began at column 0.
+    /// A row, as if it began at column 0. That is never before the list: every row above has at least its diagonal.
     Scalar* row_of(std::size_t row) { return rows_.data() + first_[row] - start(row); }
     const Scalar* row_of(std::size_t row) const { return rows_.data() + first_[row] - start(row); }
     /// Adds a block at or below the diagonal, unless its groups were not said to be coupled.
@@ -164,14 +177,8 @@ private:
             for (std::size_t c = 0; c < columns; ++c) row[c] += block(Eigen::Index(r), Eigen::Index(c));
         }
     }
-    /// The sum of products in four parts, added in one order, so that every build comes to the same bits.
     [[gnu::always_inline]] static Scalar sum(const Scalar* a, const Scalar* b, std::size_t n) {
-        std::array<Scalar, 4> part{};
-        const std::size_t whole = n / 4 * 4;
-        for (std::size_t i = 0; i < whole; i += 4)
-            for (std::size_t k = 0; k < 4; ++k) part[k] += a[i + k] * b[i + k];
-        for (std::size_t i = whole; i < n; ++i) part[i - whole] += a[i] * b[i];
-        return (part[0] + part[1]) + (part[2] + part[3]);
+        return detail::sum_in_four<Scalar>(Eigen::Index(n), [&](Eigen::Index i) { return a[i] * b[i]; });
     }
     /// E = L L^T, row by row in place; on the diagonal stands the inverse of L's.
     /// \return whether it is positive definite

@@ -7,11 +7,12 @@
 ///
 /// Use it, `ImplicitEulerBy<MatrixFree>`, for cloth and soft bodies of many springs. Three things make it quicker than
 /// ImplicitEuler with the same equation: no matrix is put together (pair_matrix.hpp); the blocks of the bodies and
-/// groups that move as wholes (group_correction.hpp) precondition the solve, whose iterations grow less with the sheet
-/// then; and each linear system is solved only as accurately as Newton's method can use: to a tenth
-/// while it is far from the solution, closer as it comes near (Eisenstat and Walker's second choice). Left to itself it
-/// ends at a hundredth of what the equation was at the beginning of the step; a sheet of 50 x 50 that falls 15 cm in
-/// ten steps is then an eighth of a millimetre (in the mean square; 1.4 mm at most) from where 1e-4 takes it.
+/// groups that move as wholes (group_correction.hpp) precondition the solve, so that the number
+/// of iterations grows less with the size of the sheet; and each linear system is solved only as accurately as Newton's
+/// method can use: to a tenth while it is far from the solution, closer as it comes near (Eisenstat and Walker's second
+/// choice). Left to itself it ends at a hundredth of what the equation was at the beginning of the step; a sheet of 50
+/// x 50 that falls 15 cm in ten steps is then an eighth of a millimetre (in the mean square; 1.4 mm at most) from where
+/// 1e-4 takes it.
 /// `.tolerance` asks for more or less. Take ImplicitEuler where a step shall be exact to rounding,
 /// ImplicitEulerBy<Cholesky> where a system is small and very stiff.
 ///
@@ -92,23 +93,14 @@ struct MatrixFree {
 
         /// In four sums, added in one order: what vector units do, and the same in every build.
         static Scalar sum(const auto& a, const auto& b) {
-            return in_four(a.size(), [&](Eigen::Index i) { return a[i] * b[i]; });
+            return detail::sum_in_four<Scalar>(a.size(), [&](Eigen::Index i) { return a[i] * b[i]; });
         }
         /// The same with weights.
         static Scalar sum(const auto& a, const auto& b, const auto& weight) {
-            return in_four(a.size(), [&](Eigen::Index i) { return a[i] * b[i] * weight[i]; });
+            return detail::sum_in_four<Scalar>(a.size(), [&](Eigen::Index i) { return a[i] * b[i] * weight[i]; });
         }
 
     private:
-        template <class F> [[gnu::always_inline]] static Scalar in_four(Eigen::Index size, F&& f) {
-            Scalar part[4] = {};
-            const auto whole = size / 4 * 4;
-            for (Eigen::Index i = 0; i < whole; i += 4)
-                for (int k = 0; k < 4; ++k) part[k] += f(i + k);
-            for (Eigen::Index i = whole; i < size; ++i) part[i - whole] += f(i);
-            return (part[0] + part[1]) + (part[2] + part[3]);
-        }
-
         Column residual_, towards_, image_, scaled_;
         Eigen::Index iterations_ = 0;
     };

@@ -296,10 +296,10 @@ void save(const Runner<Planner, Memory>& runner, const Performance& performance,
     ansatz::detail::write_whole_file(path, RunnerArchive::text(runner, performance));
 }
 /// Puts a runner where the one was that was saved.
-/// \param performer what goes on with the action that is begun: one with `resume(action)`, such as ByMachine, is told of it
+/// \param performer what goes on with the action that is begun; one with `resume(action)`, such as ByMachine, is told
 /// \param name      of the file, for its sentences
-/// \throws std::invalid_argument for a file of another version, of another domain or of a runner with a memory where this
-///         one has none, or the other way about, and for one that cannot be; everything is as it was
+/// \throws std::invalid_argument for a file of another version, of another domain or of a runner with a memory where
+///         this one has none, or the other way about, and for one that cannot be; everything is as it was
 template <class Planner, class Memory, Performer P>
 void load(Runner<Planner, Memory>& runner, Performance& performance, P& performer, std::istream& in,
           const std::string& name = "goap::load") {

@@ -39,8 +39,8 @@ struct Gait {
     Parameter<unit::Length> astray = 0.5 * metre; ///< m, as in Walk
 };
 
-/// \tparam Search an AStar on a Grid: where the radius is more than half a tile, or the grid has another corner rule than
-///                BothFree, on `map_for(map, radius)`
+/// \tparam Search an AStar on a Grid: where the radius is more than half a tile, or the grid has another corner rule
+///                than BothFree, on `map_for(map, radius)`
 /// \tparam Map    the map itself, on which walls are searched for
 template <class Search, class Map = std::remove_cvref_t<decltype(std::declval<const Search&>().graph())>>
 class Traveller {
@@ -63,8 +63,8 @@ public:
 
     /// Searches, and has the body go; one that is on its way to somewhere else halts first.
     /// \return whether there is a path
-    /// \throws std::invalid_argument for a body or a goal outside of the map, for a body that has a walk from elsewhere,
-    ///         and for an `up` in a world of two dimensions; everything goes on as before
+    /// \throws std::invalid_argument for a body or a goal outside of the map, for a body that has a walk from
+    ///         elsewhere, and for an `up` in a world of two dimensions; everything goes on as before
     template <class W> bool go(W& world, Cell goal) {
         if (W::S::dimension == 2 && !gait_.up.value().isZero(0))
             refuse_value("Traveller", "up", gait_.up,
