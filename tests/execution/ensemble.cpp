@@ -7,6 +7,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
+#include "tests/scratch.hpp"
 
 #include <oneapi/tbb/global_control.h>
 
@@ -43,7 +44,7 @@ std::vector<double> numbers(int n) {
 }
 /// A file that is gone at the end.
 struct Scratch {
-    fs::path path = fs::temp_directory_path() / ("ansatz_ensemble_" + std::to_string(std::rand()) + ".results");
+    fs::path path = ansatz::test::scratch_path("ensemble");
     Scratch() { fs::remove(path); }
     ~Scratch() { fs::remove(path); }
     std::string text() const {

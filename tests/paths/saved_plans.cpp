@@ -6,10 +6,9 @@
 #include "tests/catch.hpp"
 #include "tests/paths/lasting_plans.hpp"
 #include "tests/refusal.hpp"
+#include "tests/scratch.hpp"
 
 #include <ansatz/states/save.hpp>
-
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -177,8 +176,7 @@ TEST_CASE("a plan's file is written whole, or is as it was", "[goap]") {
     const Kitchen kitchen;
     Kettle one{kitchen};
     one.tick(), one.tick();
-    const std::string path =
-        (std::filesystem::temp_directory_path() / ("ansatz_plan_" + std::to_string(::getpid()))).string();
+    const std::string path = ansatz::test::scratch_path("plan").string();
     const auto text = [&] {
         std::ostringstream out;
         out << std::ifstream(path).rdbuf();

@@ -4,9 +4,8 @@
 #include <ansatz/states/save.hpp>
 #include <ansatz/states/scxml.hpp>
 
+#include "tests/scratch.hpp"
 #include "tests/states/support.hpp"
-
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -43,8 +42,7 @@ struct Talker {
 /// A file of this process alone, which holds the last good state and goes with the test.
 struct LastGood {
     std::string path;
-    explicit LastGood(const std::string& name)
-        : path((fs::temp_directory_path() / (name + std::to_string(::getpid()))).string()) {
+    explicit LastGood(const std::string& name) : path(ansatz::test::scratch_path(name).string()) {
         std::ofstream(path) << "good";
     }
     ~LastGood() { fs::remove(path); }
@@ -69,7 +67,7 @@ template <class M> void load_text(M& machine, const std::string& text) {
 } // namespace
 
 TEST_CASE("a save of a machine that is refused leaves the file as it was", "[states]") {
-    const LastGood file("ansatz_selfish_");
+    const LastGood file("selfish");
     each_representation([&]<class R>() {
         Machine<Selfish, R> self;
         std::string said;
@@ -155,7 +153,7 @@ TEST_CASE("a directory is no file of a machine", "[states]") {
 }
 
 TEST_CASE("a machine's texts that are no UTF-8 are refused, and the file is as it was", "[states]") {
-    const LastGood file("ansatz_foreign_");
+    const LastGood file("foreign");
     each_representation([&]<class R>() {
         Machine<Foreign, R> machine;
         CHECK_THAT(refusal([&] { save(machine, file.path); }),

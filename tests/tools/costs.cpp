@@ -3,6 +3,7 @@
 // The harness as a chapter uses it: cases in, rows, table, JSON and pictures out.
 
 #include "tests/catch.hpp"
+#include "tests/scratch.hpp"
 
 #include "tools/costs.hpp"
 
@@ -13,15 +14,12 @@
 #include <sstream>
 #include <string>
 
-#include <unistd.h>
-
 using namespace ansatz::workbook;
 
 namespace {
 
 struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("ansatz-costs-" + std::to_string(::getpid()));
+    std::filesystem::path path = ansatz::test::scratch_path("costs");
     ~Folder() { std::filesystem::remove_all(path); }
 };
 

@@ -5,6 +5,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
+#include "tests/scratch.hpp"
 
 #include "tools/film.hpp"
 
@@ -23,8 +24,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 using namespace ansatz::workbook;
 using ansatz::degrees;
@@ -220,7 +219,7 @@ TEST_CASE("of two faces that lie over each other the nearer one comes later, how
 }
 
 TEST_CASE("a film is written with its sheet, whole, and not larger than a page wants it", "[film]") {
-    const auto folder = std::filesystem::temp_directory_path() / ("ansatz-film-" + std::to_string(::getpid()));
+    const auto folder = ansatz::test::scratch_path("film");
     const char* before = std::getenv("ANSATZ_PICTURES");
     const std::string kept = before == nullptr ? "" : before;
     ::setenv("ANSATZ_PICTURES", folder.c_str(), 1);

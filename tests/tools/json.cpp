@@ -3,6 +3,7 @@
 // The JSON of a cost table: its keys are a contract, null stands where a field has no meaning.
 
 #include "tests/catch.hpp"
+#include "tests/scratch.hpp"
 
 #include "tools/costs/json.hpp"
 
@@ -12,8 +13,6 @@
 #include <limits>
 #include <set>
 #include <string>
-
-#include <unistd.h>
 
 using namespace ansatz::workbook;
 
@@ -27,7 +26,7 @@ std::set<std::string> keys(const Json& object) {
 
 // A folder of this process, which is gone afterwards.
 struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / ("ansatz-json-" + std::to_string(::getpid()));
+    std::filesystem::path path = ansatz::test::scratch_path("json");
     Folder() { std::filesystem::create_directories(path); }
     ~Folder() { std::filesystem::remove_all(path); }
 };

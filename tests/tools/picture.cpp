@@ -4,6 +4,7 @@
 // here it is held that nothing is dropped, mislabelled, or drawn without its unit.
 
 #include "tests/catch.hpp"
+#include "tests/scratch.hpp"
 
 #include "tools/costs/picture.hpp"
 #include "tools/graphviz.hpp"
@@ -22,8 +23,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 using namespace ansatz::workbook;
 using ansatz::metre;
@@ -189,7 +188,7 @@ TEST_CASE("gnuplot draws what it is given", "[plot]") {
         WARN("gnuplot is not installed: nothing drawn, nothing checked");
         return;
     }
-    const auto folder = std::filesystem::temp_directory_path() / ("ansatz pictures " + std::to_string(::getpid()));
+    const auto folder = ansatz::test::scratch_path("pictures of gnuplot");
     ::setenv("ANSATZ_PICTURES", folder.c_str(), 1);
     const std::vector<double> x{1e-3, 1e-2, 1e-1}, y{1e-6, 1e-4, 1e-2};
     CHECK(Plot{"1.6", "Newton's claim: 100 % _right_ {^}"}
@@ -218,7 +217,7 @@ TEST_CASE("gnuplot draws what it is given", "[plot]") {
 }
 
 TEST_CASE("Graphviz draws what it is given, and where it is missing that is said", "[plot]") {
-    const auto folder = std::filesystem::temp_directory_path() / ("a machine's pictures " + std::to_string(::getpid()));
+    const auto folder = ansatz::test::scratch_path("a machine's pictures");
     ::setenv("ANSATZ_PICTURES", folder.c_str(), 1);
     std::ostringstream said;
     auto* before = std::clog.rdbuf(said.rdbuf());

@@ -4,6 +4,7 @@
 #include <ansatz/world/save.hpp>
 
 #include "tests/catch.hpp"
+#include "tests/scratch.hpp"
 #include "tests/world/files.hpp"
 #include "tests/world/lives.hpp"
 
@@ -147,9 +148,7 @@ TEST_CASE("a datum that cannot be saved: a new world has new ones, one that had 
 }
 
 TEST_CASE("a world goes through a file on disk, and a path that cannot be opened is named", "[world][save]") {
-    const auto folder = std::filesystem::temp_directory_path();
-    const auto path =
-        (folder / ("ansatz_test_save_" + std::to_string(reinterpret_cast<std::uintptr_t>(&folder)) + ".json")).string();
+    const auto path = ansatz::test::scratch_path("save").string();
     World world{SemiImplicitEuler{}, Gravity{}};
     const auto body = world.add(position(metres(1, 2, 3)));
     save(world, path);

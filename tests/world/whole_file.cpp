@@ -5,6 +5,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/refusal.hpp"
+#include "tests/scratch.hpp"
 #include "tests/world/lives.hpp"
 
 #include <ansatz/world/save.hpp>
@@ -19,7 +20,6 @@
 #if defined(__unix__)
 #include <csignal>
 #include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 using namespace ansatz;
@@ -36,7 +36,7 @@ std::string text_in(const fs::path& path) {
 
 /// A folder of this process alone that goes with the test: others run beside it.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / ("ansatz_whole_file_" + std::to_string(::getpid()));
+    fs::path path = scratch_path("whole_file");
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
     Folder(const Folder&) = delete;
