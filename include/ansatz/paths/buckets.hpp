@@ -79,7 +79,7 @@ struct Buckets {
         [[gnu::always_inline]] void push(Cost f, Cost h, const Vertex& v) {
             const std::uint64_t bucket = bucket_of(f);
             if (bucket - near_.base >= ring) // before the base too: the difference is huge then
-                push_outside(bucket, f, h, v);
+                push_outside(bucket, f, h, Vertex(v));
             else near_.put(bucket, v);
         }
         [[gnu::always_inline]] Vertex pop() {
@@ -109,6 +109,8 @@ struct Buckets {
     private:
         static constexpr std::size_t ring = 64;
         static constexpr std::uint64_t nothing_far = ~std::uint64_t(0);
+        /// All that is dearer shares this bucket: behind it there is room for a ring.
+        static constexpr std::uint64_t last = 4000000000000000000;
         struct Far {
             std::uint64_t bucket;
             Vertex vertex;
@@ -125,7 +127,7 @@ struct Buckets {
             }
             void put(std::uint64_t bucket, const Vertex& v) {
                 const std::size_t place = std::size_t(bucket) & (ring - 1);
-                lists[place].push_back(v);
+                lists[place].push_back(Vertex(v)); // a copy, or the caller's vertex could not be in a register
                 occupied |= std::uint64_t(1) << place;
             }
             Vertex take() { ///< one of the bucket at the base
@@ -154,10 +156,11 @@ struct Buckets {
             }
         }
         std::uint64_t bucket_of(Cost f) const {
-            if constexpr (std::is_integral_v<Cost>) return std::uint64_t(f) >> shift_;
+            if constexpr (std::is_integral_v<Cost> && sizeof(Cost) < 8) return std::uint64_t(f) >> shift_;
+            else if constexpr (std::is_integral_v<Cost>) return std::min(std::uint64_t(f) >> shift_, last);
             else {
                 const Cost quotient = f * per_width_;
-                return quotient < Cost(4e18) ? std::uint64_t(quotient) : std::uint64_t(4000000000000000000);
+                return quotient < Cost(last) ? std::uint64_t(quotient) : last;
             }
         }
         [[gnu::noinline]] void push_outside(std::uint64_t bucket, Cost f, Cost h, const Vertex& v) {

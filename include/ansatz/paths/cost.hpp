@@ -56,6 +56,16 @@ template <class Cost> [[gnu::always_inline]] constexpr Cost add(Cost a, Cost b) 
         return __builtin_add_overflow(a, b, &sum) ? infinite<Cost> : sum;
     } else return a + b;
 }
+/// a + b without a look at the end of the number, which `is_too_dear` has afterwards.
+template <class Cost> [[gnu::always_inline]] constexpr Cost add_unchecked(Cost a, Cost b) {
+    if constexpr (std::integral<Cost>) return Cost(std::make_unsigned_t<Cost>(a) + std::make_unsigned_t<Cost>(b));
+    else return a + b;
+}
+/// Whether a sum of a and b, neither of which is negative, is the dearest cost there is, or was more than that.
+template <class Cost> [[gnu::always_inline]] constexpr bool is_too_dear(Cost a, Cost b, Cost sum) {
+    if constexpr (std::integral<Cost>) return b >= infinite<Cost> - a;
+    else return !(sum < infinite<Cost>);
+}
 /// n costs, which stop at the dearest there is.
 template <class Cost> constexpr Cost times(std::size_t n, Cost cost) {
     if constexpr (std::integral<Cost>) {

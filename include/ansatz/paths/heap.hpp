@@ -15,6 +15,8 @@
 #include <ansatz/paths/roles.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace ansatz::paths {
@@ -34,7 +36,7 @@ struct Heap {
         void start(Cost f, Cost h, const Vertex& v) { push(f, h, v); } ///< the first entry of a query
         [[gnu::always_inline]] void push(Cost f, Cost h, const Vertex& v) {
             std::size_t i = entries_.size();
-            const Entry entry{f, h, v};
+            const Entry entry{h, f, v};
             entries_.push_back(entry);
             Entry* const at = entries_.data();
             while (i > 0) {
@@ -58,9 +60,10 @@ struct Heap {
                 if (first >= n) break;
                 std::size_t child = first;
                 if (first + 4 <= n) {
-                    const std::size_t a = before(at[first + 1], at[first]) ? first + 1 : first;
-                    const std::size_t b = before(at[first + 3], at[first + 2]) ? first + 3 : first + 2;
-                    child = before(at[b], at[a]) ? b : a;
+                    // by arithmetic: which child is less cannot be foreseen, and a wrong guess costs more
+                    const std::size_t a = first + std::size_t(before(at[first + 1], at[first]));
+                    const std::size_t b = first + 2 + std::size_t(before(at[first + 3], at[first + 2]));
+                    child = a + (b - a) * std::size_t(before(at[b], at[a]));
                 } else
                     for (std::size_t k = first + 1; k < n; ++k)
                         if (before(at[k], at[child])) child = k;
@@ -82,11 +85,14 @@ struct Heap {
 
     private:
         struct Entry {
-            Cost f, h;
+            Cost h, f; // in this order the two are one word
             Vertex vertex;
         };
         [[gnu::always_inline]] static bool before(const Entry& a, const Entry& b) {
-            return a.f < b.f || (a.f == b.f && a.h < b.h);
+            if constexpr (std::is_same_v<Cost, std::uint32_t>) { // one comparison without a branch
+                const auto both = [](const Entry& e) { return std::uint64_t(e.f) << 32 | e.h; };
+                return both(a) < both(b);
+            } else return (unsigned(a.f < b.f) | (unsigned(a.f == b.f) & unsigned(a.h < b.h))) != 0;
         }
         std::vector<Entry> entries_;
     };

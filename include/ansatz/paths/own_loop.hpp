@@ -87,8 +87,8 @@ struct OwnLoop {
                 const auto weight = get(weights, edge);
                 if constexpr (!std::is_unsigned_v<std::decay_t<decltype(weight)>>)
                     if (!(weight >= 0)) return work.refuse_weight(p, q, weight), end(work.trouble);
-                const Cost g = detail::add(p_g, Work::cost_of(weight)); // 2.3.2
-                relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
+                relax(work, place.of_target(edge, q), p, q, p_g, Work::cost_of(weight), estimate, open, counts,
+                      watcher);
             }
         }
         return end(work.goal_known ? Outcome::found : work.too_far ? Outcome::too_far : Outcome::no_path);
@@ -112,23 +112,24 @@ private:
                      const Estimate& estimate, const std::uint32_t open, Counts& counts, Watcher& watcher) {
         Work::Successors::each(work.graph(), p, parent, Reaches<Work>{work.start, work.goal},
                                [&](const Vertex& q, const auto& edge, std::size_t edges) {
-                                   const Cost g =
-                                       detail::add(p_g, detail::times(edges, Work::cost_of(get(work.weights(), edge))));
-                                   relax(work, place.of_target(edge, q), p, q, g, estimate, open, counts, watcher);
+                                   const Cost step = detail::times(edges, Work::cost_of(get(work.weights(), edge)));
+                                   relax(work, place.of_target(edge, q), p, q, p_g, step, estimate, open, counts,
+                                         watcher);
                                });
     }
-    /// 2.3.3 and 2.3.4: a way to Q was found that costs g.
+    /// 2.3.2 to 2.3.4: from P, to which it costs p_g, it is a step to Q.
     template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>
-    [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost g,
-                                             const Estimate& estimate, const std::uint32_t open, Counts& counts,
-                                             Watcher& watcher) {
+    [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost p_g,
+                                             const Cost step, const Estimate& estimate, const std::uint32_t open,
+                                             Counts& counts, Watcher& watcher) {
         const bool first = node.stamp < open; // on no list
+        const Cost g = detail::add_unchecked(p_g, step);
         if (!first && !(g < node.g)) return;
+        if (detail::is_too_dear(p_g, step, g)) { // asked of few; an infinite weight is no way
+            work.too_far = work.too_far || (first && std::integral<Cost>);
+            return;
+        }
         if (first) {
-            if (!(g < detail::infinite<Cost>)) { // an infinite weight is no way
-                work.too_far = work.too_far || std::integral<Cost>;
-                return;
-            }
             node.h = typename Work::Guess(estimate(q));
             ++counts.generated;
         } else if (node.stamp != open) {

@@ -44,10 +44,11 @@ public:
     /// \param offsets from a number to its neighbours'
     /// \param open    a bit for each direction in which a step leads
     GridEdges(Cell from, std::uint32_t index, const std::int32_t* offsets, std::uint8_t open)
-        : from_(from), open_(open), index_(index), offsets_(offsets) {}
+        : from_(std::bit_cast<std::uint32_t>(from)), open_(open), index_(index), offsets_(offsets) {}
     [[gnu::always_inline]] GridEdge operator*() const {
         const unsigned d = unsigned(std::countr_zero(open_));
-        return {from_, detail::step(from_, d), d >= 4, index_ + std::uint32_t(offsets_[d])};
+        return {std::bit_cast<Cell>(from_), std::bit_cast<Cell>(from_ + detail::offsets.of[d]), (d >> 2 & 1) != 0,
+                index_ + std::uint32_t(offsets_[d])};
     }
     [[gnu::always_inline]] GridEdges& operator++() {
         open_ &= open_ - 1;
@@ -61,7 +62,7 @@ public:
     [[gnu::always_inline]] friend bool operator==(const GridEdges& a, const GridEdges& b) { return a.open_ == b.open_; }
 
 private:
-    Cell from_;
+    std::uint32_t from_ = 0; // the word that a Cell is: g++ would keep its halves apart
     unsigned open_ = 0;
     std::uint32_t index_ = 0;
     const std::int32_t* offsets_ = nullptr;

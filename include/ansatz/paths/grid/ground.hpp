@@ -38,7 +38,9 @@ struct Even {
     template <class Cost> struct Weights {
         /// Onto any tile.
         [[gnu::always_inline]] Cost of(std::size_t, bool diagonal) const {
-            return diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight;
+            if constexpr (std::is_integral_v<Cost>) // what comes of a choice is four instructions more
+                return Tile<Cost>::straight + Cost(diagonal) * (Tile<Cost>::diagonal - Tile<Cost>::straight);
+            else return diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight;
         }
     };
     /// What steps cost in this number.
