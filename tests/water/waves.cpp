@@ -184,6 +184,8 @@ TEST_CASE("a wave refuses what it cannot have, and says which one it is", "[wate
           "water: depth is 0 m; it must be greater than zero, or infinite");
     CHECK(refusal([&] { Waves({good}, 1.0 * metre, 0.0 * metre_per_second_squared); }) ==
           "water: gravity is 0 m/s^2; it must be finite and greater than zero");
+    CHECK(refusal([] { Waves({}, 1.0 * metre, -9.81 * metre_per_second_squared); }) ==
+          "Waves: gravity is -9.81 m/s^2; it must be finite and greater than zero");
     const auto too_short = refusal([&] { Waves({{1e-310 * metre, 0.1 * metre}}); });
     CHECK(too_short.find("wavelength is ") != std::string::npos);
     CHECK(too_short.find("2 pi over it must be a finite number") != std::string::npos);

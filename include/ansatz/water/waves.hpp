@@ -56,6 +56,7 @@ public:
                               water::angular_frequency(wave.wavelength, depth, gravity).value(), wave.phase});
         }
         if (!(depth_ > 0)) refuse_value("Waves", "depth", depth, "it must be greater than zero, or infinite");
+        require_positive("Waves", "gravity", gravity);
     }
 
     /// The height of the surface, m.
