@@ -54,19 +54,17 @@ struct Heap {
             entries_.pop_back();
             const std::size_t n = entries_.size();
             if (n == 0) return least;
+            const bool foreseen = !std::is_unsigned_v<Cost> && n < few;
             std::size_t i = 0;
             for (;;) {
                 const std::size_t first = 4 * i + 1;
                 if (first >= n) break;
                 std::size_t child = first;
-                if (first + 4 <= n) {
-                    // by arithmetic: which child is less cannot be foreseen, and a wrong guess costs more
-                    const std::size_t a = first + std::size_t(before(at[first + 1], at[first]));
-                    const std::size_t b = first + 2 + std::size_t(before(at[first + 3], at[first + 2]));
-                    child = a + (b - a) * std::size_t(before(at[b], at[a]));
-                } else
+                if (first + 4 > n) {
                     for (std::size_t k = first + 1; k < n; ++k)
                         if (before(at[k], at[child])) child = k;
+                } else if (foreseen) child = least_of_four(at, first, before);
+                else child = least_of_four(at, first, before_without_branch);
                 if (!before(at[child], last)) break;
                 at[i] = at[child];
                 i = child;
@@ -84,16 +82,31 @@ struct Heap {
         }
 
     private:
+        __extension__ using Widest = unsigned __int128; // of two words
+        using Both = std::conditional_t<(sizeof(Cost) > 4), Widest, std::uint64_t>;
         struct Entry {
-            Cost h, f; // in this order the two are one word
+            Cost h, f; // in this order the two are one number
             Vertex vertex;
         };
         [[gnu::always_inline]] static bool before(const Entry& a, const Entry& b) {
-            if constexpr (std::is_same_v<Cost, std::uint32_t>) { // one comparison without a branch
-                const auto both = [](const Entry& e) { return std::uint64_t(e.f) << 32 | e.h; };
+            if constexpr (std::is_unsigned_v<Cost>) {
+                const auto both = [](const Entry& e) { return Both(e.f) << 8 * sizeof(Cost) | e.h; };
                 return both(a) < both(b);
-            } else return (unsigned(a.f < b.f) | (unsigned(a.f == b.f) & unsigned(a.h < b.h))) != 0;
+            } else return a.f < b.f || (a.f == b.f && a.h < b.h);
         }
+        [[gnu::always_inline]] static bool before_without_branch(const Entry& a, const Entry& b) {
+            if constexpr (std::is_unsigned_v<Cost>) return before(a, b);
+            else return (unsigned(a.f < b.f) | (unsigned(a.f == b.f) & unsigned(a.h < b.h))) != 0;
+        }
+        /// By arithmetic: which child is less cannot be foreseen, and a wrong guess costs more. In a short list of
+        /// fractions it often can: there `less` has branches, and what depends on its result goes on before it is
+        /// known.
+        [[gnu::always_inline]] static std::size_t least_of_four(const Entry* at, std::size_t first, const auto& less) {
+            const std::size_t a = first + std::size_t(less(at[first + 1], at[first]));
+            const std::size_t b = first + 2 + std::size_t(less(at[first + 3], at[first + 2]));
+            return a + (b - a) * std::size_t(less(at[b], at[a]));
+        }
+        static constexpr std::size_t few = 64;
         std::vector<Entry> entries_;
     };
 };
