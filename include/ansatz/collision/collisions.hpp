@@ -365,7 +365,7 @@ private:
         }
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
-        working_.value.found.push_back(contact);
+        detail::append(working_.value.found, contact);
     }
 
     template <class Data, class Policies, class F>

@@ -18,6 +18,7 @@
 #include <ansatz/world/bodies.hpp>
 #include <ansatz/world/elements.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -57,6 +58,16 @@ namespace detail {
 template <class T> [[gnu::always_inline]] inline std::pair<std::uint32_t, std::uint32_t> ids_of(const T& pair) {
     if constexpr (requires { pair.first.id; }) return {pair.first.id, pair.second.id};
     else return {pair.a, pair.b};
+}
+/// Room for so many in a list that grows from step to step: with an eighth more than it needs, it is seldom copied,
+/// and most of what it holds is used.
+template <class T> void grow(std::vector<T>& list, std::size_t n) {
+    if (list.capacity() < n) list.reserve(n + n / 8 + 8);
+}
+/// One more in such a list.
+template <class T> void append(std::vector<T>& list, const T& one) {
+    grow(list, list.size() + 1);
+    list.push_back(one);
 }
 } // namespace detail
 

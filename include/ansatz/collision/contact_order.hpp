@@ -6,8 +6,9 @@
 /// decide in which order bodies are pushed; and what can be asked of contacts that stand so.
 ///
 /// A counting sort by the first id, then the contacts of each by the second: the work grows with the contacts and
-/// bodies, not with a logarithm of them, but where one body has many. Contacts that are in order already, as those of
-/// sleeping bodies are, are merged with the others and not sorted.
+/// bodies, not with a logarithm of them, but where one body has many. Sorted are the ids and places of contacts, a
+/// sixth of their size or less; then each contact is moved once. Those that are in order already, as those of sleeping
+/// bodies are, are merged with the others and not sorted.
 
 #include <ansatz/collision/contact.hpp>
 
@@ -34,32 +35,32 @@ public:
     /// Room for so many ids.
     void reserve(std::size_t ids) {
         begin_.reserve(ids + 1);
-        next_.reserve(ids + 1);
-        keys_.reserve(ids);
+        few_.reserve(ids / few_of);
     }
     /// Those of one pair stay as they stood to each other.
     /// \param ids     one more than the largest id
     /// \param ordered how many, at the end, are in order among themselves
     void sort(std::vector<Contact<S>>& contacts, std::size_t ids, std::size_t ordered = 0) {
         const std::size_t found = contacts.size() - ordered;
+        if (order_.capacity() < contacts.capacity()) order_.reserve(contacts.capacity());
         if (ordered == 0 && are_in_order(contacts)) {
             reserve(ids); // for the first that are not
-            sorted_.reserve(contacts.capacity());
             return;
         }
-        if (found < ids / 8) sort_few(contacts, found);
+        order_.resize(contacts.size());
+        if (found < ids / few_of) sort_few(contacts, found);
         else sort_many(contacts, found, ids);
-        if (ordered == 0) {
-            detail::equal_room(contacts, sorted_);
-            contacts.swap(sorted_);
-        } else merge(contacts, found);
+        if (ordered > 0) merge(contacts, found);
+        move(contacts);
     }
 
 private:
     /// Up to so many contacts of a body are put in order as they come.
-    static constexpr std::uint32_t few = 16;
-    struct Key {
-        std::uint64_t ids;   // or one of them
+    static constexpr std::size_t few = 16;
+    /// Fewer contacts than this share of the bodies are sorted by comparing them.
+    static constexpr std::size_t few_of = 8;
+    template <class Ids> struct Key {
+        Ids ids;             // or one of them
         std::uint32_t place; // before sorting
         friend bool operator<(const Key& a, const Key& b) {
             return a.ids < b.ids || (a.ids == b.ids && a.place < b.place);
@@ -74,56 +75,70 @@ private:
     }
     /// By comparing them: the work does not grow with the number of bodies.
     void sort_few(const std::vector<Contact<S>>& contacts, std::size_t found) {
-        keys_.clear();
-        for (std::size_t i = 0; i < found; ++i) keys_.push_back({ids_of(contacts[i]), std::uint32_t(i)});
-        std::sort(keys_.begin(), keys_.end());
-        sorted_.resize(found);
-        for (std::size_t i = 0; i < found; ++i) sorted_[i] = contacts[keys_[i].place];
+        few_.clear();
+        for (std::size_t i = 0; i < found; ++i) few_.push_back({ids_of(contacts[i]), std::uint32_t(i)});
+        std::sort(few_.begin(), few_.end());
+        for (std::size_t i = 0; i < found; ++i) order_[i].place = few_[i].place;
     }
-    void sort_many(std::vector<Contact<S>>& contacts, std::size_t found, std::size_t ids) {
+    void sort_many(const std::vector<Contact<S>>& contacts, std::size_t found, std::size_t ids) {
         begin_.assign(ids + 1, 0);
         for (std::size_t i = 0; i < found; ++i) ++begin_[contacts[i].first.id + 1];
         for (std::size_t id = 0; id < ids; ++id) begin_[id + 1] += begin_[id];
-        sorted_.resize(found);
-        next_.assign(begin_.begin(), begin_.end());
-        bool many = false;
         for (std::size_t i = 0; i < found; ++i) {
             const auto& c = contacts[i];
-            auto place = next_[c.first.id]++;
-            if (begin_[c.first.id + 1] - begin_[c.first.id] > few) many = true;
-            else
-                for (; place > begin_[c.first.id] && c.second.id < sorted_[place - 1].second.id; --place)
-                    sorted_[place] = sorted_[place - 1];
-            sorted_[place] = c;
+            order_[begin_[c.first.id]++] = {c.second.id, std::uint32_t(i)};
         }
-        if (!many) return;
-        for (std::size_t id = 0; id < ids; ++id)
-            if (begin_[id + 1] - begin_[id] > few) sort_those_of_one(contacts, begin_[id], begin_[id + 1]);
+        std::size_t begin = 0; // `begin_[id]` is now where those of a body end
+        for (std::size_t id = 0; id < ids; ++id) {
+            sort_those_of_one(begin, begin_[id]);
+            begin = begin_[id];
+        }
     }
-    /// The contacts of one body that has many, as the ground has: insertion would take the square of their number.
-    /// \param spare contacts that are not needed any more
-    void sort_those_of_one(std::vector<Contact<S>>& spare, std::size_t begin, std::size_t end) {
-        keys_.clear();
-        for (std::size_t i = begin; i < end; ++i) keys_.push_back({sorted_[i].second.id, std::uint32_t(i)});
-        if (std::is_sorted(keys_.begin(), keys_.end())) return;
-        std::sort(keys_.begin(), keys_.end());
-        std::copy(sorted_.begin() + std::ptrdiff_t(begin), sorted_.begin() + std::ptrdiff_t(end),
-                  spare.begin() + std::ptrdiff_t(begin));
-        for (std::size_t i = begin; i < end; ++i) sorted_[i] = spare[keys_[i - begin].place];
+    /// The contacts of one body. Where it has many, as the ground has, insertion would take the square of their number.
+    void sort_those_of_one(std::size_t begin, std::size_t end) {
+        if (end - begin > few) {
+            const auto at = [this](std::size_t n) { return order_.begin() + std::ptrdiff_t(n); };
+            if (!std::is_sorted(at(begin), at(end))) std::sort(at(begin), at(end));
+            return;
+        }
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            const auto key = order_[i];
+            auto place = i;
+            for (; place > begin && key.ids < order_[place - 1].ids; --place) order_[place] = order_[place - 1];
+            order_[place] = key;
+        }
     }
     /// The sorted contacts and those that were in order already; of one pair, the sorted ones come first.
-    void merge(std::vector<Contact<S>>& contacts, std::size_t found) {
-        std::size_t next = found, to = 0; // reading never falls behind writing
-        for (const auto& c : sorted_) {
-            for (; next < contacts.size() && ids_of(contacts[next]) < ids_of(c); ++next)
-                contacts[to++] = contacts[next];
-            contacts[to++] = c;
+    void merge(const std::vector<Contact<S>>& contacts, std::size_t found) {
+        std::size_t next = contacts.size(), to = next; // from the last on: writing never comes to what is to be read
+        for (std::size_t n = found; n > 0;) {
+            const auto sorted = order_[--n];
+            for (; next > found && !(ids_of(contacts[next - 1]) < ids_of(contacts[sorted.place])); --next)
+                order_[--to].place = std::uint32_t(next - 1);
+            order_[--to] = sorted;
+        }
+        while (to > 0) order_[--to].place = std::uint32_t(--next);
+    }
+    /// Each contact to where it belongs: the one that stands there is moved first, until one of them has made room for
+    /// the last.
+    void move(std::vector<Contact<S>>& contacts) {
+        for (std::uint32_t first = 0; first < order_.size(); ++first) {
+            if (order_[first].place == first) continue;
+            const Contact<S> last = contacts[first];
+            auto to = first;
+            for (auto from = order_[to].place; from != first; from = order_[to].place) {
+                contacts[to] = contacts[from];
+                order_[to].place = to;
+                to = from;
+            }
+            contacts[to] = last;
+            order_[to].place = to;
         }
     }
 
-    std::vector<std::uint32_t> begin_, next_;
-    std::vector<Key> keys_;
-    std::vector<Contact<S>> sorted_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<Key<std::uint32_t>> order_; // which contact belongs to each place, and its second id
+    std::vector<Key<std::uint64_t>> few_;
 };
 
 namespace detail {

@@ -77,7 +77,7 @@ public:
             contact.depth = {}; // they touch; a little apart is what separating them left
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
-        all.push_back(contact);
+        detail::append(all, contact);
     }
 
 private:

@@ -62,7 +62,7 @@ ContactsKept keep_contacts_at_rest([[maybe_unused]] const WorldData<C>& data,
                 continue;
             kept.twice = kept.twice || platform;
             if (!platform) ++kept.asleep;
-            found.push_back(contact);
+            append(found, contact);
         }
     return kept;
 }

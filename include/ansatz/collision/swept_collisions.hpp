@@ -77,7 +77,7 @@ public:
             contact.second = data.bodies.handle(data.bodies.slot_of_id(hit.b));
             contact.normal = hit.first.normal;
             contact.point = hit.first.arm;
-            found.push_back(contact);
+            detail::append(found, contact);
         }
         forget_impacts();
     }

@@ -179,14 +179,14 @@ public:
             table_.put(fat_, i);
             has_left_[i] = 1;
         }
-        fresh_.clear();
+        const std::size_t known = pairs_.size();
         for (const std::uint32_t i : left_)
             table_.near(i, [&](std::uint32_t j) {
                 const BoxPair pair{std::min(i, j), std::max(i, j)};
                 if (i == j || pair.i >= fat_.active() || (has_left_[j] && j < i)) return; // of two that left, one tells
-                fresh_.push_back(pair);
+                pairs_.push_back(pair);
             });
-        merge();
+        merge(known);
         for (const std::uint32_t i : left_) has_left_[i] = 0;
         return true;
     }
@@ -259,35 +259,36 @@ private:
         table_.make(fat_, width > 1e-290 && width < 1e290 ? width : 1);
         table_is_made_ = true;
     }
-    /// The pairs of those that have left give way to the new ones.
-    void merge() {
-        std::sort(fresh_.begin(), fresh_.end());
-        fresh_.erase(std::unique(fresh_.begin(), fresh_.end()), fresh_.end());
-        spare_.resize(pairs_.size() + fresh_.size());
+    /// The pairs of those that have left give way to the new ones, which stand behind those that were known.
+    void merge(std::size_t known) {
+        const auto fresh = pairs_.begin() + std::ptrdiff_t(known);
+        std::sort(fresh, pairs_.end());
+        pairs_.erase(std::unique(fresh, pairs_.end()), pairs_.end());
+        spare_.resize(pairs_.size());
         BoxPair* to = spare_.data();
-        auto next = fresh_.begin();
-        for (const BoxPair pair : pairs_) {
-            while (next != fresh_.end() && *next < pair) *to++ = *next++;
-            *to = pair;
-            to += 1 - (has_left_[pair.i] | has_left_[pair.j]);
+        auto next = fresh;
+        for (auto pair = pairs_.begin(); pair != fresh; ++pair) {
+            while (next != pairs_.end() && *next < *pair) *to++ = *next++;
+            *to = *pair;
+            to += 1 - (has_left_[pair->i] | has_left_[pair->j]);
         }
-        to = std::copy(next, fresh_.end(), to);
+        to = std::copy(next, pairs_.end(), to);
         spare_.resize(std::size_t(to - spare_.data()));
         pairs_.swap(spare_);
     }
     template <class Finder> void search(Finder& inner, const Boxes<S>& boxes) {
-        fresh_.clear();
+        spare_.clear();
         inner.find(boxes, [this](std::size_t i, std::size_t j) {
-            fresh_.push_back({std::uint32_t(i), std::uint32_t(j)});
+            spare_.push_back({std::uint32_t(i), std::uint32_t(j)});
         });
-        sorter_.sort(fresh_, boxes.size(), pairs_);
+        sorter_.sort(spare_, boxes.size(), pairs_);
     }
     /// Room for more pairs than touch: fat boxes have more, they come and go, and a warm call shall not allocate.
     void make_room(std::size_t boxes) {
         const double more = std::max(1.0, double(room_) / double(boxes));
-        const auto least = std::max(room_, boxes) + std::size_t(4 * more * more * double(pairs_.size()));
-        for (auto* all : {&pairs_, &fresh_, &spare_})
-            if (all->capacity() < least) all->reserve(least + least / 2);
+        const auto least = std::max(room_, boxes) + std::size_t(3 * more * more * double(pairs_.size()));
+        for (auto* all : {&pairs_, &spare_})
+            if (all->capacity() < least) all->reserve(least + least / 8);
     }
 
     std::size_t now_ = 0, room_ = 0;                    // which of two; for how many boxes there shall be room
@@ -295,7 +296,7 @@ private:
     Boxes<S> fat_;
     Scalar typical_{0}; // m, how wide a box is
     bool table_is_made_ = false;
-    std::vector<BoxPair> pairs_, fresh_, spare_;
+    std::vector<BoxPair> pairs_, spare_; // the second while the first is made, in turn
     std::vector<std::uint32_t> left_;
     std::vector<std::uint8_t> has_left_;
     PairSorter sorter_;

@@ -17,6 +17,7 @@
 /// M. Fratarcangeli, V. Tibaldo, F. Pellacini, Vivace: a Practical Gauss-Seidel Method for Stable Soft Body Dynamics,
 /// SIGGRAPH Asia 2016, for colours; E. Catto, SIMD Matters (2024), for contacts of a rigid body solver by colours.
 
+#include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/response/solver_body.hpp>
 
 #include <algorithm>
@@ -55,6 +56,7 @@ public:
                 std::size_t awake) {
         const std::size_t count = acting.size();
         taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
+        detail::grow(colour_of_, count);
         colour_of_.resize(count);
         begin_.fill(0);
         for (std::size_t n = 0; n < count; ++n) {
@@ -70,6 +72,7 @@ public:
             of_b |= b << colour;
         }
         for (std::size_t c = 0; c <= most; ++c) begin_[c + 1] += begin_[c];
+        detail::grow(which_, count);
         which_.resize(count);
         auto next = begin_;
         for (std::size_t n = 0; n < count; ++n) which_[next[colour_of_[n]]++] = acting[n];
@@ -152,13 +155,9 @@ private:
     }
     void fill(const auto& all, const std::vector<Body>& bodies) {
         const std::size_t count = which_.size();
-        for (auto* lane : {&a_, &b_}) lane->resize(count);
-        for (auto* lane : {&touching_, &impulse_, &mass_, &held_}) lane->resize(count);
-        normal_.resize(count);
-        if constexpr (Rubs) {
-            rubbing_.resize(count);
-            friction_.resize(count);
-        }
+        const auto resize = [count](auto&... lane) { ((detail::grow(lane, count), lane.resize(count)), ...); };
+        resize(a_, b_, touching_, impulse_, mass_, held_, normal_);
+        if constexpr (Rubs) resize(rubbing_, friction_);
         for (std::size_t n = 0; n < count; ++n) {
             const auto& c = all[which_[n]];
             a_[n] = c.slot_a;

@@ -78,14 +78,26 @@ public:
 
     /// The contacts of the state that a step has made; those that were there before keep their impulses.
     template <class Data, class Contacts> void take(const Data& data, const Contacts& contacts) {
-        if (old_.capacity() < contacts.size())
-            old_.reserve(std::max(contacts.size(), 2 * old_.capacity())); // or impulses are lost
-        old_.swap(all);
-        all.clear();
-        impacts.pairs.clear(); // of the last step: they name contacts by their places
-        auto before = old_.cbegin();
+        detail::grow(all, contacts.size()); // before anything changes: or impulses are lost
+        impacts.pairs.clear();              // of the last step: they name contacts by their places
+        const auto acts = [&](const auto& c) {
+            return !data.collisions.is_sensor(c.first.id) && !data.collisions.is_sensor(c.second.id);
+        };
+        // In one list: those that go on come to the front, and from the last one on all are put where they belong. No
+        // place is written before what goes on from it has been read, since as many contacts come before it.
+        std::size_t before = 0, goes_on = 0, count = 0;
         for (const auto& c : contacts) {
-            if (data.collisions.is_sensor(c.first.id) || data.collisions.is_sensor(c.second.id)) continue;
+            if (!acts(c)) continue;
+            ++count;
+            while (before < all.size() && detail::ids_of(all[before]) < detail::ids_of(c)) ++before;
+            if (before == all.size() || detail::ids_of(all[before]) != detail::ids_of(c)) continue;
+            if (goes_on != before) all[goes_on] = all[before];
+            ++goes_on, ++before;
+        }
+        all.resize(count);
+        for (auto next = std::end(contacts); count > 0;) {
+            const auto& c = *--next;
+            if (!acts(c)) continue;
             Constraint now;
             now.a = c.first.id;
             now.b = c.second.id;
@@ -93,13 +105,13 @@ public:
             const auto between = data.lanes.template get<Position>(data.bodies.slot_of_id(now.a)) -
                                  data.lanes.template get<Position>(data.bodies.slot_of_id(now.b));
             now.touching = dot(typename S::Position(between), c.normal).value() + c.depth.value();
-            while (before != old_.cend() && std::pair(before->a, before->b) < std::pair(now.a, now.b)) ++before;
-            if (before != old_.cend() && before->a == now.a && before->b == now.b) {
-                now.impulse = before->impulse;
-                if constexpr (Rubs) now.rubbing = before->rubbing;
+            while (goes_on > 0 && detail::ids_of(now) < detail::ids_of(all[goes_on - 1])) --goes_on;
+            if (goes_on > 0 && detail::ids_of(all[goes_on - 1]) == detail::ids_of(now)) {
+                now.impulse = all[goes_on - 1].impulse;
+                if constexpr (Rubs) now.rubbing = all[goes_on - 1].rubbing;
             } else if constexpr (Rubs)
                 for (int k = 0; k < S::dimension; ++k) now.rubbing[k] = Scalar(0);
-            all.push_back(now);
+            all[--count] = now;
         }
     }
 
@@ -151,6 +163,7 @@ public:
     /// The same where the slots are known: which contacts act, and against what mass.
     void weigh() {
         acting_.clear();
+        detail::grow(acting_, all.size());
         impacts.pairs.clear();
         for (std::size_t n = 0; n < all.size(); ++n) {
             auto& c = all[n];
@@ -259,7 +272,6 @@ public:
         kicks.reserve(other.kicks.size());
         pushed.reserve(other.pushed.size());
         impacts.make_room_for(other.impacts);
-        old_.reserve(other.old_.size());
         acting_.reserve(other.acting_.size());
         loads_.make_room_for(other.loads_);
         islands_.make_room_for(other.islands_);
@@ -342,7 +354,6 @@ private:
         }
     }
     SleepingContacts<Constraint> asleep_;
-    std::vector<Constraint> old_;
     std::size_t awake_ = 0;
 };
 
