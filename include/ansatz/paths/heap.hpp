@@ -106,7 +106,7 @@ struct Heap {
             const std::size_t b = first + 2 + std::size_t(less(at[first + 3], at[first + 2]));
             return a + (b - a) * std::size_t(less(at[b], at[a]));
         }
-        static constexpr std::size_t few = 64;
+        static constexpr std::size_t few = 256;
         std::vector<Entry> entries_;
     };
 };
