@@ -61,12 +61,12 @@ template <class T> [[gnu::always_inline]] inline std::pair<std::uint32_t, std::u
 }
 /// Room for so many in a list that grows from step to step: with an eighth more than it needs, it is seldom copied,
 /// and most of what it holds is used.
-template <class T> void grow(std::vector<T>& list, std::size_t n) {
+template <class T> [[gnu::noinline]] void grow(std::vector<T>& list, std::size_t n) {
     if (list.capacity() < n) list.reserve(n + n / 8 + 8);
 }
 /// One more in such a list.
-template <class T> void append(std::vector<T>& list, const T& one) {
-    grow(list, list.size() + 1);
+template <class T> [[gnu::always_inline]] inline void append(std::vector<T>& list, const T& one) {
+    if (list.size() == list.capacity()) grow(list, list.size() + 1);
     list.push_back(one);
 }
 } // namespace detail

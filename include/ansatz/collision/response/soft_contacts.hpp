@@ -83,21 +83,31 @@ public:
         const auto acts = [&](const auto& c) {
             return !data.collisions.is_sensor(c.first.id) && !data.collisions.is_sensor(c.second.id);
         };
+        const auto same = [](const Constraint& old, const auto& c) {
+            return old.a == c.first.id && old.b == c.second.id; // asked first: most go on from step to step
+        };
         // In one list: those that go on come to the front, and from the last one on all are put where they belong. No
         // place is written before what goes on from it has been read, since as many contacts come before it.
+        const std::size_t known = all.size();
         std::size_t before = 0, goes_on = 0, count = 0;
         for (const auto& c : contacts) {
             if (!acts(c)) continue;
             ++count;
-            while (before < all.size() && detail::ids_of(all[before]) < detail::ids_of(c)) ++before;
-            if (before == all.size() || detail::ids_of(all[before]) != detail::ids_of(c)) continue;
-            if (goes_on != before) all[goes_on] = all[before];
-            ++goes_on, ++before;
+            for (; before < known; ++before) {
+                if (same(all[before], c)) {
+                    if (goes_on != before) all[goes_on] = all[before];
+                    ++goes_on, ++before;
+                    break;
+                }
+                if (detail::ids_of(c) < detail::ids_of(all[before])) break;
+            }
         }
         all.resize(count);
-        for (auto next = std::end(contacts); count > 0;) {
-            const auto& c = *--next;
-            if (!acts(c)) continue;
+        const bool all_act = count == contacts.size();
+        Constraint* const list = all.data();
+        for (auto next = contacts.size(); count > 0;) {
+            const auto& c = contacts[--next];
+            if (!all_act && !acts(c)) continue;
             Constraint now;
             now.a = c.first.id;
             now.b = c.second.id;
@@ -105,13 +115,19 @@ public:
             const auto between = data.lanes.template get<Position>(data.bodies.slot_of_id(now.a)) -
                                  data.lanes.template get<Position>(data.bodies.slot_of_id(now.b));
             now.touching = dot(typename S::Position(between), c.normal).value() + c.depth.value();
-            while (goes_on > 0 && detail::ids_of(now) < detail::ids_of(all[goes_on - 1])) --goes_on;
-            if (goes_on > 0 && detail::ids_of(all[goes_on - 1]) == detail::ids_of(now)) {
-                now.impulse = all[goes_on - 1].impulse;
-                if constexpr (Rubs) now.rubbing = all[goes_on - 1].rubbing;
-            } else if constexpr (Rubs)
+            if constexpr (Rubs)
                 for (int k = 0; k < S::dimension; ++k) now.rubbing[k] = Scalar(0);
-            all[--count] = now;
+            for (; goes_on > 0; --goes_on) {
+                const Constraint& old = list[goes_on - 1];
+                if (same(old, c)) {
+                    now.impulse = old.impulse;
+                    if constexpr (Rubs) now.rubbing = old.rubbing;
+                    --goes_on;
+                    break;
+                }
+                if (detail::ids_of(old) < detail::ids_of(c)) break;
+            }
+            list[--count] = now;
         }
     }
 
