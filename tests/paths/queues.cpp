@@ -82,6 +82,12 @@ TEMPLATE_TEST_CASE("buckets hand out the least f but for a bucket's width, up to
     const Cost most = std::is_integral_v<Cost> ? std::numeric_limits<Cost>::max() : Cost(1e30);
     for (const double width : {1.0, 16.0}) {
         typename Buckets::In<Cost, int> buckets{Buckets{width}};
+        buckets.begin(NoGraph{});
+        buckets.start(Cost(0), Cost(0), 0);
+        for (const int n : {1, 2}) buckets.push(most, Cost(0), n); // at the very end, far behind the ring
+        CHECK(buckets.pop() == 0);
+        CHECK(buckets.pop() + buckets.pop() == 3);
+        CHECK(buckets.empty());
         for (const Cost first : {Cost(0), Cost(most / 2), Cost(most - most / 64)}) {
             buckets.begin(NoGraph{});
             std::vector<Cost> given;
