@@ -11,20 +11,20 @@
 #include <cstdlib>
 #include <new>
 
-static std::size_t held = 0; // bytes that were asked for and not given back
+static std::size_t bytes_held = 0; // bytes that were asked for and not given back
 
 /// In front of each block stands its size.
 static void* take(std::size_t bytes, std::size_t front) {
     char* const all = static_cast<char*>(std::aligned_alloc(front, (front + bytes + front - 1) / front * front));
     if (all == nullptr) throw std::bad_alloc();
     *reinterpret_cast<std::size_t*>(all) = bytes;
-    held += bytes;
+    bytes_held += bytes;
     return all + front;
 }
 static void give_back(void* p, std::size_t front) noexcept {
     if (p == nullptr) return;
     char* const all = static_cast<char*>(p) - front;
-    held -= *reinterpret_cast<std::size_t*>(all);
+    bytes_held -= *reinterpret_cast<std::size_t*>(all);
     std::free(all);
 }
 static constexpr std::size_t plain = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
@@ -50,7 +50,7 @@ static bool all_within = true;
 template <class... P> void pile(const char* name, double most, P... policies) {
     constexpr int bodies = 1000;
     const Pile pile = Pile::of(bodies);
-    const std::size_t before = held;
+    const std::size_t before = bytes_held;
     World world{Space<float, 3>{}, SemiImplicitEuler{}, Gravity{}, Narrowphase<Sphere, Plane>{}, policies...};
     world.reserve(bodies + 5);
     world.add(Plane::ground(), fixed);
@@ -61,7 +61,7 @@ template <class... P> void pile(const char* name, double most, P... policies) {
     for (const auto& x : pile.start)
         world.add(Sphere{Pile::radius * metre}, position(metres(x[0], x[1], x[2])), mass(Pile::mass * kilogram));
     for (int step = 0; step < 300; ++step) world.step(Pile::dt * second);
-    const double contacts = double(world.contacts().size()) / bodies, bytes = double(held - before) / bodies;
+    const double contacts = double(world.contacts().size()) / bodies, bytes = double(bytes_held - before) / bodies;
     std::printf("%s: %.2f contacts and %.0f bytes a body, at most %.0f\n", name, contacts, bytes, most);
     if (contacts < 2.5) std::printf("%s: too few contacts: the case has lost its point\n", name);
     all_within = all_within && contacts >= 2.5 && bytes <= most;
