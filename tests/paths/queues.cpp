@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("buckets hand out the least f but for a bucket's width, up to
                 REQUIRE(at != model.end());
                 model.erase(at);
                 const Cost f = given[std::size_t(popped)];
-                const bool in_order = least < Cost(1e15) || sizeof(Cost) < 8; // beyond, all share the last bucket
+                const bool in_order = double(least) < 1e15 || sizeof(Cost) < 8; // beyond, all share the last bucket
                 if (in_order && std::is_integral_v<Cost>) wrong += double(f) - double(least) >= width;
                 base = std::max(base, least);
             }
