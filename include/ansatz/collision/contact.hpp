@@ -69,6 +69,12 @@ template <class T> [[gnu::always_inline]] inline void append(std::vector<T>& lis
     if (list.size() == list.capacity()) grow(list, list.size() + 1);
     list.push_back(one);
 }
+/// Gives two lists that are about to change places the same room: otherwise a step that has long had all the room that
+/// it needs finds some day that the list with little room has come round.
+template <class T> void equal_room(std::vector<T>& a, std::vector<T>& b) {
+    a.reserve(b.capacity());
+    b.reserve(a.capacity());
+}
 } // namespace detail
 
 /// The contacts of a world, as observers and systems see them: `using sees = Types<Contacts>;`. As `world.contacts()`,

@@ -20,15 +20,6 @@
 
 namespace ansatz {
 
-namespace detail {
-/// Gives two lists that are about to change places the same room: otherwise a step that has long had all the room that
-/// it needs finds some day that the list with little room has come round.
-template <class T> void equal_room(std::vector<T>& a, std::vector<T>& b) {
-    a.reserve(b.capacity());
-    b.reserve(a.capacity());
-}
-} // namespace detail
-
 /// Sorts contacts; keeps the room that it needs.
 template <class S> class ContactOrder {
 public:

@@ -54,7 +54,7 @@ struct Heap {
             entries_.pop_back();
             const std::size_t n = entries_.size();
             if (n == 0) return least;
-            const bool foreseen = !std::is_unsigned_v<Cost> && n < few;
+            const bool predicted = !std::is_unsigned_v<Cost> && n < few;
             std::size_t i = 0;
             for (;;) {
                 const std::size_t first = 4 * i + 1;
@@ -63,7 +63,7 @@ struct Heap {
                 if (first + 4 > n) {
                     for (std::size_t k = first + 1; k < n; ++k)
                         if (before(at[k], at[child])) child = k;
-                } else if (foreseen) child = least_of_four(at, first, before);
+                } else if (predicted) child = least_of_four(at, first, before);
                 else child = least_of_four(at, first, before_without_branch);
                 if (!before(at[child], last)) break;
                 at[i] = at[child];
@@ -98,15 +98,14 @@ struct Heap {
             if constexpr (std::is_unsigned_v<Cost>) return before(a, b);
             else return (unsigned(a.f < b.f) | (unsigned(a.f == b.f) & unsigned(a.h < b.h))) != 0;
         }
-        /// By arithmetic: which child is less cannot be foreseen, and a wrong guess costs more. In a short list of
-        /// fractions it often can: there `less` has branches, and what depends on its result goes on before it is
-        /// known.
+        /// By arithmetic: the processor cannot predict which child is less, and a misprediction costs more. In a short
+        /// list of fractions or of numbers with a sign it often can; there `less` has branches.
         [[gnu::always_inline]] static std::size_t least_of_four(const Entry* at, std::size_t first, const auto& less) {
             const std::size_t a = first + std::size_t(less(at[first + 1], at[first]));
             const std::size_t b = first + 2 + std::size_t(less(at[first + 3], at[first + 2]));
             return a + (b - a) * std::size_t(less(at[b], at[a]));
         }
-        static constexpr std::size_t few = 256;
+        static constexpr std::size_t few = 256; ///< entries of a short list: what a planner has
         std::vector<Entry> entries_;
     };
 };

@@ -117,7 +117,7 @@ private:
                                          watcher);
                                });
     }
-    /// 2.3.2 to 2.3.4: from P, to which it costs p_g, it is a step to Q.
+    /// 2.3.2 to 2.3.4: to P it costs p_g, and from there to Q `step` more.
     template <class Work, class Node, class Vertex, class Cost, class Estimate, class Watcher>
     [[gnu::always_inline]] static void relax(Work& work, Node& node, const Vertex& p, const Vertex& q, const Cost p_g,
                                              const Cost step, const Estimate& estimate, const std::uint32_t open,

@@ -8,7 +8,8 @@
 /// sine for each wave, nothing is stored, and nothing can become unstable. Not for a pool that somebody falls into; add
 /// the heights of a Surface to it there. Crests are as round as troughs; GerstnerWaves has sharp ones.
 ///
-/// \f[ y = \sum A_i \cos\theta_i, \qquad \theta_i = k_i\,\mathbf d_i\cdot(x, z) - \omega_i t + \varphi_i, \qquad \omega_i^2 = g k_i \tanh(k_i d) \f]
+/// \f[ y = \sum A_i \cos\theta_i, \qquad \theta_i = k_i\,\mathbf d_i\cdot(x, z) - \omega_i t + \varphi_i, \qquad
+///     \omega_i^2 = g k_i \tanh(k_i d) \f]
 ///
 /// Below the surface the water moves on orbits that die away with the depth; `velocity` is that, so that what floats
 /// drifts to and fro, and a diver is at rest.

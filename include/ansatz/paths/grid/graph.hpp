@@ -47,7 +47,7 @@ public:
         : from_(std::bit_cast<std::uint32_t>(from)), open_(open), index_(index), offsets_(offsets) {}
     [[gnu::always_inline]] GridEdge operator*() const {
         const unsigned d = unsigned(std::countr_zero(open_));
-        return {std::bit_cast<Cell>(from_), std::bit_cast<Cell>(from_ + detail::offsets.of[d]), (d >> 2 & 1) != 0,
+        return {std::bit_cast<Cell>(from_), detail::step(std::bit_cast<Cell>(from_), d), (d >> 2 & 1) != 0,
                 index_ + std::uint32_t(offsets_[d])};
     }
     [[gnu::always_inline]] GridEdges& operator++() {

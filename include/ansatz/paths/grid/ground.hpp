@@ -38,7 +38,7 @@ struct Even {
     template <class Cost> struct Weights {
         /// Onto any tile.
         [[gnu::always_inline]] Cost of(std::size_t, bool diagonal) const {
-            if constexpr (std::is_integral_v<Cost>) // what comes of a choice is four instructions more
+            if constexpr (std::is_integral_v<Cost>) // a product: g++ makes more instructions of a choice
                 return Tile<Cost>::straight + Cost(diagonal) * (Tile<Cost>::diagonal - Tile<Cost>::straight);
             else return diagonal ? Tile<Cost>::diagonal : Tile<Cost>::straight;
         }
