@@ -22,6 +22,30 @@ struct Finds : NothingMore {
 static_assert(BroadphaseIn<Finds, S> && BroadphaseIn<Finds, Space<float, 2>> && !InsideIn<Finds, S>);
 auto of_broadphase() { return use(World{SemiImplicitEuler{}, Finds(1), Narrowphase<Sphere>{}, Impulse<>{}}); }
 
+struct FindsInPieces : NothingMore {
+    using NothingMore::NothingMore;
+    using role = roles::Broadphase;
+    template <class Sp> struct In : NothingMore {
+        explicit In(const FindsInPieces&) : NothingMore(0) {}
+        template <class F> void find(const Boxes<Sp>&, F&&) {}
+        void prepare(const Boxes<Sp>&, const auto& run) {
+            run(std::size_t(1), std::size_t(1), [](std::size_t, std::size_t) {});
+        }
+        std::size_t pieces() const { return 1; }
+        template <class F> void find(const Boxes<Sp>& boxes, std::size_t, std::size_t, F&& found) const {
+            if (boxes.size() > 1) found(std::size_t(0), std::size_t(1));
+        }
+    };
+};
+static_assert(DividedBroadphaseIn<FindsInPieces, S> && !DividedBroadphaseIn<Finds, S>);
+struct AsTheyCome {
+    using role = roles::Execution;
+    void execute(std::size_t count, std::size_t, const auto& loop) const { loop(std::size_t(0), count); }
+};
+auto of_broadphase_in_pieces() {
+    return use(World{SemiImplicitEuler{}, FindsInPieces(1), Narrowphase<Sphere>{}, Impulse<>{}, AsTheyCome{}});
+}
+
 struct FindsInside : NothingMore {
     using NothingMore::NothingMore;
     using role = roles::Broadphase;
@@ -56,6 +80,8 @@ struct Nearest final {
 static_assert(BroadphaseIn<AllPairs, S> && BroadphaseIn<Octree<SortAndSweep>, S> && BroadphaseIn<Nearest, S>);
 static_assert(InsideIn<BoundingBoxes, S> && InsideIn<SortAndSweep, Space<float, 2>> && !InsideIn<AllPairs, S> &&
               !InsideIn<Octree<>, S>);
+static_assert(DividedBroadphaseIn<UniformGrid<>, S> && DividedBroadphaseIn<Coherent<Octree<>>, S> &&
+              !DividedBroadphaseIn<Octree<>, S>);
 static_assert(detail::BroadphaseFacts<Octree<SortAndSweep>, S>::ok &&
               !detail::BroadphaseFacts<Octree<AllPairs>, S>::ok);
 static_assert(!detail::BroadphaseFacts<UniformGrid<Octree<>>, S>::inside &&
@@ -90,6 +116,19 @@ struct ChangesTheBoxes {
         template <class F> void find(Boxes<Sp>&, F&&);
     };
 };
+/// Its pieces are searched by a function that changes it, which threads cannot do at the same time.
+struct ChangesWhereItSearches {
+    using role = roles::Broadphase;
+    template <class Sp> struct In {
+        explicit In(const ChangesWhereItSearches&);
+        template <class F> void find(const Boxes<Sp>&, F&&);
+        void prepare(const Boxes<Sp>&, const auto&);
+        std::size_t pieces() const;
+        template <class F> void find(const Boxes<Sp>&, std::size_t, std::size_t, F&&);
+    };
+};
+static_assert(BroadphaseIn<ChangesWhereItSearches, S> && !DividedBroadphaseIn<ChangesWhereItSearches, S> &&
+              !detail::BroadphaseFacts<ChangesWhereItSearches, S>::ok);
 static_assert(!BroadphaseIn<WithoutFunction, S> && !BroadphaseIn<NotMadeFromIt, S> && !BroadphaseIn<AsAFilter, S> &&
               !BroadphaseIn<ChangesTheBoxes, S>);
 static_assert(!BroadphaseIn<Gravity, S> && !BroadphaseIn<int, S>);

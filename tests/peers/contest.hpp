@@ -43,7 +43,9 @@ struct Row {
 
 class Contest {
 public:
-    explicit Contest(std::string area, int repeats) : area_(std::move(area)), repeats_(repeats) {}
+    /// \param clock by which the area measures
+    explicit Contest(std::string area, int repeats, std::string clock = "thread CPU time, one thread")
+        : area_(std::move(area)), clock_(std::move(clock)), repeats_(repeats) {}
 
     /// Times the subjects in turn and keeps a row for each.
     /// \param unit    e.g. "ns a body"
@@ -88,14 +90,10 @@ public:
     void write(const std::string& folder) const {
         const auto machine = ansatz::workbook::this_machine();
         ansatz::workbook::Json json;
-        json["machine"] = {{"cpu", machine.cpu},
-                           {"cores", machine.cores},
-                           {"system", machine.system},
-                           {"compiler", machine.compiler},
-                           {"flags", machine.flags},
-                           {"date", machine.date},
-                           {"clock", "thread CPU time, one thread"},
-                           {"repeats", repeats_}};
+        json["machine"] = {{"cpu", machine.cpu},       {"cores", machine.cores},
+                           {"system", machine.system}, {"compiler", machine.compiler},
+                           {"flags", machine.flags},   {"date", machine.date},
+                           {"clock", clock_},          {"repeats", repeats_}};
         json["versions"] = versions();
         json["rows"] = ansatz::workbook::Json::array();
         for (const Row& r : rows_)
@@ -113,7 +111,7 @@ public:
     }
 
 private:
-    std::string area_;
+    std::string area_, clock_;
     int repeats_;
     std::vector<Row> rows_;
 };

@@ -75,6 +75,13 @@ target_link_libraries(peers_scale PRIVATE ansatz_measured nlohmann_json::nlohman
 target_include_directories(peers_scale PRIVATE ${PROJECT_SOURCE_DIR}/tools)
 set_target_properties(peers_scale PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+# The library is held against itself, with several threads.
+find_package(TBB CONFIG QUIET)
+add_executable(peers_threads EXCLUDE_FROM_ALL peers/threads/main.cpp)
+target_link_libraries(peers_threads PRIVATE ansatz_measured nlohmann_json::nlohmann_json $<TARGET_NAME_IF_EXISTS:TBB::tbb>)
+target_include_directories(peers_threads PRIVATE ${PROJECT_SOURCE_DIR}/tools)
+set_target_properties(peers_threads PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
 # Soft bodies are held against Eigen's matrices, a loop that is written by hand, and Bullet where it was found.
 add_executable(peers_soft_bodies EXCLUDE_FROM_ALL peers/soft_bodies/main.cpp)
 target_link_libraries(peers_soft_bodies PRIVATE ansatz_measured nlohmann_json::nlohmann_json)

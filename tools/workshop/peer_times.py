@@ -35,7 +35,7 @@ from dataclasses import dataclass
 from typing import Any
 
 KEPT = "docs/peers"
-AREAS: tuple[str, ...] = ("collision", "paths", "scale", "soft_bodies", "water")
+AREAS: tuple[str, ...] = ("collision", "paths", "scale", "soft_bodies", "threads", "water")
 BLOCK = re.compile(r"^(<!-- from contest: ([^\n]*) -->\n)(.*?)^(<!-- end of contest -->)", flags=re.DOTALL | re.MULTILINE)
 OURS = "ansatz"
 OPTIONS = ("rows", "columns", "scenes", "n", "subjects", "ratio", "remarks")

@@ -13,6 +13,7 @@
 #include <ansatz/collision/concepts.hpp>
 #include <ansatz/collision/contact.hpp>
 #include <ansatz/collision/contact_order.hpp>
+#include <ansatz/collision/divided_search.hpp>
 #include <ansatz/collision/division.hpp>
 #include <ansatz/collision/facts.hpp>
 #include <ansatz/collision/look_ahead.hpp>
@@ -155,11 +156,11 @@ public:
         find(data, policies, pull);
         stale_ = false;
         if constexpr (C::acts_next) {
+            using Acting = typename detail::FirstIn<NextStep>::type;
             hand_over(data, NextStep{}, working_.value.found);
-            const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
-            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting);
-        }
-        this->compare(working_.value.found, later);
+            const auto& acting = std::as_const(data).template state<Acting>();
+            this->compare(working_.value.found, later, detail::touch_now<C::substeps>(acting));
+        } else this->compare(working_.value.found, later, detail::AllTouch());
         working_.value.as_before = !data.bodies.any_goes();
         this->put_contacts_to_sleep(data, std::exchange(working_.value.kept, {}).asleep);
     }
@@ -214,19 +215,25 @@ private:
     template <class Data, class Policies, class Pull>
     void find_among_moving(const Data& data, const Policies& policies, [[maybe_unused]] const Pull& pull) {
         auto& w = working_.value;
-        if constexpr (C::anticipates)
-            w.ahead.begin(data.bodies, expected, pull,
-                          [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
-        if constexpr (C::holds_near)
-            w.near.begin(data.bodies, pull,
-                         [&](Bodies::Slot slot) { return data.load(slot).template get<Velocity>(); });
+        [[maybe_unused]] const auto going = [&](auto slot) { return data.load(slot).template get<Velocity>(); };
+        if constexpr (C::anticipates) w.ahead.begin(data.bodies, expected, pull, going);
+        if constexpr (C::holds_near) w.near.begin(data.bodies, pull, going);
         gather(data);
-        auto pair = [&](std::size_t i, std::size_t j) { test(data, policies, w.ids[i], w.ids[j]); };
         if constexpr (Narrowphase::any_unbounded) unbounded(data, policies); // first: ground and walls have low ids
         if constexpr (Narrowphase::any_bounded) {
             if (!w.finder) detail::make_finder<divides>(w.finder, std::get<Broadphase>(policies), w.ids.capacity());
             Unfinished unfinished{&w.finder};
-            w.finder->find(w.boxes, pair);
+            if constexpr (C::executed)
+                w.search.template find<Broadphase>(
+                    detail::runner_of<C>(policies), *w.finder, w.boxes,
+                    [&](std::size_t i, std::size_t j, auto& share) {
+                        test(data, policies, w.ids[i], w.ids[j], share.contacts, &share.near);
+                    },
+                    w.found, near_list());
+            else
+                w.finder->find(w.boxes, [&](std::size_t i, std::size_t j) {
+                    test(data, policies, w.ids[i], w.ids[j], w.found, near_list());
+                });
             unfinished.finder = nullptr;
         }
     }
@@ -235,7 +242,7 @@ private:
         (data.template state<R>().take(data, all), ...);
     }
 
-    struct Working {
+    struct Working {                    // what is named with `conditional` only where it is used
         Boxes<S> boxes;                 // the awake, the moving, then the resting and the fixed
         std::vector<std::uint32_t> ids; // the bodies of these boxes
         std::optional<typename Broadphase::template In<S>> finder;
@@ -246,9 +253,10 @@ private:
         [[no_unique_address]] std::conditional_t<C::anticipates, LookAhead<S>, detail::NotAhead> ahead;
         StillBoxes<S> still;    // boxes of bodies that are fixed or at rest
         bool as_before = false; // whether no body could move when contacts were found last
-        // Only where they are used.
         [[no_unique_address]] std::conditional_t<C::as_one, ContactPushes<S>, detail::Absent> pushes;
         [[no_unique_address]] std::conditional_t<C::holds_near, NearContacts<S>, detail::NoNear> near;
+        [[no_unique_address]] std::conditional_t<C::executed, DividedSearch<S, C::holds_near>, detail::NoDividedSearch>
+            search;
     };
 
     /// A search that was broken off leaves nothing behind that disturbs the next one.
@@ -333,44 +341,35 @@ private:
         return n; // boxes so far
     }
 
-    /// The narrowphase of two bodies that will touch in the next step, if they go on so: not of two that fall abreast.
-    template <class Data>
-    [[gnu::always_inline]] bool come_near(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
-                                          std::size_t slot_b, Contact<S>& contact) const {
-        const auto& ahead = working_.value.ahead;
-        const auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
-        return Narrowphase::template nearly_collide<S>(shapes, a, xa, b, xb, ahead.margin(data.bodies, slot_a, slot_b),
-                                                       contact) &&
-               (contact.depth.value() >= Scalar(0) ||
-                ahead.closes(data.bodies, slot_a, slot_b, -contact.depth.value()));
+    /// Where pairs that nearly touch are noted, if they are.
+    std::vector<Contact<S>>* near_list() {
+        if constexpr (C::holds_near) return &working_.value.near.all;
+        else return nullptr;
     }
-
-    /// The narrowphase of two bodies.
+    /// The narrowphase of two bodies: into `found`, or into `near` those that nearly touch.
     template <class Data, class Policies>
-    [[gnu::always_inline]] void test(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i,
-                                     std::uint32_t j) {
+    [[gnu::flatten, gnu::noinline]] void test(const Data& data, [[maybe_unused]] const Policies& policies,
+                                              std::uint32_t i, std::uint32_t j, std::vector<Contact<S>>& found,
+                                              [[maybe_unused]] std::vector<Contact<S>>* near) const {
         const auto a = i < j ? i : j, b = i < j ? j : i;
         const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
         if (this->were_one(a, b)) return;
-        if constexpr (C::filters::size > 0) {
-            if (!passes(data, policies, slot_a, slot_b, typename C::filters{})) return;
-        }
+        if constexpr (C::filters::size > 0)
+            if (!detail::passes<S>(std::get<typename detail::FirstIn<typename C::filters>::type>(policies), data,
+                                   slot_a, slot_b))
+                return;
         Contact<S> contact;
         if constexpr (C::anticipates) {
-            if (!come_near(data, a, slot_a, b, slot_b, contact)) return;
+            if (!working_.value.ahead.template meet<Narrowphase>(data, a, slot_a, b, slot_b, contact)) return;
         } else if (!Narrowphase::template collide_bodies<S>(shapes, a, data.lanes.template get<Position>(slot_a), b,
                                                             data.lanes.template get<Position>(slot_b), contact)) {
-            if constexpr (C::holds_near) working_.value.near.template test<Narrowphase>(data, a, slot_a, b, slot_b);
+            if constexpr (C::holds_near)
+                working_.value.near.template test<Narrowphase>(data, a, slot_a, b, slot_b, *near);
             return;
         }
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
-        detail::append(working_.value.found, contact);
-    }
-
-    template <class Data, class Policies, class F>
-    static bool passes(const Data& data, const Policies& policies, std::size_t a, std::size_t b, Types<F>) {
-        return detail::passes<S>(std::get<F>(policies), data, a, b);
+        detail::append(found, contact);
     }
 
     /// Shapes without a box, such as planes, are tested against all that have one, but for those that they surely miss.
@@ -382,8 +381,9 @@ private:
                     const auto slot = data.bodies.slot_of_id(id);
                     const auto* still = data.bodies.goes(slot) ? nullptr : &shapes.template get<Kind>(id);
                     detail::each_box_near(w.boxes, still ? w.boxes.active() : w.boxes.size(), still,
-                                          data.lanes.template get<Position>(slot),
-                                          [&](std::size_t i) { test(data, policies, id, w.ids[i]); });
+                                          data.lanes.template get<Position>(slot), [&](std::size_t i) {
+                                              test(data, policies, id, w.ids[i], w.found, near_list());
+                                          });
                 }
         });
     }

@@ -6,10 +6,13 @@
 /// (`SoftSubsteps`; beyond the notes, whose section 2.2 answers intersections). Boxes are widened by it, and of the
 /// pairs that the broadphase finds those are kept that may meet (notes 2.1).
 
+#include <ansatz/collision/contact.hpp>
 #include <ansatz/units.hpp>
 #include <ansatz/world/bodies.hpp>
+#include <ansatz/world/columns.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ansatz {
@@ -54,6 +57,15 @@ public:
         for (int k = 0; k < S::dimension; ++k) by[k] = ahead.margin;
         lower -= S::Position::from_value(by);
         upper += S::Position::from_value(by);
+    }
+    /// The narrowphase of two bodies that will touch in the next step, if they go on so: not of two that fall abreast.
+    template <class Narrowphase, class Data>
+    [[gnu::always_inline]] bool meet(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b,
+                                     std::size_t slot_b, Contact<S>& contact) const {
+        const auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
+        return Narrowphase::template nearly_collide<S>(data.collisions.shapes, a, xa, b, xb,
+                                                       margin(data.bodies, slot_a, slot_b), contact) &&
+               (contact.depth.value() >= Scalar(0) || closes(data.bodies, slot_a, slot_b, -contact.depth.value()));
     }
     /// How far apart two bodies may be and still meet within the step.
     [[gnu::always_inline]] typename S::Length margin(const Bodies& bodies, std::size_t a, std::size_t b) const {

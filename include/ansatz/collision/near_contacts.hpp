@@ -58,8 +58,10 @@ public:
         upper += S::Position::from_value(by);
     }
     /// Tests two that do not intersect.
+    /// \param near to which they are added if they nearly touch
     template <class Narrowphase, class Data>
-    void test(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b) {
+    void test(const Data& data, std::uint32_t a, std::size_t slot_a, std::uint32_t b, std::size_t slot_b,
+              std::vector<Contact<S>>& near) const {
         const Scalar margin = reach_[slot_a].all + reach_[slot_b].all;
         if (!(margin > Scalar(0))) return;
         auto xa = data.lanes.template get<Position>(slot_a), xb = data.lanes.template get<Position>(slot_b);
@@ -77,7 +79,7 @@ public:
             contact.depth = {}; // they touch; a little apart is what separating them left
         contact.first = data.bodies.handle(slot_a);
         contact.second = data.bodies.handle(slot_b);
-        detail::append(all, contact);
+        detail::append(near, contact);
     }
 
 private:

@@ -20,10 +20,10 @@
 /// throws must leave `execute`, once the other ranges have returned, and the world is lost then, as it is where a
 /// serial step throws. What relies on it: `execute` may be called by several threads at once, by those that ask a world
 /// that does not change and by those that step its copies, so that threads that are kept serve one call at a time. The
-/// laws of a world with an Execution are asked at the same time, so that they must not change what they share; those of
-/// the library do not.
+/// laws, filters and shapes of a world with an Execution are asked at the same time, so that they must not change what
+/// they share; those of the library do not.
 ///
-/// Not for what a step does in an order: contacts, islands of sleep and the door stay serial.
+/// Not for what a step does in an order: what is done about contacts, islands of sleep and the door stay serial.
 
 #include <ansatz/world/roles.hpp>
 #include <ansatz/world/types.hpp>
@@ -46,6 +46,23 @@ template <class... P> const auto& execution_of(const std::tuple<P...>& policies)
 template <class Scalar> inline constexpr std::size_t rows_of_a_line = sizeof(Scalar) < 64 ? 64 / sizeof(Scalar) : 1;
 /// A range of fewer cache lines takes less time than waking a thread does.
 inline constexpr std::size_t grain_in_lines = 32;
+
+/// What runs a loop where no Execution does.
+struct Serially {
+    template <class Loop>
+    [[gnu::always_inline]] void operator()(std::size_t count, std::size_t, const Loop& loop) const {
+        loop(std::size_t(0), count);
+    }
+};
+/// Runs loops as the Execution of a world does: `run(count, grain, loop)`.
+template <class C, class Policies>
+[[gnu::always_inline]] inline auto runner_of([[maybe_unused]] const Policies& policies) {
+    if constexpr (C::executed)
+        return [&policies](std::size_t count, std::size_t grain, const auto& loop) {
+            execution_of(policies).execute(count, grain, loop);
+        };
+    else return Serially();
+}
 } // namespace detail
 
 /// Calls `loop(first, last)` for ranges of `begin` to `end`, which the Execution of a world runs; once for all of it

@@ -44,6 +44,6 @@ verb_peers() {
         fi
         "$program" build/peers ${repeats:+"$repeats"} < /dev/null || failed=$((failed + 1))
     done <<< "$chosen"
-    if [ "$chosen" != cases ] && [ "$chosen" != scale ]; then python3 tools/workshop/peer_times.py summary build/peers; fi
+    case $chosen in cases | scale | threads) ;; *) python3 tools/workshop/peer_times.py summary build/peers ;; esac
     [ "$failed" -eq 0 ]
 }

@@ -13,9 +13,22 @@
 /// Each pair of boxes that touch is told exactly once, where one of the two at least belongs to a body that moves
 /// (`i < boxes.active()`), in an order that depends on the boxes alone. `In<S>` keeps its working memory; once warm it
 /// allocates nothing. The boxes are finite, which `Boxes::check` says; of others `find` may miss any pair, and no more.
+///
+/// One whose search can be divided among the threads of an Execution has three verbs more (`DividedBroadphaseIn`):
+///
+/// \code
+/// void prepare(const Boxes<S>& boxes, const auto& run);   // what is done once; loops by run(count, grain, loop)
+/// std::size_t pieces() const;                             // into how many the search is divided
+/// template <class F> void find(const Boxes<S>& boxes, std::size_t first, std::size_t last, F&& found) const;
+/// \endcode
+///
+/// The second `find` tells the pairs of the pieces first to last - 1, on several threads at the same time: together all
+/// pairs, each of them once. It may have a fourth, `finish(pairs)`, which is told behind them how many pairs there
+/// were.
 
 #include <ansatz/collision/boxes.hpp>
 #include <ansatz/collision/roles.hpp>
+#include <ansatz/world/execution.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -51,6 +64,26 @@ template <class P, class S>
 concept BroadphaseIn = PlaysRole<P, roles::Broadphase> && detail::FindsPairs<P, S>;
 
 namespace detail {
+template <class P, class S>
+concept FindsInPieces = requires(typename P::template In<S>& bound, const typename P::template In<S>& prepared,
+                                 const Boxes<S>& boxes, std::size_t n) {
+    bound.prepare(boxes, Serially());
+    { prepared.pieces() } -> std::convertible_to<std::size_t>;
+    prepared.find(boxes, n, n, PairProbe());
+};
+/// One that says how many pieces there are means to be searched in them: without the others it would be searched
+/// serially in silence.
+template <class P, class S>
+concept NamesPieces = requires(typename P::template In<S>& bound) { bound.pieces(); };
+} // namespace detail
+
+/// A broadphase whose search the Execution of a world divides: it has `prepare`, `pieces` and a `find` of some of them.
+///
+/// `UniformGrid` and `Coherent` are such. The search of another one is serial; what is done with its pairs is not.
+template <class P, class S>
+concept DividedBroadphaseIn = BroadphaseIn<P, S> && detail::FindsInPieces<P, S>;
+
+namespace detail {
 /// What tests the bodies inside a cell, for a partition that has such a policy: the partition says so itself.
 template <class P, class S> inline constexpr bool tests_inside = true;
 template <class P, class S>
@@ -62,7 +95,8 @@ template <class P, class S> struct BroadphaseFacts {
     static constexpr bool inside = !plays || tests_inside<P, S>;
     static constexpr bool binds = !plays || !inside || BindsBroadphase<P, S>;
     static constexpr bool finds = !plays || !inside || !binds || FindsPairs<P, S>;
-    static constexpr bool ok = plays && inside && binds && finds;
+    static constexpr bool pieces = !plays || !inside || !binds || !finds || !NamesPieces<P, S> || FindsInPieces<P, S>;
+    static constexpr bool ok = plays && inside && binds && finds && pieces;
 };
 template <class P, class S> struct CheckBroadphase {
     using Facts = BroadphaseFacts<P, S>;
@@ -76,6 +110,10 @@ template <class P, class S> struct CheckBroadphase {
     static_assert(Facts::finds, "Ansatz: a broadphase with a wrong signature; its In<S> needs `template <class F> void "
                                 "find(const Boxes<S>& boxes, "
                                 "F&& found)`, which calls found(i, j) for each pair");
+    static_assert(Facts::pieces, "Ansatz: a broadphase with `pieces` that cannot be searched in them; its In<S> needs "
+                                 "`void prepare(const Boxes<S>& boxes, const auto& run)`, `std::size_t pieces() const` "
+                                 "and `template <class F> void find(const Boxes<S>& boxes, std::size_t first, "
+                                 "std::size_t last, F&& found) const`");
 };
 } // namespace detail
 

@@ -61,18 +61,36 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
             if constexpr (requires { inner_.reserve(n); }) inner_.reserve(n);
         }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
+            prepare(boxes, detail::Serially());
+            finish(tell(0, pieces(), found));
+        }
+        /// \name The search in pieces, pairs of fat boxes, which may be tested at the same time
+        /// @{
+        /// Makes what is kept that of these boxes.
+        void prepare(const Boxes<S>& boxes, const auto&) {
             const bool as_before = boxes.size() == size_ && boxes.active() == active_;
             size_ = boxes.size(), active_ = boxes.active();
             if (!as_before) state_ = State::apart;
-            if (active_ == 0 || size_ < 2) return;
+            searched_ = active_ > 0 && size_ > 1;
+            if (!searched_) return;
             if (state_ == State::keeps) follow(boxes);
             else if (state_ == State::watches) kept_.watch(boxes), make(boxes);
             else if (pause_ > 0) --pause_;
             else if (as_before) kept_.watch(boxes), state_ = State::watches;
-            if (state_ == State::keeps) judge(kept_.tell(found));
-            else
-                for (const auto pair : kept_.find(inner_, boxes)) found(std::size_t(pair.i), std::size_t(pair.j));
+            if (state_ != State::keeps) kept_.find(inner_, boxes);
         }
+        /// How many there are.
+        std::size_t pieces() const { return searched_ ? kept_.size() : 0; }
+        /// Tells those whose boxes touch, in order.
+        template <class F> void find(const Boxes<S>&, std::size_t first, std::size_t last, F&& found) const {
+            tell(first, last, found);
+        }
+        /// Judges whether it has paid.
+        /// \param told how many pairs
+        void finish(std::size_t told) {
+            if (searched_ && state_ == State::keeps) judge(told);
+        }
+        /// @}
 
         /// \name What it does, to see whether it pays
         /// @{
@@ -100,6 +118,12 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
         static constexpr int shortest = 16, longest = 1024; // calls until it tries again
         static constexpr int trial = 8, proven = 64;        // calls until it judges, and until a pause is short again
 
+        /// \return how many touch
+        template <class F> std::size_t tell(std::size_t first, std::size_t last, F& found) const {
+            if (state_ == State::keeps) return kept_.tell(first, last, found);
+            for (auto p = first; p < last; ++p) found(std::size_t(kept_[p].i), std::size_t(kept_[p].j));
+            return last - first;
+        }
         std::uint64_t cost_to_make() const {
             return size_ * (Costs::find + Costs::fatten) + kept_.size() * Costs::pair;
         }
@@ -153,6 +177,7 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
         typename Inner::template In<S> inner_;
         detail::KeptPairs<S> kept_;
         State state_ = State::apart;
+        bool searched_ = false;             // whether there was anything to search, in the last call
         std::size_t size_ = 0, active_ = 0; // of the last call
         double calls_ = 0, age_ = 0;        // how many fat boxes shall last, and have
         std::uint64_t spent_ = 0, saved_ = 0;

@@ -40,6 +40,13 @@ template <class P> inline constexpr bool takes_any_order = false;
 template <class P>
     requires requires { P::takes_any_order; }
 inline constexpr bool takes_any_order<P> = P::takes_any_order;
+/// Whether it tests lists without changing what it keeps, so that several threads may ask it.
+template <class P, class S>
+inline constexpr bool searches_unchanged =
+    requires(const typename P::template In<S>& bound, const Lot<S>& lot, std::size_t n) {
+        bound.among(lot, n, n, PairProbe());
+        bound.between(lot, n, n, n, n, PairProbe());
+    };
 } // namespace detail
 
 } // namespace ansatz

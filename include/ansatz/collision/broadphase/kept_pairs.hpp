@@ -102,6 +102,8 @@ public:
     }
     /// How many pairs there are: of fat boxes, or those of the last `find`.
     std::size_t size() const { return pairs_.size(); }
+    /// One of them.
+    BoxPair operator[](std::size_t n) const { return pairs_[n]; }
     /// How many had left their fat boxes in the last `follow`.
     std::size_t left() const { return left_.size(); }
     /// How many are too wide for the table of cells.
@@ -150,10 +152,9 @@ public:
     }
 
     /// The pairs of these boxes as a broadphase finds them, in order. What was kept is lost.
-    template <class Finder> const std::vector<BoxPair>& find(Finder& inner, const Boxes<S>& boxes) {
+    template <class Finder> void find(Finder& inner, const Boxes<S>& boxes) {
         search(inner, boxes);
         make_room(boxes.size());
-        return pairs_;
     }
     /// Makes all fat boxes from the last two calls, and finds their pairs.
     /// \param calls for how many a body that goes on as it does shall stay in its own
@@ -190,18 +191,18 @@ public:
         for (const std::uint32_t i : left_) has_left_[i] = 0;
         return true;
     }
-    /// Tells the pairs whose boxes of the last `follow` touch, in order.
+    /// Tells those of the pairs begin to end - 1 whose boxes of the last `follow` touch, in order.
     /// \return how many
-    template <class F> std::size_t tell(F&& found) const {
+    template <class F> std::size_t tell(std::size_t begin, std::size_t end, F&& found) const {
         constexpr std::size_t block = 256, ahead = 16;
         std::array<BoxPair, block> touching;
         std::size_t told = 0;
         const PlacedBox<S>* const all = placed_[now_].data();
-        for (std::size_t first = 0; first < pairs_.size(); first += block) {
-            const std::size_t last = std::min(first + block, pairs_.size());
+        for (std::size_t first = begin; first < end; first += block) {
+            const std::size_t last = std::min(first + block, end);
             std::size_t count = 0; // each is written, and stays if it touches: a branch could not be foreseen
             for (std::size_t p = first; p < last; ++p) {
-                __builtin_prefetch(all + pairs_[std::min(p + ahead, pairs_.size() - 1)].j); // they are far apart
+                __builtin_prefetch(all + pairs_[std::min(p + ahead, end - 1)].j); // they are far apart
                 touching[count] = pairs_[p];
                 count += touch(all[pairs_[p].i], all[pairs_[p].j]);
             }

@@ -29,6 +29,7 @@
 #include <ansatz/collision/broadphase/sort_and_sweep.hpp>
 #include <ansatz/collision/broadphase/uniform_grid_level.hpp>
 #include <ansatz/units/requirements.hpp>
+#include <ansatz/world/execution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -68,44 +69,96 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
             room_ = n;
             needs_.reserve(n);
             level_of_.reserve(n);
-            places_.reserve(n);
+            cells_.reserve(n);
+            ranks_.reserve(n);
             lot_.reserve(n);
             if constexpr (requires { inside_.reserve(n); }) inside_.reserve(n);
         }
         template <class F> void find(const Boxes<S>& boxes, F&& found) {
+            prepare(boxes, detail::Serially());
+            find_in(inside_, boxes, 0, std::numeric_limits<std::size_t>::max(), found);
+        }
+        /// \name The search in pieces, rows of cells and bodies, which may be searched at the same time
+        /// @{
+        /// Puts the bodies into cells.
+        /// \param run runs a loop over bodies, `run(count, grain, loop)`
+        void prepare(const Boxes<S>& boxes, const auto& run) {
+            size_ = 0;
             if (boxes.active() == 0 || boxes.size() < 2) return;
             const std::uint32_t* order = inside_.order(boxes);
-            choose_levels(boxes);
-            fill(boxes, order);
-            auto touch = [&](std::size_t p, std::size_t q) { tell(lot_[p].id, lot_[q].id, boxes.active(), found); };
-            for (std::size_t n = 0; n < levels_.size(); ++n) {
-                if (levels_[n].first == levels_[n].last) continue;
-                levels_[n].template neighbours<takes_any_order>(inside_, lot_, touch);
-                levels_[n].visitors(lot_, touch);
-            }
-            for (std::size_t p = few_; p < boxes.size(); ++p) {
-                scan(lot_, p, 0, few_, [&](std::size_t q) { touch(p, q); });
-                scan(lot_, p, p + 1, boxes.size(), [&](std::size_t q) { touch(p, q); });
-            }
+            choose_levels(boxes, run);
+            fill(boxes, order, run);
+            size_ = boxes.size();
         }
+        /// How many there are.
+        std::size_t pieces() const
+            requires detail::searches_unchanged<Inside, S>
+        {
+            std::size_t sum = 0;
+            each_part([&](std::size_t count, const auto&...) { sum += count; });
+            return sum;
+        }
+        /// Tells the pairs of some of them, in the order in which `find` tells them.
+        template <class F>
+        void find(const Boxes<S>& boxes, std::size_t first, std::size_t last, F&& found) const
+            requires detail::searches_unchanged<Inside, S>
+        {
+            find_in(inside_, boxes, first, last, found);
+        }
+        /// @}
 
     private:
         static constexpr bool takes_any_order = detail::takes_any_order<Inside>;
         static constexpr std::size_t most_levels = 12;
-        static constexpr std::size_t fewest = 8; // a grid of fewer is not worth its cells
-        static constexpr double wider = 1.25;    // than need be: fewer empty cells
-        static constexpr double ratio = 4;       // from one level to the next
+        static constexpr std::size_t fewest = 8;   // a grid of fewer is not worth its cells
+        static constexpr std::size_t grain = 1024; // bodies for which another thread is worth waking
+        static constexpr double wider = 1.25;      // than need be: fewer empty cells
+        static constexpr double ratio = 4;         // from one level to the next
 
+        enum class Part : unsigned char { rows, visitors, few };
+        /// Calls `f(count, part, level)` for each part of the search: rows of cells with each other, bodies of finer
+        /// grids in coarser ones, and the few in no grid.
+        template <class F> [[gnu::always_inline]] void each_part(const F& f) const {
+            if (size_ == 0) return;
+            for (const Level& level : levels_) {
+                if (level.first == level.last) continue;
+                f(level.rows(), Part::rows, &level);
+                f(level.first, Part::visitors, &level);
+            }
+            f(size_ - few_, Part::few, static_cast<const Level*>(nullptr));
+        }
+        template <class F>
+        void find_in(auto& inside, const Boxes<S>& boxes, std::size_t first, std::size_t last, F& found) const {
+            const auto touch = [&](std::size_t p, std::size_t q) {
+                tell(lot_[p].id, lot_[q].id, boxes.active(), found);
+            };
+            std::size_t before = 0; // pieces of the parts so far
+            each_part([&](std::size_t count, Part part, const Level* level) {
+                const std::size_t from = std::max(first, before) - before,
+                                  to = std::clamp(last, before, before + count) - before;
+                before += count;
+                if (from >= to) return;
+                if (part == Part::rows) level->template neighbours<takes_any_order>(inside, lot_, from, to, touch);
+                else if (part == Part::visitors) level->visitors(lot_, from, to, touch);
+                else
+                    for (std::size_t p = few_ + from; p < few_ + to; ++p) {
+                        scan(lot_, p, 0, few_, [&](std::size_t q) { touch(p, q); });
+                        scan(lot_, p, p + 1, size_, [&](std::size_t q) { touch(p, q); });
+                    }
+            });
+        }
         /// How wide a cell must be for this body, at least.
         static double need_of(const Boxes<S>& boxes, std::size_t i) {
             return detail::cell_needed(
                 dimension, [&](int k) { return boxes.lower(k)[i]; }, [&](int k) { return boxes.upper(k)[i]; });
         }
-        void choose_levels(const Boxes<S>& boxes) {
+        void choose_levels(const Boxes<S>& boxes, const auto& run) {
             needs_.resize(boxes.size());
+            run(boxes.size(), grain, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) needs_[i] = need_of(boxes, i);
+            });
             double sum = 0, largest = 0;
-            for (std::size_t i = 0; i < boxes.size(); ++i) {
-                const double need = needs_[i] = need_of(boxes, i);
+            for (const double need : needs_) {
                 sum += need;
                 largest = largest < need ? need : largest;
             }
@@ -140,46 +193,55 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
                 if (n < most_levels) levels_[n].take(boxes, i);
             }
         }
-        /// The counting sort. All bodies of one size is the usual case, and needs no search of the levels.
-        void fill_one(const Boxes<S>& boxes, const std::uint32_t* order) {
-            Level& level = levels_[0];
-            for (std::size_t i = 0; i < boxes.size(); ++i) places_[i] = level.count_in(boxes, i);
-            level.sum_up();
-            for (std::size_t m = 0; m < boxes.size(); ++m) {
-                const std::uint32_t i = order ? order[m] : std::uint32_t(m);
-                lot_.put(level.place(places_[i]), boxes, i);
-            }
-            level.arrange(inside_, lot_);
+        /// Puts all bodies into their places. All of one size is the usual case, and needs no search of the levels.
+        void fill(const Boxes<S>& boxes, const std::uint32_t* order, const auto& run) {
+            lot_.make_room(boxes.size());
+            cells_.resize(boxes.size());
+            ranks_.resize(boxes.size());
+            if (one_size_)
+                sort(
+                    boxes, order, run, [](std::uint32_t) { return true; },
+                    [this](std::uint32_t) -> Level& { return levels_[0]; });
+            else
+                sort(
+                    boxes, order, run,
+                    [this](std::uint32_t i) { return level_of_[i] < most_levels && !levels_[level_of_[i]].few; },
+                    [this](std::uint32_t i) -> Level& { return levels_[level_of_[i]]; });
         }
-        /// The counting sort, of all levels at once: the cells of each are a part of one table.
-        void fill(const Boxes<S>& boxes, const std::uint32_t* order) {
+        /// The counting sort, of all levels at once: the cells of each are a part of one table. What is done for each
+        /// body by itself is done in ranges.
+        void sort(const Boxes<S>& boxes, const std::uint32_t* order, const auto& run, const auto& has_cell,
+                  const auto& level) {
             const std::size_t n = boxes.size();
-            lot_.make_room(n);
-            places_.resize(n);
-            if (one_size_) return fill_one(boxes, order);
-            for (std::size_t i = 0; i < n; ++i)
-                if (level_of_[i] < most_levels && !levels_[level_of_[i]].few)
-                    places_[i] = levels_[level_of_[i]].count_in(boxes, i);
-            for (Level& level : levels_)
-                if (!level.few) level.sum_up();
-            std::size_t last = few_;
+            run(n, grain, [&](std::size_t begin, std::size_t end) {
+                for (auto i = std::uint32_t(begin); i < end; ++i)
+                    if (has_cell(i)) cells_[i] = level(i).cell_of(boxes, i);
+            });
+            auto last = std::uint32_t(few_);
             for (std::size_t m = 0; m < n; ++m) {
                 const std::uint32_t i = order ? order[m] : std::uint32_t(m);
-                const bool few = level_of_[i] == most_levels || levels_[level_of_[i]].few;
-                lot_.put(few ? last++ : levels_[level_of_[i]].place(places_[i]), boxes, i);
+                ranks_[i] = has_cell(i) ? level(i).count_in(cells_[i]) : last++;
             }
-            for (Level& level : levels_)
-                if (!level.few) level.arrange(inside_, lot_);
+            for (Level& one : levels_)
+                if (!one.few) one.sum_up();
+            run(n, grain, [&](std::size_t begin, std::size_t end) {
+                for (auto i = std::uint32_t(begin); i < end; ++i)
+                    lot_.put(has_cell(i) ? level(i).start_of(cells_[i]) + ranks_[i] : ranks_[i], boxes, i);
+            });
+            for (Level& one : levels_)
+                if (!one.few) one.arrange(inside_, lot_);
         }
 
         double cell_;
         bool one_size_ = false;
         typename Inside::template In<S> inside_;
+        std::size_t size_ = 0; // how many boxes there are
         std::size_t room_ = 0; // for how many boxes there shall be room
         std::size_t few_ = 0;  // where in the lot those begin that are in no grid
         std::vector<double> needs_;
         std::vector<std::uint8_t> level_of_;
-        std::vector<std::uint32_t> places_; // first the cell of each body
+        std::vector<std::uint32_t> cells_; // the cell of each body
+        std::vector<std::uint32_t> ranks_; // and how many are in it before this one; or its place, if it has no cell
         std::vector<Level> levels_;
         Lot<S> lot_;
     };

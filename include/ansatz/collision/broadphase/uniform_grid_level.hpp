@@ -40,10 +40,19 @@ public:
         count = boxes.size();
         for (int k = 0; k < dimension; ++k) {
             const auto* low = boxes.lower(k);
-            auto least = low[0], most = low[0];
-            for (std::size_t i = 1; i < count; ++i)
-                least = low[i] < least ? low[i] : least, most = most < low[i] ? low[i] : most;
-            bounds_[std::size_t(k)] = {double(least), double(most)};
+            constexpr std::size_t lanes = 16; // or each number waits for the one before
+            std::array<typename S::Scalar, lanes> least, most;
+            least.fill(low[0]), most.fill(low[0]);
+            const auto see = [&](std::size_t lane, std::size_t i) {
+                least[lane] = low[i] < least[lane] ? low[i] : least[lane];
+                most[lane] = most[lane] < low[i] ? low[i] : most[lane];
+            };
+            std::size_t i = 0;
+            for (; i + lanes <= count; i += lanes)
+                for (std::size_t lane = 0; lane < lanes; ++lane) see(lane, i + lane);
+            for (; i < count; ++i) see(0, i);
+            bounds_[std::size_t(k)] = {double(*std::min_element(least.begin(), least.end())),
+                                       double(*std::max_element(most.begin(), most.end()))};
         }
     }
     /// One more body.
@@ -81,41 +90,50 @@ public:
             size_[k] = std::int64_t(cells_[k]);
             per_cells_[k] = 1 / cells_[k];
         }
-        starts_.reserve(std::size_t(most_cells(std::max(count, room))) + 2); // for the next times as well
-        starts_.assign(std::size_t(all()) + 2, 0);
+        starts_.reserve(std::size_t(most_cells(std::max(count, room))) + 1); // for the next times as well
+        starts_.assign(std::size_t(all()) + 1, 0);
     }
-    /// The cell of a body, which is counted in it.
-    [[gnu::always_inline]] std::uint32_t count_in(const Boxes<S>& boxes, std::size_t i) {
+    /// The cell of a body.
+    [[gnu::always_inline]] std::uint32_t cell_of(const Boxes<S>& boxes, std::size_t i) const {
         std::int64_t cell = 0;
         for (int k = dimension - 1; k >= 0; --k)
             cell = cell * size_[std::size_t(k)] +
                    on_axis(std::size_t(k), index_of(std::size_t(k), double(boxes.lower(k)[i])));
-        ++starts_[std::size_t(cell) + 2];
         return std::uint32_t(cell);
     }
+    /// Another body in a cell.
+    /// \return how many were there before
+    [[gnu::always_inline]] std::uint32_t count_in(std::uint32_t cell) { return starts_[std::size_t(cell) + 1]++; }
     /// From how many are in each cell to where each begins.
     void sum_up() {
-        starts_[0] = starts_[1] = std::uint32_t(first);
-        for (std::size_t c = 2; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+        starts_[0] = std::uint32_t(first);
+        for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     }
-    /// The next place in a cell. When all bodies have theirs, `starts_[c]` is where cell c begins.
-    [[gnu::always_inline]] std::size_t place(std::uint32_t cell) { return starts_[std::size_t(cell) + 1]++; }
+    /// Where a cell begins.
+    [[gnu::always_inline]] std::size_t start_of(std::uint32_t cell) const { return starts_[cell]; }
 
     template <class Inside> void arrange(Inside& inside, Lot<S>& lot) const {
-        for (std::size_t c = 0; c + 2 < starts_.size(); ++c)
+        for (std::size_t c = 0; c + 1 < starts_.size(); ++c)
             if (starts_[c + 1] - starts_[c] > 1) inside.arrange(lot, starts_[c], starts_[c + 1]);
     }
 
-    /// Each two of its bodies in one cell or in cells that share a corner.
-    template <bool join_cells, class Inside, class F>
-    void neighbours(Inside& inside, const Lot<S>& lot, F&& touch) const {
-        const std::int64_t height = size_[1], depth = dimension == 3 ? size_[std::size_t(dimension) - 1] : 1;
-        for (std::int64_t z = 0; z < depth; ++z)
-            for (std::int64_t y = 0; y < height; ++y) row<join_cells>(inside, lot, y, z, touch);
+    /// How many rows of cells there are.
+    std::size_t rows() const {
+        return std::size_t(dimension == 3 ? size_[1] * size_[std::size_t(dimension) - 1] : size_[1]);
     }
-    /// Each body of the finer levels, which are before it, with those of its own bodies that may reach it.
-    template <class F> void visitors(const Lot<S>& lot, F&& touch) const {
-        for (std::size_t p = 0; p < first; ++p) {
+    /// Each two of its bodies in one cell or in cells that share a corner, the first of them in one of these rows.
+    template <bool join_cells, class Inside, class F>
+    void neighbours(Inside& inside, const Lot<S>& lot, std::size_t begin, std::size_t end, F&& touch) const {
+        const auto height = std::size_t(size_[1]);
+        std::size_t y = begin % height, z = begin / height;
+        for (std::size_t n = begin; n < end; ++n) {
+            row<join_cells>(inside, lot, std::int64_t(y), std::int64_t(z), touch);
+            if (++y == height) y = 0, ++z;
+        }
+    }
+    /// Each of these bodies of the finer levels, which are before it, with those of its own bodies that may reach it.
+    template <class F> void visitors(const Lot<S>& lot, std::size_t begin, std::size_t end, F&& touch) const {
+        for (std::size_t p = begin; p < end; ++p) {
             std::array<std::int64_t, 3> from{}, to{};
             for (std::size_t k = 0; k < std::size_t(dimension); ++k) {
                 from[k] = index_of(k, double(lot[p].lower(k))) - 1;

@@ -56,8 +56,7 @@ public:
                 std::size_t awake) {
         const std::size_t count = acting.size();
         taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
-        detail::grow(colour_of_, count);
-        colour_of_.resize(count);
+        resize(count, colour_of_);
         begin_.fill(0);
         for (std::size_t n = 0; n < count; ++n) {
             const auto& c = all[acting[n]];
@@ -65,18 +64,21 @@ public:
             const std::uint64_t a = moves(bodies[c.slot_a]), b = moves(bodies[c.slot_b]);
             auto &of_a = taken_[c.slot_a * a], &of_b = taken_[c.slot_b * b];
             const auto colour = std::size_t(std::countr_one((of_a & -a) | (of_b & -b)));
-            colour_of_[n] = std::uint8_t(colour);
+            colour_of_[n] = std::uint8_t(colour | (a & b) << 7);
             ++begin_[colour + 1];
             if (colour == most) continue;
             of_a |= a << colour;
             of_b |= b << colour;
         }
         for (std::size_t c = 0; c <= most; ++c) begin_[c + 1] += begin_[c];
-        detail::grow(which_, count);
-        which_.resize(count);
+        resize(count, which_, held_);
         auto next = begin_;
-        for (std::size_t n = 0; n < count; ++n) which_[next[colour_of_[n]]++] = acting[n];
-        fill(all, bodies);
+        for (std::size_t n = 0; n < count; ++n) {
+            const auto place = next[colour_of_[n] & 127]++;
+            which_[place] = acting[n];
+            held_[place] = Scalar(colour_of_[n] & 128 ? 0 : 1);
+        }
+        fill(all);
     }
     /// The impulses of `all`, which others have changed.
     void read_impulses(const auto& all) {
@@ -153,11 +155,11 @@ private:
             for (std::size_t n = begin_[colour]; n < end; n += step) f(n, std::min(step, end - n));
         }
     }
-    void fill(const auto& all, const std::vector<Body>& bodies) {
+    static void resize(std::size_t count, auto&... lanes) { ((detail::grow(lanes, count), lanes.resize(count)), ...); }
+    void fill(const auto& all) {
         const std::size_t count = which_.size();
-        const auto resize = [count](auto&... lane) { ((detail::grow(lane, count), lane.resize(count)), ...); };
-        resize(a_, b_, touching_, impulse_, mass_, held_, normal_);
-        if constexpr (Rubs) resize(rubbing_, friction_);
+        resize(count, a_, b_, touching_, impulse_, mass_, normal_);
+        if constexpr (Rubs) resize(count, rubbing_, friction_);
         for (std::size_t n = 0; n < count; ++n) {
             const auto& c = all[which_[n]];
             a_[n] = c.slot_a;
@@ -165,7 +167,6 @@ private:
             normal_[n] = Body::half_of(c.normal);
             touching_[n] = c.touching;
             mass_[n] = c.mass;
-            held_[n] = Scalar(moves(bodies[c.slot_a]) & moves(bodies[c.slot_b]) ? 0 : 1);
             if constexpr (Rubs) friction_[n] = c.friction;
             read(n, c);
         }
@@ -280,7 +281,7 @@ private:
     std::vector<Half> rubbing_;                 // across the normal, N s
     std::vector<Scalar> friction_;              // the coefficient of the two
     std::vector<std::uint64_t> taken_;          // by slot: a bit for each colour
-    std::vector<std::uint8_t> colour_of_;       // by contact that acts
+    std::vector<std::uint8_t> colour_of_;       // by contact that acts; 128 more where nothing holds a body of it
     std::array<std::size_t, most + 2> begin_{}; // of each colour, and of what has none
 };
 
