@@ -127,8 +127,16 @@ struct ChangesWhereItSearches {
         template <class F> void find(const Boxes<Sp>&, std::size_t, std::size_t, F&&);
     };
 };
-static_assert(BroadphaseIn<ChangesWhereItSearches, S> && !DividedBroadphaseIn<ChangesWhereItSearches, S> &&
-              !detail::BroadphaseFacts<ChangesWhereItSearches, S>::ok);
+/// What is derived from a divided one and finds pairs in its own way is asked for nothing else.
+struct FindsItsOwnWay : Coherent<> {
+    template <class Sp> class In : public Coherent<>::In<Sp> {
+    public:
+        explicit In(const FindsItsOwnWay& policy) : Coherent<>::In<Sp>(policy) {}
+        template <class F> void find(const Boxes<Sp>&, F&&) {}
+    };
+};
+static_assert(BroadphaseIn<ChangesWhereItSearches, S> && !DividedBroadphaseIn<ChangesWhereItSearches, S>);
+static_assert(BroadphaseIn<FindsItsOwnWay, S> && !DividedBroadphaseIn<FindsItsOwnWay, S>);
 static_assert(!BroadphaseIn<WithoutFunction, S> && !BroadphaseIn<NotMadeFromIt, S> && !BroadphaseIn<AsAFilter, S> &&
               !BroadphaseIn<ChangesTheBoxes, S>);
 static_assert(!BroadphaseIn<Gravity, S> && !BroadphaseIn<int, S>);

@@ -143,7 +143,7 @@ template <class Bound, class S> std::string fault_of(Bound& bound, const Boxes<S
     [[maybe_unused]] Bound divided = bound; // what it kept of earlier calls, too
     Pairs told;
     bound.find(boxes, [&](std::size_t i, std::size_t j) { told.emplace_back(i, j); });
-    if constexpr (requires { bound.pieces(); })
+    if constexpr (requires(const Bound& prepared) { prepared.find(boxes, 0, 0, detail::PairProbe()); })
         if (told_in_pieces(divided, boxes, 1 + boxes.size() % 7) != told)
             return "other pairs in pieces, or another order";
     const auto shown = [](const IndexPair& p) {

@@ -71,15 +71,13 @@ concept FindsInPieces = requires(typename P::template In<S>& bound, const typena
     { prepared.pieces() } -> std::convertible_to<std::size_t>;
     prepared.find(boxes, n, n, PairProbe());
 };
-/// One that says how many pieces there are means to be searched in them: without the others it would be searched
-/// serially in silence.
-template <class P, class S>
-concept NamesPieces = requires(typename P::template In<S>& bound) { bound.pieces(); };
 } // namespace detail
 
 /// A broadphase whose search the Execution of a world divides: it has `prepare`, `pieces` and a `find` of some of them.
 ///
-/// `UniformGrid` and `Coherent` are such. The search of another one is serial; what is done with its pairs is not.
+/// `UniformGrid` and `Coherent` are such. The search of another one is serial; what is done with its pairs is not. So
+/// is that of one which is derived from such a one and has a `find` of its own, which hides the other. Say
+/// `static_assert(DividedBroadphaseIn<MyBroadphase, Space<>>)` where yours is meant to be divided.
 template <class P, class S>
 concept DividedBroadphaseIn = BroadphaseIn<P, S> && detail::FindsInPieces<P, S>;
 
@@ -95,8 +93,7 @@ template <class P, class S> struct BroadphaseFacts {
     static constexpr bool inside = !plays || tests_inside<P, S>;
     static constexpr bool binds = !plays || !inside || BindsBroadphase<P, S>;
     static constexpr bool finds = !plays || !inside || !binds || FindsPairs<P, S>;
-    static constexpr bool pieces = !plays || !inside || !binds || !finds || !NamesPieces<P, S> || FindsInPieces<P, S>;
-    static constexpr bool ok = plays && inside && binds && finds && pieces;
+    static constexpr bool ok = plays && inside && binds && finds;
 };
 template <class P, class S> struct CheckBroadphase {
     using Facts = BroadphaseFacts<P, S>;
@@ -110,10 +107,6 @@ template <class P, class S> struct CheckBroadphase {
     static_assert(Facts::finds, "Ansatz: a broadphase with a wrong signature; its In<S> needs `template <class F> void "
                                 "find(const Boxes<S>& boxes, "
                                 "F&& found)`, which calls found(i, j) for each pair");
-    static_assert(Facts::pieces, "Ansatz: a broadphase with `pieces` that cannot be searched in them; its In<S> needs "
-                                 "`void prepare(const Boxes<S>& boxes, const auto& run)`, `std::size_t pieces() const` "
-                                 "and `template <class F> void find(const Boxes<S>& boxes, std::size_t first, "
-                                 "std::size_t last, F&& found) const`");
 };
 } // namespace detail
 
