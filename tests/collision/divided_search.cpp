@@ -126,8 +126,8 @@ TEST_CASE("Pairs that are kept, tested in shares, in substeps and with bodies at
 }
 TEST_CASE("Swept bodies, tested in shares", "[collision][threads]") {
     same_bits(
-        12, [](auto& world) { add_gas(world, 400); }, SemiImplicitEuler{}, Gravity{}, UniformGrid<SortAndSweep>{},
-        Swept<Narrowphase<Sphere>>{}, Impulse{});
+        12, [](auto& world) { add_gas(world, 400); }, SemiImplicitEuler{}, Gravity{}, Picky{},
+        UniformGrid<SortAndSweep>{}, Swept<Narrowphase<Sphere>>{}, Impulse{});
 }
 TEST_CASE("Contacts that are answered as one, with those that nearly touch, tested in shares", "[collision][threads]") {
     same_bits(

@@ -156,11 +156,11 @@ public:
         find(data, policies, pull);
         stale_ = false;
         if constexpr (C::acts_next) {
-            using Acting = typename detail::FirstIn<NextStep>::type;
             hand_over(data, NextStep{}, working_.value.found);
-            const auto& acting = std::as_const(data).template state<Acting>();
-            this->compare(working_.value.found, later, detail::touch_now<C::substeps>(acting));
-        } else this->compare(working_.value.found, later, detail::AllTouch());
+            const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
+            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting);
+        }
+        this->compare(working_.value.found, later);
         working_.value.as_before = !data.bodies.any_goes();
         this->put_contacts_to_sleep(data, std::exchange(working_.value.kept, {}).asleep);
     }
@@ -226,14 +226,15 @@ private:
             if constexpr (C::executed)
                 w.search.template find<Broadphase>(
                     detail::runner_of<C>(policies), *w.finder, w.boxes,
-                    [&](std::size_t i, std::size_t j, auto& share) {
+                    [&](std::size_t i, std::size_t j, auto& share) __attribute__((flatten)) {
                         test(data, policies, w.ids[i], w.ids[j], share.contacts, &share.near);
                     },
                     w.found, near_list());
             else
-                w.finder->find(w.boxes, [&](std::size_t i, std::size_t j) {
-                    test(data, policies, w.ids[i], w.ids[j], w.found, near_list());
-                });
+                w.finder->find(
+                    w.boxes, [&](std::size_t i, std::size_t j) __attribute__((flatten)) {
+                        test(data, policies, w.ids[i], w.ids[j], w.found, near_list());
+                    });
             unfinished.finder = nullptr;
         }
     }
@@ -348,16 +349,13 @@ private:
     }
     /// The narrowphase of two bodies: into `found`, or into `near` those that nearly touch.
     template <class Data, class Policies>
-    [[gnu::flatten, gnu::noinline]] void test(const Data& data, [[maybe_unused]] const Policies& policies,
-                                              std::uint32_t i, std::uint32_t j, std::vector<Contact<S>>& found,
-                                              [[maybe_unused]] std::vector<Contact<S>>* near) const {
+    [[gnu::always_inline]] void test(const Data& data, [[maybe_unused]] const Policies& policies, std::uint32_t i,
+                                     std::uint32_t j, std::vector<Contact<S>>& found,
+                                     [[maybe_unused]] std::vector<Contact<S>>* near) const {
         const auto a = i < j ? i : j, b = i < j ? j : i;
         const auto slot_a = data.bodies.slot_of_id(a), slot_b = data.bodies.slot_of_id(b);
         if (this->were_one(a, b)) return;
-        if constexpr (C::filters::size > 0)
-            if (!detail::passes<S>(std::get<typename detail::FirstIn<typename C::filters>::type>(policies), data,
-                                   slot_a, slot_b))
-                return;
+        if (!detail::pass<S>(policies, data, slot_a, slot_b, typename C::filters{})) return;
         Contact<S> contact;
         if constexpr (C::anticipates) {
             if (!working_.value.ahead.template meet<Narrowphase>(data, a, slot_a, b, slot_b, contact)) return;

@@ -17,6 +17,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -131,6 +132,12 @@ template <class S, class F, class Data>
         const reads_of<F> looked_at{};
         return filter.passes(data.lanes.get(looked_at, a), data.lanes.get(looked_at, b));
     }
+}
+/// The same, by the filters of a world: one or none.
+template <class S, class Policies, class Data, class... F>
+[[gnu::always_inline]] inline bool pass([[maybe_unused]] const Policies& policies, [[maybe_unused]] const Data& data,
+                                        [[maybe_unused]] std::size_t a, [[maybe_unused]] std::size_t b, Types<F...>) {
+    return (passes<S>(std::get<F>(policies), data, a, b) && ...);
 }
 template <class F, class S> constexpr bool passes_in() {
     if constexpr (Binds<F, S> && sees_of<F>::size > 0) return passes_by_tables<F, S>();

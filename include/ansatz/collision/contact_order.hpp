@@ -134,51 +134,17 @@ private:
 
 namespace detail {
 
-/// Whether bodies touch now: of all contacts that were found.
-struct AllTouch {
-    bool operator()(const auto&) const { return true; }
-};
-/// The same where contacts that may begin in the next step were found, too. Asked in their order.
-/// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
-/// \tparam Acting  what a response keeps of them; in order, too
-template <bool Presses, class Acting> class TouchNow {
-public:
-    explicit TouchNow(const Acting& acting) : acting_(acting) {}
-    template <class S> bool operator()(const Contact<S>& contact) {
-        if (contact.depth.value() > typename S::Scalar(0)) return true;
-        if constexpr (Presses) {
-            const auto& all = acting_.all;
-            const auto ids = ids_of(contact);
-            while (next_ != all.size() && ids_of(all[next_]) < ids) ++next_;
-            return next_ != all.size() && ids_of(all[next_]) == ids && all[next_].impulse > typename S::Scalar(0);
-        } else return false;
-    }
-
-private:
-    const Acting& acting_;
-    std::size_t next_ = 0;
-};
-
-/// Of these.
-template <bool Presses, class Acting> TouchNow<Presses, Acting> touch_now(const Acting& acting) {
-    return TouchNow<Presses, Acting>(acting);
-}
-
 /// Which contacts are new, which go on, and which have ended. What happened in any substep is reported for the step.
 /// \param known, found both in order; those found are told how long they have lasted
 /// \param ended        pairs of handles, to which those that have ended are added
 /// \param later        whether this is a substep and not the first
-/// \param touch        of which found ones bodies touch now; the others are taken from the list
 template <class S>
-void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<S>>& found, auto& ended, bool later,
-                      auto touch) {
+void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<S>>& found, auto& ended, bool later) {
     auto old = known.cbegin();
-    const auto before = [](const Contact<S>& x, const Contact<S>& y) { return ids_of(x) < ids_of(y); };
-    std::size_t kept = 0;
-    for (std::size_t n = 0; n < found.size(); ++n) {
-        if (!touch(found[n])) continue;
-        if (kept != n) found[kept] = found[n];
-        auto& contact = found[kept++];
+    auto before = [](const Contact<S>& x, const Contact<S>& y) {
+        return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id);
+    };
+    for (auto& contact : found) {
         for (; old != known.cend() && before(*old, contact); ++old) ended.push_back({old->first, old->second});
         const bool same = old != known.cend() && old->first == contact.first && old->second == contact.second;
         contact.steps = !same ? 0 : later ? old->steps : old->steps + 1;
@@ -187,7 +153,6 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
             ++old;
         }
     }
-    found.resize(kept);
     for (; old != known.cend(); ++old) ended.push_back({old->first, old->second});
 }
 
@@ -195,6 +160,31 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
 template <class S> void keep_the_first_of_each_pair(std::vector<Contact<S>>& contacts) {
     const auto same = [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; };
     contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
+}
+
+/// Leaves of the contacts that were found those of bodies that touch now: not those that may begin in the next step.
+/// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
+/// \param acting   what a response keeps of them; in order, too
+template <bool Presses, class S>
+void keep_those_that_touch(std::vector<Contact<S>>& found, [[maybe_unused]] const auto& acting) {
+    [[maybe_unused]] std::size_t next = 0;
+    const auto only_near = [&](const Contact<S>& contact) {
+        if (contact.depth.value() > typename S::Scalar(0)) return false;
+        if constexpr (Presses) {
+            const auto& all = acting.all;
+            const auto ids = std::pair(contact.first.id, contact.second.id);
+            while (next != all.size() && std::pair(all[next].a, all[next].b) < ids) ++next;
+            return next == all.size() || std::pair(all[next].a, all[next].b) != ids ||
+                   !(all[next].impulse > typename S::Scalar(0));
+        } else return true;
+    };
+    std::size_t kept = 0; // not std::remove_if, which may ask in any order
+    for (std::size_t n = 0; n < found.size(); ++n)
+        if (!only_near(found[n])) {
+            if (kept != n) found[kept] = found[n];
+            ++kept;
+        }
+    found.resize(kept);
 }
 
 } // namespace detail

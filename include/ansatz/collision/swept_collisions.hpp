@@ -166,8 +166,7 @@ private:
         const auto &a = all[i], &b = all[j];
         if (!a.stops && !b.stops) return;
         if (this->were_one(a.id, b.id)) return;
-        if constexpr (C::filters::size > 0)
-            if (!Base::passes(data, policies, a.slot, b.slot, typename C::filters{})) return;
+        if (!detail::pass<S>(policies, data, a.slot, b.slot, typename C::filters{})) return;
         sweep_.value.queue.add_pair(i, j);
     }
 

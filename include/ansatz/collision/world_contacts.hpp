@@ -96,11 +96,10 @@ protected:
     bool any_gone() const { return body_removed_; }
     /// Replaces the acting contacts by those that were found.
     /// \param later whether this is a substep and not the first
-    /// \param touch of which bodies touch now; the others are left out
-    void compare(std::vector<Contact<S>>& found, bool later, auto touch) {
+    void compare(std::vector<Contact<S>>& found, bool later) {
         detail::equal_room(contacts.acting, found);
         if (!later) ended.clear();
-        detail::compare_contacts(contacts.acting, found, ended, later, std::move(touch));
+        detail::compare_contacts(contacts.acting, found, ended, later);
         contacts.acting.swap(found);
         contacts.changed();
         body_removed_ = false;
