@@ -39,7 +39,7 @@ public:
             return;
         }
         order_.resize(contacts.size());
-        if (found < ids / few_of) sort_few(contacts, found);
+        if (found < ids / few_of) few_.reserve(ids / few_of), sort_few(contacts, found);
         else sort_many(contacts, found, ids);
         if (ordered > 0) merge(contacts, found);
         move(contacts);

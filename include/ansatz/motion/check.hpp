@@ -198,7 +198,8 @@ template <class... P> struct CheckTogether {
         TogetherFacts<P...>::solver,
         "Ansatz: where forces couple bodies, an implicit integrator solves one system for all of them, and its "
         "solver is not included; add #include <ansatz/motion/integrators/conjugate_gradient.hpp> for "
-        "ImplicitEuler, <ansatz/motion/integrators/cholesky.hpp> for ImplicitEulerBy<Cholesky>");
+        "ImplicitEuler, <ansatz/motion/integrators/cholesky.hpp> for ImplicitEulerBy<Cholesky>, "
+        "<ansatz/motion/integrators/matrix_free.hpp> for ImplicitEulerBy<MatrixFree>");
 };
 
 /// The sentences about an integrator and the other policies of its world, the first one to read first.

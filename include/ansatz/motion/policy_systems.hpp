@@ -262,6 +262,19 @@ private:
     typename StepT::S::ClockTime done_{};
 };
 
+/// A system that names this verb is none of rows: of another signature it would be asked for `apply`.
+struct RunVerb {
+    int run;
+};
+template <class Y>
+struct BesideRunVerb
+    : Y
+    , RunVerb {};
+template <class Y> inline constexpr bool names_run = false;
+template <class Y>
+    requires(!std::is_final_v<Y>)
+inline constexpr bool names_run<Y> = !requires { &BesideRunVerb<Y>::run; };
+
 /// A system of a policy in the schedule.
 template <class P, class Y> struct PolicySystem {
     static constexpr Phase phase = Y::phase;
@@ -272,6 +285,9 @@ template <class P, class Y> struct PolicySystem {
             requires { &Y::run; } || requires(Y& y, SystemView<StepT, P, Y>& view) { y.run(view, step.context); }) {
             SystemView<StepT, P, Y> view(step);
             Y(policy).run(view, step.context);
+        } else if constexpr (names_run<Y>) {
+            static_assert(!names_run<Y>, "Ansatz: a table system with a wrong signature; it needs "
+                                         "`void run(auto& view, const auto& context) const`");
         } else MotionStep(step).template row_system<AsEffect<P, Y>>(AsEffect<P, Y>{policy});
     }
 };

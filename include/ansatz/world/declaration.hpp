@@ -85,7 +85,8 @@ public:
         : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
 
     World(const World&) = default; ///< a snapshot that continues bit-identically and takes the same handles
-    World(World&&) = default;      ///< the other is left without bodies
+    /// The other is left without bodies, and with what its policies are when they were moved from.
+    World(World&&) = default;
     /// A snapshot, as by copying. Where it fails, the world is as it was.
     World& operator=(const World& other)
         requires std::is_copy_assignable_v<std::tuple<P...>>

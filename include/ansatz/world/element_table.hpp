@@ -103,9 +103,15 @@ public:
               const Option&...) const {
         static_assert(sizeof...(Option) == 0, "Ansatz: World::add takes nothing beside the description of an element "
                                               "of your own; let the description hold it");
-        Row row = Row::from(ElementAsked<Where>{where, bodies, place}, description);
-        if constexpr (requires { row.check(); }) row.check();
-        return row;
+        const ElementAsked<Where> asked{where, bodies, place};
+        constexpr bool made = requires { Row(Row::from(asked, description)); };
+        static_assert(made, "Ansatz: World::add: an element is kept as a row, and nothing makes one of its "
+                            "description; give the row `static Row from(const auto& asked, const Description& d)`");
+        if constexpr (made) {
+            Row row = Row::from(asked, description);
+            if constexpr (requires { row.check(); }) row.check();
+            return row;
+        }
     }
     /// Room for so many.
     void reserve(std::size_t n) {

@@ -13,7 +13,10 @@
 static bool forbidden = false;
 static int step_now = 0;
 static const char* case_now = "";
+/// How many there were.
+static int allocations = 0;
 static bool allowed(std::size_t) noexcept {
+    ++allocations;
     if (forbidden) std::printf("%s: operator new was called in step %d\n", case_now, step_now), std::exit(1);
     return true;
 }
@@ -65,8 +68,32 @@ template <class... P> void pile(const char* name, P... policies) {
     std::printf("%s: up to %zu contacts, %zu ended, nothing allocated\n", name, most, ended);
 }
 
+/// A heap that spreads on the ground and falls apart into more islands than ever: what holds one entry for each grows
+/// by a share, and not by one.
+static void heap_that_falls_apart() {
+    World world{SemiImplicitEuler{}, Gravity{}, UniformGrid{}, Narrowphase<Sphere, Plane>{}, SoftSubsteps<>{}};
+    constexpr int bodies = 512;
+    world.reserve(bodies + 1);
+    world.add(Plane::ground(), fixed);
+    for (int i = 0; i < bodies; ++i)
+        world.add(Sphere{(0.3 + 0.02 * (i % 11)) * metre}, mass(1.0 * kilogram),
+                  position(metres(0.9 * (i % 8) + 0.01 * (i % 5), 0.5 + 0.9 * (i / 64), 0.9 * (i / 8 % 8))));
+    int steps = 0, most = 0;
+    for (step_now = 0; step_now < 600; ++step_now) {
+        const int before = allocations;
+        world.step(0.01 * second);
+        if (step_now >= 200 && allocations > before) ++steps;
+        most = std::max(most, int(world.contacts().size()));
+    }
+    if (steps <= 10 && most > bodies) return;
+    std::printf("a heap that falls apart: %d of 400 steps called operator new, with %d contacts at most\n", steps,
+                most);
+    std::exit(1);
+}
+
 int main() {
     test::before_allocation = allowed;
+    heap_that_falls_apart();
     using I = SemiImplicitEuler;
     const auto with = [](const char* name, auto broadphase) { pile(name, I{}, broadphase, Impulse<>{}, Projection{}); };
     with("AllPairs", AllPairs{});

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace ansatz;
@@ -47,7 +48,8 @@ struct KeptThreads {
     using role = roles::Execution;
     std::shared_ptr<Workers> workers = std::make_shared<Workers>(3); // copies of a world share them
     void execute(std::size_t count, std::size_t grain, const auto& loop) const {
-        count < 2 * grain ? loop(0, count) : workers->run(count, std::cref(loop));
+        // A world that was moved from has none, and goes on alone.
+        !workers || count < 2 * grain ? loop(0, count) : workers->run(count, std::cref(loop));
     }
 };
 //! [model]
@@ -58,5 +60,7 @@ int main() {
         return world.hash();
     };
     const World serial{RungeKutta4{}, Gravity{}, Drag{0.1 / second}};
-    return flown(serial) == flown(World{RungeKutta4{}, Gravity{}, Drag{0.1 / second}, KeptThreads{}}) ? 0 : 1;
+    World kept{RungeKutta4{}, Gravity{}, Drag{0.1 / second}, KeptThreads{}};
+    const auto moved = std::move(kept);
+    return flown(serial) == flown(moved) && flown(serial) == flown(std::move(kept)) ? 0 : 1;
 }

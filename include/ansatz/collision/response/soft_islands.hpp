@@ -7,6 +7,7 @@
 /// An island whose contacts have given it some, because they separated bodies that lay in each other, gets the share of
 /// its impulses that leaves it the least kinetic energy.
 
+#include <ansatz/collision/contact.hpp>
 #include <ansatz/world/bodies.hpp>
 
 #include <algorithm>
@@ -87,6 +88,7 @@ private:
         std::uint32_t count = 0; // a root has the smallest slot of its island, so that it comes first
         for (std::uint32_t slot = 0; slot < awake; ++slot)
             island_[slot] = island_[slot] == slot ? count++ : island_[island_[slot]];
+        detail::grow(islands_, count); // one more in every other step, where a heap falls apart
         islands_.resize(count);
     }
     std::uint32_t root(std::uint32_t slot) {
