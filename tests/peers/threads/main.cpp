@@ -228,7 +228,7 @@ int main(int argc, char** argv) {
         play(contest, "pairs of spheres by UniformGrid", 100000, std::move(players));
     }
     world("spheres that meet, UniformGrid and Impulse", 100000, [](int n, auto... by) { return gas(n, by...); });
-    world("settled pile, Coherent and SoftSubsteps<Coloured>", 8000, [](int n, auto... by) { return pile(n, by...); });
+    world("settled pile, Coherent and coloured SoftSubsteps", 8000, [](int n, auto... by) { return pile(n, by...); });
     if (!same) return 1;
     contest.write(folder);
     return 0;
