@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
 // An execution runs the loops of a step: here on threads that wait for the next loop, and serve one world at a time.
-
 #include <ansatz/world.hpp>
 #include <barrier>
 #include <functional>
@@ -9,7 +8,6 @@
 #include <thread>
 #include <utility>
 #include <vector>
-
 using namespace ansatz;
 
 //! [model]
@@ -46,9 +44,8 @@ private:
 };
 struct KeptThreads {
     using role = roles::Execution;
-    std::shared_ptr<Workers> workers = std::make_shared<Workers>(3); // copies of a world share them
+    std::shared_ptr<Workers> workers = std::make_shared<Workers>(3); // copies share them; moved from, none
     void execute(std::size_t count, std::size_t grain, const auto& loop) const {
-        // A world that was moved from has none, and goes on alone.
         !workers || count < 2 * grain ? loop(0, count) : workers->run(count, std::cref(loop));
     }
 };
@@ -59,8 +56,8 @@ int main() {
         for (int i = 0; i < 100; ++i) world.step(0.01 * second);
         return world.hash();
     };
-    const World serial{RungeKutta4{}, Gravity{}, Drag{0.1 / second}};
+    const auto right = flown(World{RungeKutta4{}, Gravity{}, Drag{0.1 / second}});
     World kept{RungeKutta4{}, Gravity{}, Drag{0.1 / second}, KeptThreads{}};
-    const auto moved = std::move(kept);
-    return flown(serial) == flown(moved) && flown(serial) == flown(std::move(kept)) ? 0 : 1;
+    const auto moved = std::move(kept); // `kept` has no threads now, and goes on alone
+    return flown(moved) == right && flown(kept) == right ? 0 : 1;
 }
