@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 using namespace ansatz;
-
 //! [model]
 class Workers {
 public:
