@@ -1,4 +1,4 @@
-// expect: World::add: an element is kept as a row, and nothing makes one of its description; give the row `static Row from
+// expect: an element is kept as a row, and nothing makes one of its description; give the row `static Row from
 // SPDX-License-Identifier: BSL-1.0
 // A row of an element of one's own that is not made from its description.
 

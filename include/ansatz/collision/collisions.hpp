@@ -223,7 +223,7 @@ private:
         if constexpr (Narrowphase::any_bounded) {
             if (!w.finder) detail::make_finder<divides>(w.finder, std::get<Broadphase>(policies), w.ids.capacity());
             Unfinished unfinished{&w.finder};
-            if constexpr (C::executed)
+            if constexpr (C::executed) // flattened: g++ would call the copying of a point for each contact
                 w.search.template find<Broadphase>(
                     detail::runner_of<C>(policies), *w.finder, w.boxes,
                     [&](std::size_t i, std::size_t j, auto& share) __attribute__((flatten)) {

@@ -85,7 +85,7 @@ public:
         : policies_(policies...), bound_(BoundPolicies<composition>::from(checked(policies_))) {}
 
     World(const World&) = default; ///< a snapshot that continues bit-identically and takes the same handles
-    /// The other is left without bodies, and with what its policies are when they were moved from.
+    /// The other is left without bodies. Its policies have been moved from: one that shares something has it no more.
     World(World&&) = default;
     /// A snapshot, as by copying. Where it fails, the world is as it was.
     World& operator=(const World& other)
@@ -213,8 +213,8 @@ public:
     /// @}
 
     /// Gives a stored column a value, and wakes a resting body.
-    /// \throws std::out_of_range for a stale handle, std::invalid_argument for a value that is not acceptable; the world
-    /// is then as it was
+    /// \throws std::out_of_range for a stale handle, std::invalid_argument for a value that is not acceptable; the
+    ///         world is then as it was
     template <class C, class Q> void write(Handle body, const Q& value);
 
     /// \name Policies

@@ -3,6 +3,7 @@
 // costs a body, and how much memory. What grows faster than the bodies shows as a ratio above one. One thread.
 
 #include "tests/peers/contest.hpp"
+#include "tests/peers/flight.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/motion.hpp>
@@ -36,17 +37,6 @@ double heap() {
     return double(now.uordblks) + double(now.hblkhd);
 }
 
-/// Bodies that fly through air.
-auto flight(int n) {
-    World world{S{}, RungeKutta4{}, Gravity{}, Drag{0.1 / second}};
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> at(-100, 100);
-    for (int i = 0; i < n; ++i) {
-        const double x = at(random), y = at(random), z = at(random);
-        world.add(position(metres(x, y, z)), velocity(metres_per_second(z / 10, x / 10, y / 10)));
-    }
-    return world;
-}
 /// Spheres of a tenth of the space, each on its way.
 auto gas(int n) {
     World world{S{}, SemiImplicitEuler{}, UniformGrid{}, Narrowphase<Sphere>{}, Impulse{}, Projection{}};
@@ -132,7 +122,7 @@ int main(int argc, char** argv) {
     const std::string folder = argc > 1 ? argv[1] : ".";
     Contest contest("scale", argc > 2 ? std::max(1, std::atoi(argv[2])) : 7);
     const int most = argc > 3 ? std::max(10000, std::atoi(argv[3])) : 1000000;
-    play(contest, "free flight, RungeKutta4 with drag", most, 3, flight);
+    play(contest, "free flight, RungeKutta4 with drag", most, 3, [](int n) { return peers::flight(n); });
     play(contest, "spheres that meet, UniformGrid and Impulse", most, 3, gas);
     play(contest, "ten layers of spheres in a box, SoftSubsteps", most, 30, pile);
     contest.write(folder);

@@ -12,6 +12,7 @@ int main() { peers::Contest::left_out("oneTBB", "libtbb-dev"); }
 #else
 
 #include "tests/peers/collision/pile.hpp"
+#include "tests/peers/flight.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/execution/threads.hpp>
@@ -45,17 +46,6 @@ double wall_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Bodies that fly through air.
-auto flight(int n, auto... execution) {
-    World world{S{}, RungeKutta4{}, Gravity{}, Drag{0.1 / second}, execution...};
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> at(-100, 100);
-    for (int i = 0; i < n; ++i) {
-        const double x = at(random), y = at(random), z = at(random);
-        world.add(position(metres(x, y, z)), velocity(metres_per_second(z / 10, x / 10, y / 10)));
-    }
-    return world;
-}
 /// A square sheet of so many bodies, with springs along its edges and across its cells.
 auto sheet(int n, auto... execution) {
     World world{S{}, SemiImplicitEuler{}, Gravity{}, Springs{}, execution...};
@@ -216,7 +206,7 @@ int main(int argc, char** argv) {
     const auto world = [&](const char* scene, int n, const auto& make) {
         same = play_world(contest, scene, n, make) && same;
     };
-    world("free flight, RungeKutta4 with drag", 100000, [](int n, auto... by) { return flight(n, by...); });
+    world("free flight, RungeKutta4 with drag", 100000, [](int n, auto... by) { return peers::flight(n, by...); });
     for (const int n : {100 * 100, 300 * 300})
         world("sheet of springs", n, [](int m, auto... by) { return sheet(m, by...); });
     {

@@ -16,11 +16,9 @@
 ///   is tested in the coarser grids, in three cells on each axis at most. The few that are largest of all are tested
 ///   with everything.
 /// - **A world of any size**: cells are counted from the lowest and wrap around where there would be more than a few
-/// for each
-///   body. Bodies that share a cell from afar cost a test and nothing else.
+///   for each body. Bodies that share a cell from afar cost a test and nothing else.
 /// - **Any coordinates**: cells are found by floor, in double, with a margin for its rounding; a body so far out that
-/// its cell
-///   would not be exact goes to a coarser grid.
+///   its cell would not be exact goes to a coarser grid.
 ///
 /// Bodies are put into their cells by a counting sort, without a hash, and their boxes copied in that order, so that
 /// three cells in a row are one run of memory (uniform_grid_level.hpp).
