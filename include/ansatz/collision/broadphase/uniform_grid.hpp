@@ -126,7 +126,7 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
             f(size_ - few_, Part::few, static_cast<const Level*>(nullptr));
         }
         template <class F>
-        void find_in(auto& inside, const Boxes<S>& boxes, std::size_t first, std::size_t last, F& found) const {
+        void find_in(auto& tester, const Boxes<S>& boxes, std::size_t first, std::size_t last, F& found) const {
             const auto touch = [&](std::size_t p, std::size_t q) {
                 tell(lot_[p].id, lot_[q].id, boxes.active(), found);
             };
@@ -136,7 +136,7 @@ template <class Inside = BoundingBoxes> struct UniformGrid {
                                   to = std::clamp(last, before, before + count) - before;
                 before += count;
                 if (from >= to) return;
-                if (part == Part::rows) level->template neighbours<takes_any_order>(inside, lot_, from, to, touch);
+                if (part == Part::rows) level->template neighbours<takes_any_order>(tester, lot_, from, to, touch);
                 else if (part == Part::visitors) level->visitors(lot_, from, to, touch);
                 else
                     for (std::size_t p = few_ + from; p < few_ + to; ++p) {
