@@ -27,6 +27,11 @@ struct LastFirst {
     }
 };
 
+/// The same, which says that it has three threads.
+struct LastOfThree : LastFirst {
+    int threads() const { return 3; }
+};
+
 /// A force on three bodies at a time that follow each other by id: the middle one is pulled to where the others are.
 struct Straight {
     using role = roles::Force;
@@ -109,4 +114,93 @@ TEST_CASE("Gathered forces are those of the loop over all elements, whatever hap
     const auto divided = history(seed, Space<float, 2>{}, SemiImplicitEuler{}, Springs{}, Ropes{}, Straight{},
                                  Attraction{}, LastFirst{lines});
     CHECK(divided == serial);
+}
+
+namespace {
+
+/// A force on the last body only, as long as the first is to the right of where it began; on none before.
+struct Late {
+    using role = roles::Force;
+    using reads = Columns<Position>;
+    static constexpr bool couples_bodies = true;
+    template <class S> struct In {
+        explicit In(const Late&) {}
+        void couple(auto& view, const auto& context) const {
+            if (ends(view, 0)[0] < view.size()) view.add_force(ends(view, 0)[0], forces(view, 0, context)[0]);
+        }
+        std::size_t element_count(const auto&) const { return 1; }
+        std::array<std::size_t, 1> ends(const auto& view, std::size_t) const {
+            return {view.template get<Position>(0).value()[0] > 0 ? view.size() - 1 : view.size()};
+        }
+        std::array<typename S::Force, 1> forces(const auto&, std::size_t, const auto&) const {
+            return {S::Force::from_value({3, 5})};
+        }
+    };
+};
+
+/// A square sheet, with springs along its edges, across its cells, to points and between bodies far from each other.
+template <class... P> auto sheet(int row, bool backwards, const P&... policies) {
+    World world{Space<float, 2>{}, SemiImplicitEuler{}, Springs{}, Straight{}, Late{}, policies...};
+    std::minstd_rand random(3);
+    std::vector<Handle> bodies;
+    for (int i = 0; i < row * row; ++i)
+        bodies.push_back(world.add(position(metres(0.1 * (i % row) + 0.001 * (i % 7), 0.1 * (i / row))),
+                                   mass((1 + i % 3) * kilogram)));
+    const auto n = bodies.size(), width = std::size_t(row);
+    const auto join = [&](std::size_t a, std::size_t b) {
+        const auto stiff = double(1 + a % 5) * newton_per_metre;
+        world.add(Spring{bodies[a], bodies[b % n == a ? (b + 1) % n : b % n], stiff, 0.1 * newton_second_per_metre});
+    };
+    for (std::size_t k = 0; k + width + 1 < n; ++k) {
+        const auto i = backwards ? n - width - 2 - k : k;
+        join(i, i + 1);
+        join(i, i + width);
+        join(i + width + 1, i);
+        if (i % 50 == 0) join(i, random());
+        if (i % 70 == 0)
+            world.add(Spring{metres(0, 1), bodies[i], 2.0 * newton_per_metre, 0.0 * newton_second_per_metre});
+    }
+    return world;
+}
+
+/// What becomes of it, while bodies and springs go and come, so that others take their slots; once it is assigned
+/// another sheet of as many.
+template <class... P> std::vector<std::uint64_t> history_of_a_sheet(int row, const P&... policies) {
+    auto world = sheet(row, false, policies...);
+    std::minstd_rand random(3);
+    std::vector<std::uint64_t> hashes;
+    const auto step = [&] {
+        world.step(0.02 * second);
+        hashes.push_back(world.hash());
+    };
+    step();
+    world = sheet(row, true, policies...);
+    for (int i = 0; i < 20; ++i) {
+        step();
+        const auto bodies = world.handles();
+        if (i % 4 == 1) world.remove(bodies[random() % bodies.size()]);
+        if (i % 4 == 2) {
+            const auto springs = world.template elements<Spring>().handles();
+            world.remove(springs[random() % springs.size()]);
+            world.add(Spring{bodies.back(), bodies[random() % (bodies.size() - 1)], 3.0 * newton_per_metre,
+                             0.1 * newton_second_per_metre});
+        }
+        if (i % 4 == 3) {
+            world.remove(bodies[0]);
+            world.add(position(metres(1, 1)), mass(1.0 * kilogram));
+        }
+    }
+    CHECK(world.status().ok());
+    return hashes;
+}
+
+} // namespace
+
+TEST_CASE("Forces summed by several shares of the bodies are those of one loop", "[gathering]") {
+    const int row = GENERATE(30, 50, 110); // one share, two and four; for three threads three
+    CAPTURE(row);
+    const auto serial = history_of_a_sheet(row);
+    CHECK(history_of_a_sheet(row, LastFirst{1}) == serial);
+    CHECK(history_of_a_sheet(row, LastFirst{1000}) == serial);
+    CHECK(history_of_a_sheet(row, LastOfThree{}) == serial);
 }

@@ -80,25 +80,36 @@ void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] doubl
 /// @}
 
 namespace detail {
+/// \return whether it is summed; if not, all sums are of no use and are to be begun anew (gathering.hpp)
 template <class Q, class C, class Policies>
-void couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
+bool couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
     if constexpr (keeps_state<Q, typename C::S>)
         if constexpr (requires { data.template state<Q>().arrange(data.bodies, data.states.layout); })
             data.template state<Q>().arrange(data.bodies, data.states.layout);
     AskedForce<Q, C> in(data, policies, context);
-    if constexpr (C::executed) {
-        static_assert(GatheredCouplingIn<Q, typename C::S> || !names_elements<Bound<Q, typename C::S>>,
-                      "Ansatz: a force between bodies that has element_count, and whose elements the world cannot ask; "
-                      "write `std::array<std::size_t, 2> ends(const auto& view, std::size_t k) const` and "
-                      "`std::array<typename S::Force, 2> forces(const auto& view, std::size_t k, const auto& context) "
-                      "const` beside it");
-        if constexpr (GatheredCouplingIn<Q, typename C::S>) {
-            std::array<typename C::S::Scalar*, std::size_t(C::S::dimension)> sums{};
-            for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = data.lanes.template lane<CoupledForce>(int(k));
-            auto& gathered = data.gathered.value[place_of<Q, typename C::couplings>];
-            gathered.template add<C>(policies, in.force, std::as_const(in.view), in.context, sums);
-        } else in.force.couple(in.view, in.context);
-    } else in.force.couple(in.view, in.context);
+    using S = typename C::S;
+    static_assert(!C::executed || GatheredCouplingIn<Q, S> || !names_elements<Bound<Q, S>>,
+                  "Ansatz: a force between bodies that has element_count, and whose elements the world cannot ask; "
+                  "write `std::array<std::size_t, 2> ends(const auto& view, std::size_t k) const` and "
+                  "`std::array<typename S::Force, 2> forces(const auto& view, std::size_t k, const auto& context) "
+                  "const` beside it");
+    if constexpr (C::executed && GatheredCouplingIn<Q, S>) {
+        std::array<typename S::Scalar*, std::size_t(S::dimension)> sums{};
+        for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = data.lanes.template lane<CoupledForce>(int(k));
+        auto& gathered = data.gathered.value[place_of<Q, typename C::couplings>];
+        return gathered.template add<C>(policies, in.force, std::as_const(in.view), in.context, sums);
+    } else {
+        in.force.couple(in.view, in.context);
+        return true;
+    }
+}
+template <class C, class Policies> void clear_sums(WorldData<C>& data, const Policies& policies) {
+    in_ranges<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
+        for (int k = 0; k < C::S::dimension; ++k) {
+            auto* lane = data.lanes.template lane<CoupledForce>(k);
+            std::fill(lane + begin, lane + end, typename C::S::Scalar(0));
+        }
+    });
 }
 } // namespace detail
 
@@ -110,15 +121,14 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
         if constexpr (detail::keeps_still_forces<C>())
             if (!data.coupled.changed && data.still_forces.value.holds(data))
                 return data.still_forces.value.sum(data, policies, context);
-        in_ranges<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
-            for (int k = 0; k < C::S::dimension; ++k) {
-                auto* lane = data.lanes.template lane<CoupledForce>(k);
-                std::fill(lane + begin, lane + end, typename C::S::Scalar(0));
-            }
-        });
-        [&]<class... Q>(Types<Q...>) {
-            (detail::couple_one<Q>(data, policies, context), ...);
-        }(typename C::couplings{});
+        bool summed = false;
+        for (int tries = 0; !summed && tries < 2; ++tries) {
+            detail::clear_sums(data, policies);
+            summed = true;
+            [&]<class... Q>(Types<Q...>) {
+                ((summed = detail::couple_one<Q>(data, policies, context) && summed), ...);
+            }(typename C::couplings{});
+        }
         if constexpr (detail::keeps_still_forces<C>()) data.still_forces.value.note_sum(data, policies, context);
     }
 }

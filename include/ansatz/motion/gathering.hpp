@@ -2,26 +2,31 @@
 #pragma once
 
 /// \file
-/// `Gathering`: the forces of elements between bodies (springs), summed by each body for itself.
+/// `Gathering`: the forces of elements between bodies (springs), summed by shares of the bodies.
 ///
 /// A loop over the elements adds to the sums of their ends, so that two ranges of it may add to one sum. Where an
-/// Execution runs the loops, the forces of all elements are written down first, each in a place of its own; then each
-/// body adds those of its ends, in the order of the elements. It is the order in which the serial loop adds them, so
-/// that the sums are the same to the bit. It costs a number for each component of each end, and reading it back: two
-/// passes in the place of one, which only threads pay for.
+/// Execution runs the loops, the bodies are divided instead, into shares that follow each other by slot. Each share
+/// goes through the elements that act on one of its bodies, in their order, and adds the forces on its own bodies
+/// alone: the owner computes. It is the order in which the serial loop adds them, so that the sums are the same to the
+/// bit.
 ///
-/// Not for forces between all bodies (`Attraction`): their pairs are too many to be written down.
+/// An element between two shares is asked by both. Where bodies that hang together follow each other, as in a rope or a
+/// sheet, those are few; where they stand in no order, nearly all are, and a second thread gains nothing.
+///
+/// Not for forces between all bodies (`Attraction`): every pair would be asked twice.
 
 #include <ansatz/world/execution.hpp>
-#include <ansatz/world/lanes.hpp>
 #include <ansatz/world/view.hpp>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -69,7 +74,7 @@ concept GatheredCouplingIn =
 
 namespace detail {
 
-/// What the bodies gather of one force: room that is kept, and which ends each body has.
+/// The elements of one force by shares of the bodies: which share goes through which.
 template <class S> class Gathering {
 public:
     using Scalar = typename S::Scalar;
@@ -77,61 +82,128 @@ public:
     /// Adds the forces of all elements to the sums of the bodies.
     /// \tparam C    the world's composition
     /// \param  sums the lanes of the sums, component by component
+    /// \return whether it did. Where slots have changed since the last time, it notices while it adds: then the sums are
+    ///         of no use, and the next call, with the sums as they were before, adds to them
     template <class C, class Policies, class Force, class View, class ContextT>
-    void add(const Policies& policies, const Force& force, const View& view, const ContextT& context,
-             const std::array<Scalar*, std::size_t(S::dimension)>& sums) {
+    [[nodiscard]] bool add(const Policies& policies, const Force& force, const View& view, const ContextT& context,
+                           const std::array<Scalar*, std::size_t(S::dimension)>& sums) {
         constexpr std::size_t n = ends_of_element<Force, View>;
-        const std::size_t elements = force.element_count(view), bodies = view.size();
-        // Slots may have changed since, or been assigned from another world: each element is visited anyway.
-        std::atomic<bool> others = ends_.size() != elements * n || first_.size() != bodies + 2;
-        ends_.resize(elements * n);
-        forces_.resize(elements * n * dimension);
-        in_ranges<C>(policies, 0, elements, [&](std::size_t begin, std::size_t end) {
-            bool moved = false;
-            for (std::size_t k = begin; k < end; ++k) {
-                const auto ends = force.ends(view, k);
-                const auto forces = force.forces(view, k, context);
-                for (std::size_t j = 0; j < n; ++j) {
-                    const auto slot = std::uint32_t(ends[j]);
-                    moved |= ends_[k * n + j] != slot;
-                    ends_[k * n + j] = slot;
-                    for (std::size_t d = 0; d < dimension; ++d)
-                        forces_[(k * n + j) * dimension + d] = forces[j].value()[Eigen::Index(d)];
-                }
-            }
-            if (moved) others.store(true, std::memory_order_relaxed);
+        const std::size_t threads = threads_of<C>(policies);
+        if (ends_.size() != force.element_count(view) * n || bodies_ != view.size()) arrange<n>(force, view, threads);
+        std::atomic<bool> moved = false;
+        runner_of<C>(policies)(shares_.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (; begin < end; ++begin)
+                if (!add_share<n>(shares_[begin], force, view, context, sums))
+                    moved.store(true, std::memory_order_relaxed);
         });
-        if (others) arrange(bodies);
-        in_ranges<C>(policies, 0, bodies, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t slot = begin; slot < end; ++slot)
-                for (std::size_t d = 0; d < dimension; ++d) {
-                    Scalar sum = sums[d][slot];
-                    for (std::uint32_t at = first_[slot]; at < first_[slot + 1]; ++at)
-                        sum += forces_[places_[at] * dimension + d];
-                    sums[d][slot] = sum;
-                }
-        });
+        if (moved) arrange<n>(force, view, threads);
+        return !moved;
     }
 
 private:
-    static constexpr std::size_t dimension = std::size_t(S::dimension);
+    struct Run {
+        std::uint32_t begin, end;
+        bool whole; // whether all that they act on are bodies of the share
+    };
+    struct Share {
+        std::uint32_t begin, end; // the slots of its bodies
+        std::vector<Run> runs{};  // of elements that act on one of them
+    };
 
-    /// Sorts the ends by their bodies, those of one body by their elements.
-    void arrange(std::size_t bodies) {
-        first_.resize(bodies + 2);
-        std::fill(first_.begin(), first_.end(), 0);
-        for (const auto slot : ends_)
-            if (slot < bodies) ++first_[slot + 2];
-        for (std::size_t slot = 2; slot < first_.size(); ++slot) first_[slot] += first_[slot - 1];
-        places_.resize(first_.back());
-        for (std::size_t place = 0; place < ends_.size(); ++place)
-            if (ends_[place] < bodies) places_[first_[ends_[place] + 1]++] = std::uint32_t(place);
+    /// With everything inlined, as in `couple` of a force.
+    template <std::size_t n>
+    [[gnu::flatten]] bool add_share(const Share& share, const auto& force, const auto& view, const auto& context,
+                                    const std::array<Scalar*, std::size_t(S::dimension)>& sums) const {
+        const std::uint32_t* kept = ends_.data();
+        const std::uint32_t first = share.begin, count = share.end - share.begin;
+        bool same = true;
+        const auto add_run = [&](const Run& run, auto whole) {
+            for (std::size_t k = run.begin; k < run.end; ++k) {
+                const auto ends = force.ends(view, k);
+                bool others = false;
+                for (std::size_t j = 0; j < n; ++j) others |= kept[k * n + j] != std::uint32_t(ends[j]);
+                if (others) {
+                    same = false;
+                    continue;
+                }
+                const auto forces = force.forces(view, k, context);
+                for (std::size_t j = 0; j < n; ++j) {
+                    const auto slot = std::uint32_t(ends[j]);
+                    if (!whole && slot - first >= count) continue; // of another share, or no body
+                    for (std::size_t d = 0; d < dimension; ++d) sums[d][slot] += forces[j].value()[Eigen::Index(d)];
+                }
+            }
+        };
+        for (const Run& run : share.runs)
+            if (run.whole) add_run(run, std::true_type());
+            else add_run(run, std::false_type());
+        return same;
     }
 
-    std::vector<std::uint32_t> ends_;                        // by element, end by end: the slot of a body
-    std::vector<Scalar, CacheLineAllocator<Scalar>> forces_; // the same, component by component
-    std::vector<std::uint32_t> first_;                       // by slot: where its places begin
-    std::vector<std::uint32_t> places_;                      // of its ends, in their order
+    /// Finds out who goes through which elements. One that acts on no body is looked at, too: it may act on one later.
+    template <std::size_t n> void arrange(const auto& force, const auto& view, std::size_t threads) {
+        const std::size_t elements = force.element_count(view);
+        bodies_ = 0; // unless it comes to its end
+        ends_.resize(elements * n);
+        for (std::size_t k = 0; k < elements; ++k) {
+            const auto ends = force.ends(view, k);
+            for (std::size_t j = 0; j < n; ++j) ends_[k * n + j] = std::uint32_t(ends[j]);
+        }
+        divide(view.size(), threads);
+        for (std::size_t k = 0; k < elements; ++k) {
+            std::array<std::size_t, n> of{}; // the shares; of no body: none
+            for (std::size_t j = 0; j < n; ++j) {
+                const std::size_t slot = ends_[k * n + j];
+                of[j] = slot < view.size() ? share_of_line_[slot / line] : shares_.size();
+            }
+            const bool whole = std::count(of.begin(), of.end(), of[0]) == std::ptrdiff_t(n);
+            bool none = true;
+            for (const std::size_t share : of)
+                if (share < shares_.size()) {
+                    note(shares_[share], std::uint32_t(k), whole);
+                    none = false;
+                }
+            if (none) note(shares_.front(), std::uint32_t(k), false);
+        }
+        bodies_ = view.size();
+    }
+    static void note(Share& share, std::uint32_t k, bool whole) {
+        if (share.runs.empty() || share.runs.back().end < k || share.runs.back().whole != whole)
+            share.runs.push_back({k, k + 1, whole});
+        else share.runs.back().end = k + 1;
+    }
+    /// One share for each thread, with as many ends as the others: but no more shares than grow with the square root of
+    /// the bodies, as the elements between two shares of a sheet do, so that they stay a twentieth of all.
+    void divide(std::size_t bodies, std::size_t threads) {
+        const std::size_t lines = (bodies + line - 1) / line, most = std::size_t(std::sqrt(double(bodies)) / 16);
+        const std::size_t wanted = std::max<std::size_t>(1, threads ? std::min(threads, most) : std::bit_floor(most));
+        share_of_line_.assign(lines, 0);
+        for (const std::size_t slot : ends_)
+            if (slot < bodies) ++share_of_line_[slot / line]; // first the number of its ends
+        const auto all = std::accumulate(share_of_line_.begin(), share_of_line_.end(), std::uint64_t(0));
+        for (Share& share : shares_) share.runs.clear();
+        shares_.resize(wanted);
+        std::uint64_t before = 0; // ends of the lines so far
+        for (std::size_t share = 0, i = 0; i < lines; ++i) {
+            const std::uint64_t of_line = share_of_line_[i];
+            if (share + 1 < wanted && (2 * before + of_line) * wanted >= 2 * all * (share + 1)) ++share;
+            share_of_line_[i] = std::uint32_t(share);
+            before += of_line;
+        }
+        for (std::size_t share = 0, i = 0; share < wanted; ++share) {
+            shares_[share].begin = std::uint32_t(std::min(bodies, i * line));
+            while (i < lines && share_of_line_[i] == share) ++i;
+            shares_[share].end = std::uint32_t(std::min(bodies, i * line));
+        }
+    }
+
+    static constexpr std::size_t dimension = std::size_t(S::dimension);
+    static constexpr std::size_t line = rows_of_a_line<Scalar>; // shares of bodies that write to no line together
+
+    std::vector<std::uint32_t> ends_; // by element, end by end: the slot of a body
+    std::size_t bodies_ = 0;
+    std::vector<std::uint32_t> share_of_line_; // by slot, a cache line at a time
+    std::vector<Share> shares_;
 };
 
 } // namespace detail

@@ -144,7 +144,7 @@ template <class C, class Data> struct MotionState {
         coupled;
     /// The same for queries, where they are not.
     [[no_unique_address]] std::conditional_t<C::coupled, detail::Present<Data>, detail::NotKept<6>> present;
-    /// Room for summing them body by body, where an Execution runs the loops.
+    /// Which elements act on which share of the bodies, where an Execution runs the loops.
     [[no_unique_address]] std::conditional_t<
         C::coupled && C::executed,
         detail::Cache<std::array<detail::Gathering<typename C::S>, std::size_t(C::couplings::size)>>,

@@ -12,9 +12,11 @@
 ///     };
 ///
 /// `execute` calls `loop(begin, end)` for ranges that are disjoint and together are 0 to `count`, in any order, on any
-/// threads, and returns when all of them have returned. A range of less than `grain` is not worth a thread. Which
-/// ranges, and on which threads, changes no bit of a world: a row writes its own values only, counts are whole numbers,
-/// and sums over elements are gathered row by row in the order in which a serial loop adds them (motion/gathering.hpp).
+/// threads, and returns when all of them have returned. A range of less than `grain` is not worth a thread. An
+/// Execution may say how many threads it has, by a member `threads()`: then what is divided at a cost is not divided
+/// further. Which ranges, and on which threads, changes no bit of a world: a row writes its own values only, counts are
+/// whole numbers, and the elements of a sum are added row by row in the order in which a serial loop adds them
+/// (motion/gathering.hpp).
 ///
 /// What a policy may rely on: no loop asks for another one, and none throws unless a policy of yours does; what that
 /// throws must leave `execute`, once the other ranges have returned, and the world is lost then, as it is where a
@@ -40,6 +42,14 @@ template <class P> struct IsExecution : std::bool_constant<PlaysRole<P, roles::E
 /// The one of a world that has one.
 template <class... P> const auto& execution_of(const std::tuple<P...>& policies) {
     return std::get<typename FirstIn<filter<IsExecution, P...>>::type>(policies);
+}
+
+/// How many threads the Execution of a world has, if it says so: `threads()`; else 0.
+template <class C, class Policies> std::size_t threads_of([[maybe_unused]] const Policies& policies) {
+    if constexpr (C::executed)
+        if constexpr (requires { std::size_t(execution_of(policies).threads()); })
+            return std::size_t(execution_of(policies).threads());
+    return 0;
 }
 
 /// How many rows of a lane fill a cache line: ranges that begin there share none.
