@@ -93,7 +93,7 @@ TEST_CASE("What a law throws leaves the step", "[execution]") {
 
 TEST_CASE("Copies of a world share threads, and step at the same time", "[execution]") {
     World world{SemiImplicitEuler{}, Gravity{}, Springs{}, Threads{2}};
-    add_chain(world, 1001);
+    add_chain(world, 2501);
     auto copy = world;
     const auto go = [](auto& one) {
         for (int i = 0; i < 20; ++i) one.step(0.001 * second);

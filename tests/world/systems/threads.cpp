@@ -90,7 +90,7 @@ TEST_CASE("Free flight is the same to the bit on any number of threads", "[syste
         Drag{0.05 / second}, QuadraticDrag{0.01 * kilogram_per_metre});
 }
 TEST_CASE("Springs are the same to the bit on any number of threads", "[systems][threads]") {
-    const int bodies = GENERATE(0, 1, 7, 1001);
+    const int bodies = GENERATE(0, 1, 7, 2501);
     const auto fill = [&](auto& world) {
         add_bodies(world, bodies);
         add_springs(world);
