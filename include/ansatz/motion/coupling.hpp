@@ -80,14 +80,15 @@ void place_platforms([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] doubl
 /// @}
 
 namespace detail {
-/// \return whether it is summed; if not, all sums are of no use and are to be begun anew (gathering.hpp)
+/// Adds one force between bodies to the sums.
+/// \return whether it did; if not, all sums are of no use and are to be begun anew (gathering.hpp)
 template <class Q, class C, class Policies>
 bool couple_one(WorldData<C>& data, const Policies& policies, const Context<typename C::S>& context) {
-    if constexpr (keeps_state<Q, typename C::S>)
+    using S = typename C::S;
+    if constexpr (keeps_state<Q, S>)
         if constexpr (requires { data.template state<Q>().arrange(data.bodies, data.states.layout); })
             data.template state<Q>().arrange(data.bodies, data.states.layout);
     AskedForce<Q, C> in(data, policies, context);
-    using S = typename C::S;
     static_assert(!C::executed || GatheredCouplingIn<Q, S> || !names_elements<Bound<Q, S>>,
                   "Ansatz: a force between bodies that has element_count, and whose elements the world cannot ask; "
                   "write `std::array<std::size_t, 2> ends(const auto& view, std::size_t k) const` and "
@@ -103,6 +104,7 @@ bool couple_one(WorldData<C>& data, const Policies& policies, const Context<type
         return true;
     }
 }
+/// Every sum is nothing.
 template <class C, class Policies> void clear_sums(WorldData<C>& data, const Policies& policies) {
     in_ranges<C>(policies, 0, data.bodies.size(), [&](std::size_t begin, std::size_t end) {
         for (int k = 0; k < C::S::dimension; ++k) {
@@ -121,7 +123,7 @@ void sum_coupled([[maybe_unused]] WorldData<C>& data, [[maybe_unused]] const Pol
         if constexpr (detail::keeps_still_forces<C>())
             if (!data.coupled.changed && data.still_forces.value.holds(data))
                 return data.still_forces.value.sum(data, policies, context);
-        bool summed = false;
+        bool summed = false; // at once, but where threads find that elements act on other slots (gathering.hpp)
         for (int tries = 0; !summed && tries < 2; ++tries) {
             detail::clear_sums(data, policies);
             summed = true;

@@ -11,7 +11,7 @@
 /// bit.
 ///
 /// An element between two shares is asked by both. Where bodies that hang together follow each other, as in a rope or a
-/// sheet, those are few; where they stand in no order, nearly all are, and a second thread gains nothing.
+/// sheet, those are few; where they stand in no order, every second one of two shares is.
 ///
 /// Not for forces between all bodies (`Attraction`): every pair would be asked twice.
 
@@ -82,8 +82,8 @@ public:
     /// Adds the forces of all elements to the sums of the bodies.
     /// \tparam C    the world's composition
     /// \param  sums the lanes of the sums, component by component
-    /// \return whether it did. Where slots have changed since the last time, it notices while it adds: then the sums are
-    ///         of no use, and the next call, with the sums as they were before, adds to them
+    /// \return false where elements act on other slots than the last time, which is noticed while they are added: the
+    ///         sums are of no use then. Called again with the sums as they were before, it adds them
     template <class C, class Policies, class Force, class View, class ContextT>
     [[nodiscard]] bool add(const Policies& policies, const Force& force, const View& view, const ContextT& context,
                            const std::array<Scalar*, std::size_t(S::dimension)>& sums) {

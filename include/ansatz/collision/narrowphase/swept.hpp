@@ -36,8 +36,6 @@ concept Wrappable = PlaysRole<N, roles::Narrowphase> && std::is_class_v<N> && !s
 struct NothingToSweep {
     using role = roles::Narrowphase;
 };
-template <class N>
-concept IsSwept = requires { requires N::continuous; };
 } // namespace detail
 
 /// A narrowphase that tests the motion of a step, too.
@@ -47,7 +45,9 @@ template <class N, class... More> struct Swept : std::conditional_t<detail::Wrap
     static_assert(
         detail::Wrappable<N> && sizeof...(More) == 0,
         "Ansatz: Swept of something that is no narrowphase; write e.g. Swept<Narrowphase<Sphere, Plane, Box>>{}");
-    static_assert(!detail::IsSwept<N>, "Ansatz: Swept of a narrowphase that is swept already; leave one Swept out");
+    static_assert(
+        !requires { requires N::continuous; },
+        "Ansatz: Swept of a narrowphase that is swept already; leave one Swept out");
 
     static constexpr std::string_view name = "Swept"; ///< in a saved file
     static constexpr bool continuous = true;          ///< bodies are followed through the step
