@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // Threads: a world comes to the same bits on any number of threads.
 
+#include <ansatz/collision.hpp>
 #include <ansatz/execution/threads.hpp>
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
@@ -63,6 +64,29 @@ TEST_CASE("Threads change no bit of a chain of springs, and no more of free flig
     for (const int threads : {1, 2, 3, 4}) {
         INFO(threads << " threads, " << bodies << " bodies");
         CHECK(run(World{SemiImplicitEuler{}, Gravity{}, Springs{}, Threads{threads}}, bodies) == serial);
+    }
+}
+
+TEST_CASE("Threads change no bit of a pile whose contacts are solved by colours", "[execution]") {
+    const oneapi::tbb::global_control more(oneapi::tbb::global_control::max_allowed_parallelism, 4);
+    const int bodies = GENERATE(30, 5000);
+    const auto pile = [&](auto... execution) {
+        World world{Space<float, 3>{}, SemiImplicitEuler{},          Gravity{},
+                    UniformGrid{},     Narrowphase<Sphere, Plane>{}, SoftSubsteps<Coloured>{},
+                    execution...};
+        world.add(Plane::ground(), fixed);
+        for (int i = 0; i < bodies; ++i)
+            world.add(Sphere{0.5 * metre}, mass((1.0 + i % 3) * kilogram),
+                      position(metres(0.99 * (i % 20), 0.5 + 0.98 * (i / 400), 0.99 * (i / 20 % 20) + 0.01 * (i % 2))));
+        for (int i = 0; i < 8; ++i) world.step(1.0 / 60 * second);
+        CHECK(world.status().ok());
+        CHECK(world.contacts().size() > std::size_t(bodies));
+        return world.hash();
+    };
+    const auto serial = pile();
+    for (const int threads : {1, 2, 3, 4}) {
+        INFO(threads << " threads, " << bodies << " bodies");
+        CHECK(pile(Threads{threads}) == serial);
     }
 }
 

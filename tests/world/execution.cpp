@@ -78,3 +78,18 @@ TEST_CASE("What a row throws leaves the loop", "[execution]") {
     const auto fail = [](std::size_t, std::size_t) { throw 7; };
     CHECK_THROWS_AS((in_ranges<Composed<double, true>>(std::tuple(Lines{&asked}), 0, 100, fail)), int);
 }
+TEST_CASE("A runner runs a loop as its execution does, or at once without one", "[execution]") {
+    std::vector<std::pair<std::size_t, std::size_t>> asked, parts;
+    const auto note = [&](std::size_t begin, std::size_t end) { parts.emplace_back(begin, end); };
+    const Lines lines{&asked};
+    const LoopRunner by_lines(lines), copy = by_lines, by_nothing;
+    by_nothing(20, 3, note);
+    CHECK(parts == std::vector<std::pair<std::size_t, std::size_t>>{{0, 20}});
+    for (const auto* run : {&by_lines, &copy}) {
+        parts.clear(), asked.clear();
+        (*run)(3, 7, note);
+        CHECK(asked == std::vector<std::pair<std::size_t, std::size_t>>{{3, 7}});
+        CHECK(parts == std::vector<std::pair<std::size_t, std::size_t>>{{3, 3}, {2, 3}, {1, 2}, {0, 1}});
+    }
+    CHECK_THROWS_AS(by_lines(9, 1, [](std::size_t, std::size_t) { throw 7; }), int);
+}

@@ -47,6 +47,8 @@ public:
     /// The step.
     /// \param inside the systems between its beginning and the contacts: forces and integrator
     template <class Inside> void run(const Inside& inside) {
+        if constexpr (C::executed && requires { contacts_.run_by(LoopRunner()); })
+            contacts_.run_by(LoopRunner(detail::execution_of(policies_)));
         look_ahead();
         bool found = false; // not while all bodies sleep: their contacts keep their impulses
         for (int part = 0; part < response_.parts(); ++part) {
@@ -247,7 +249,7 @@ private:
     detail::Bound<R, S> response_;
     Contacts& contacts_;
     Acceleration acceleration_{this};
-    SubstepBodies<C, Acceleration> bodies_{data_, acceleration_};
+    SubstepBodies<C, typename Base::Policies, Acceleration> bodies_{data_, policies_, acceleration_};
     std::remove_reference_t<decltype(std::declval<Data&>().collisions.before_solving())>& before_;
     typename S::ClockTime start_;
     Context<S> whole_;

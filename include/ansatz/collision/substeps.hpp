@@ -10,6 +10,7 @@
 
 #include <ansatz/collision/contact_step.hpp>
 #include <ansatz/motion/state.hpp>
+#include <ansatz/world/execution.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -17,8 +18,9 @@
 
 namespace ansatz {
 
-/// \tparam Acceleration a function of a slot and of a body's values
-template <class C, class Acceleration> class SubstepBodies {
+/// \tparam C            the world's composition
+/// \tparam Acceleration a function of a slot and of a body's values; asked by several threads where a policy runs loops
+template <class C, class Policies, class Acceleration> class SubstepBodies {
 public:
     using S = typename C::S; ///< the space
     using Scalar = typename S::Scalar;
@@ -26,7 +28,8 @@ public:
     using Time = typename S::Time; ///< s
 
     /// Of a world.
-    SubstepBodies(WorldData<C>& data, const Acceleration& acceleration) : data_(data), acceleration_(acceleration) {}
+    SubstepBodies(WorldData<C>& data, const Policies& policies, const Acceleration& acceleration)
+        : data_(data), policies_(policies), acceleration_(acceleration) {}
 
     /// All bodies, with their weights: zero for what is not awake. Nothing accelerates them yet. What sleeps or is
     /// fixed has no velocity from when it was placed before, and is not gone through again; where it is, a contact
@@ -54,21 +57,12 @@ public:
     /// \param last  the length of the substep before, from which a history's velocity is derived
     /// \param kicks a h of those that are awake, if asked for
     template <class Body>
-    [[gnu::flatten]] void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor,
-                                 const Time& h, const Time& last,
-                                 std::vector<typename Body::Raw>* kicks = nullptr) const {
+    void gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h,
+                const Time& last, std::vector<typename Body::Raw>* kicks = nullptr) const {
         before.resize(bodies.size());
-        for (std::size_t slot = 0; slot < data_.bodies.end(Motion::awake); ++slot) {
-            auto& body = bodies[slot];
-            body.position = data_.lanes.template get<Position>(slot).value();
-            body.u = velocity(Slot(slot), last).value();
-            if (kicks || factor != 0) {
-                const auto kick = typename S::Velocity(h * acceleration_(Slot(slot), now(Slot(slot), last))).value();
-                body.u += Scalar(factor) * kick;
-                if (kicks) (*kicks)[slot] = kick;
-            }
-            before[slot] = body.u;
-        }
+        in_ranges<C>(policies_, 0, data_.bodies.end(Motion::awake), [&](std::size_t begin, std::size_t end) {
+            gather(bodies, before, factor, h, last, kicks, begin, end);
+        });
         for (std::size_t slot = data_.bodies.begin(Motion::moving); slot < data_.bodies.end(Motion::moving); ++slot) {
             bodies[slot].position = data_.lanes.template get<Position>(slot).value();
             bodies[slot].u = velocity(Slot(slot), last).value();
@@ -91,23 +85,52 @@ public:
     /// What the contacts have changed, to the awake bodies.
     /// \param pushed by how much, if asked for
     template <class Body>
-    [[gnu::flatten]] void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before,
-                                  const Time& last, std::vector<typename Body::Raw>* pushed = nullptr) {
+    void scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last,
+                 std::vector<typename Body::Raw>* pushed = nullptr) {
         if (pushed) pushed->resize(bodies.size());
         const std::size_t awake = data_.bodies.end(Motion::awake);
         // Where dampers pull, all bodies are given their velocities if any is: see ContactStep::hold_velocities.
         bool all = false;
         if constexpr (C::history && C::template couplings_read<Velocity>)
             for (std::size_t slot = 0; slot < awake && !all; ++slot) all = !(bodies[slot].u == before[slot]);
-        for (std::size_t slot = 0; slot < awake; ++slot) {
+        const auto part = [&](std::size_t begin, std::size_t end) {
+            scatter(bodies, before, last, pushed, all, begin, end);
+        };
+        if constexpr (C::history) part(0, awake); // all of them note whose history begins anew
+        else in_ranges<C>(policies_, 0, awake, part);
+    }
+
+private:
+    /// \name Of bodies in a range of slots
+    /// @{
+    template <class Body>
+    [[gnu::flatten, gnu::noinline]] void
+    gather(std::vector<Body>& bodies, std::vector<typename Body::Raw>& before, double factor, const Time& h,
+           const Time& last, std::vector<typename Body::Raw>* kicks, std::size_t begin, std::size_t end) const {
+        for (std::size_t slot = begin; slot < end; ++slot) {
+            auto& body = bodies[slot];
+            body.position = data_.lanes.template get<Position>(slot).value();
+            body.u = velocity(Slot(slot), last).value();
+            if (kicks || factor != 0) {
+                const auto kick = typename S::Velocity(h * acceleration_(Slot(slot), now(Slot(slot), last))).value();
+                body.u += Scalar(factor) * kick;
+                if (kicks) (*kicks)[slot] = kick;
+            }
+            before[slot] = body.u;
+        }
+    }
+    template <class Body>
+    [[gnu::flatten, gnu::noinline]] void
+    scatter(const std::vector<Body>& bodies, const std::vector<typename Body::Raw>& before, const Time& last,
+            std::vector<typename Body::Raw>* pushed, bool all, std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot) {
             const typename Body::Raw by = bodies[slot].u - before[slot];
             if (pushed) (*pushed)[slot] = by;
             if (!all && bodies[slot].u == before[slot]) continue;
             data_.set_velocity(Slot(slot), velocity(Slot(slot), last) + S::Velocity::from_value(by));
         }
     }
-
-private:
+    /// @}
     /// A body with the velocity that it has now.
     auto now(Slot slot, const Time& last) const {
         auto row = data_.load(slot, last);
@@ -123,6 +146,7 @@ private:
     }
 
     WorldData<C>& data_;
+    const Policies& policies_;
     const Acceleration& acceleration_;
 };
 

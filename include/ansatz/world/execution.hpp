@@ -31,6 +31,7 @@
 #include <ansatz/world/types.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -74,6 +75,36 @@ template <class C, class Policies>
     else return Serially();
 }
 } // namespace detail
+
+/// Runs loops as an Execution does, for what does not know the type of it: `run(count, grain, loop)`. Made of nothing,
+/// it runs them on the thread that calls. It does not keep the Execution, which must outlive it.
+class LoopRunner {
+public:
+    LoopRunner() = default; ///< Of no Execution.
+    /// Of one.
+    template <class Execution>
+        requires(!std::same_as<Execution, LoopRunner>)
+    explicit LoopRunner(const Execution& execution)
+        : execution_(&execution), execute_([](const void* of, std::size_t count, std::size_t grain, const Loop& loop) {
+              static_cast<const Execution*>(of)->execute(count, grain, loop);
+          }) {}
+    /// Calls `loop(begin, end)` for ranges that together are 0 to `count`.
+    template <class L> void operator()(std::size_t count, std::size_t grain, const L& loop) const {
+        if (execute_ == nullptr) return loop(std::size_t(0), count);
+        execute_(execution_, count, grain, {&loop, [](const void* of, std::size_t begin, std::size_t end) {
+                                                (*static_cast<const L*>(of))(begin, end);
+                                            }});
+    }
+
+private:
+    struct Loop {
+        const void* of;
+        void (*call)(const void*, std::size_t, std::size_t);
+        void operator()(std::size_t begin, std::size_t end) const { call(of, begin, end); }
+    };
+    const void* execution_ = nullptr;
+    void (*execute_)(const void*, std::size_t, std::size_t, const Loop&) = nullptr;
+};
 
 /// Calls `loop(first, last)` for ranges of `begin` to `end`, which the Execution of a world runs; once for all of it
 /// where the world has none. Every range but the first begins at a multiple of a cache line's rows.

@@ -104,6 +104,14 @@ TEST_CASE("A pile that comes to rest is the same to the bit on any number of thr
         60, [&](auto& world) { add_pile(world, bodies); }, SemiImplicitEuler{}, Gravity{}, Rest{}, UniformGrid{},
         Narrowphase<Sphere, Plane>{}, SoftSubsteps{});
 }
+TEST_CASE("A pile by colours is the same to the bit on any number of threads", "[systems][threads]") {
+    const int bodies = GENERATE(0, 1, 201, 2301); // the last in three groups, and those between them
+    const auto fill = [&](auto& world) { add_pile(world, bodies); };
+    same_bits(8, fill, Space<float, 3>{}, SemiImplicitEuler{}, Gravity{}, Coherent{}, Narrowphase<Sphere, Plane>{},
+              SoftSubsteps<Coloured>{});
+    same_bits(8, fill, Verlet{}, Gravity{}, Rest{}, UniformGrid{}, Narrowphase<Sphere, Plane>{},
+              SoftSubsteps<Coloured, Friction>{});
+}
 TEST_CASE("Two copies of a world step at the same time", "[systems][threads]") {
     World world{
         Space<float, 2>{}, RungeKutta4{}, Gravity{}, Drag{0.05 / second}, QuadraticDrag{0.01 * kilogram_per_metre},

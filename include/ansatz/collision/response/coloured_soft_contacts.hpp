@@ -10,7 +10,9 @@
 
 #include <ansatz/collision/response/contact_colours.hpp>
 #include <ansatz/collision/response/soft_contacts.hpp>
+#include <ansatz/world/execution.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -30,20 +32,20 @@ public:
     /// The impulses of the substep before act again.
     void warm_start() {
         if (stale_) {
-            colours_.colour(this->all, this->acting_, this->bodies, this->awake());
+            colours_.colour(this->all, this->acting_, this->bodies, this->awake(), ids_, run_);
             stale_ = false;
         }
-        colours_.warm_start(this->bodies);
+        colours_.warm_start(this->bodies, run_);
     }
     /// As SoftContacts::solve.
     void solve(Scalar h, const Softness<Scalar>& soft, const Softness<Scalar>& soft_held, Scalar slop,
                Scalar push_out) {
-        colours_.solve(this->bodies, {h, soft, soft_held, slop, push_out, true});
+        colours_.solve(this->bodies, {h, soft, soft_held, slop, push_out, true}, run_);
         ahead_ = true;
     }
     /// As SoftContacts::relax.
     void relax(Scalar h) {
-        colours_.solve(this->bodies, {h, {}, {}, Scalar(0), Scalar(0), false});
+        colours_.solve(this->bodies, {h, {}, {}, Scalar(0), Scalar(0), false}, run_);
         ahead_ = true;
     }
     /// @}
@@ -74,6 +76,7 @@ public:
     }
     template <class Data, class FrictionOf> void begin(const Data& data, const FrictionOf& friction) {
         change();
+        ids_ = data.bodies.ids();
         Base::begin(data, friction);
     }
     void weigh() {
@@ -84,8 +87,13 @@ public:
         change();
         Base::body_divided(id, part, share);
     }
+    /// What runs the passes, until the step ends.
+    void run_by(const LoopRunner& run) { run_ = run; }
     /// A step ends.
-    void finish() { change(); }
+    void finish() {
+        change();
+        run_ = {};
+    }
     void make_room_for(const ColouredSoftContacts& other) {
         Base::make_room_for(other);
         colours_.make_room_for(other.colours_);
@@ -103,8 +111,10 @@ private:
     }
 
     ContactColours<S, Rubs> colours_;
-    bool ahead_ = false; // the impulses of the colours are newer
-    bool stale_ = true;  // the colours are those of other contacts
+    LoopRunner run_;
+    std::size_t ids_ = 0; // of all bodies
+    bool ahead_ = false;  // the impulses of the colours are newer
+    bool stale_ = true;   // the colours are those of other contacts
 };
 
 } // namespace ansatz

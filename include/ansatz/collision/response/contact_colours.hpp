@@ -10,15 +10,17 @@
 /// vector instructions there are, and what they do to the bodies is written back. The formulas are those of
 /// SoftContacts, for each contact by itself, so that the results are the same bits with wide instructions and without.
 ///
-/// Colours are given by the ids of bodies: each contact has the first that neither of its bodies has yet. What nothing
-/// moves (the floor) may be in any number of contacts of a colour. Piles of 64 to 8000 spheres have eight to ten
-/// colours.
+/// Colours are given by the ids of bodies, group by group (contact_groups.hpp): each contact has the first that neither
+/// of its bodies has yet. What nothing moves (the floor) may be in any number of contacts of a colour. Piles of 64 to
+/// 8000 spheres have eight to ten colours.
 ///
 /// M. Fratarcangeli, V. Tibaldo, F. Pellacini, Vivace: a Practical Gauss-Seidel Method for Stable Soft Body Dynamics,
 /// SIGGRAPH Asia 2016, for colours; E. Catto, SIMD Matters (2024), for contacts of a rigid body solver by colours.
 
 #include <ansatz/collision/contact.hpp>
+#include <ansatz/collision/response/contact_groups.hpp>
 #include <ansatz/collision/response/solver_body.hpp>
+#include <ansatz/world/execution.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ansatz {
@@ -50,35 +53,25 @@ public:
         bool separates = true;   ///< whether it takes depth away; else it takes back what that gave
     };
 
-    /// Colours those of `all` that act, and takes their impulses.
+    /// Groups and colours those of `all` that act, and takes their impulses.
     /// \param awake how many bodies contacts may push, if they come first; zero if they stand anywhere
+    /// \param ids   one more than the largest id of a body
+    /// \param run   runs the groups of a stage
     void colour(const auto& all, const std::vector<std::uint32_t>& acting, const std::vector<Body>& bodies,
-                std::size_t awake) {
+                std::size_t awake, std::size_t ids, const LoopRunner& run) {
         const std::size_t count = acting.size();
-        taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
-        resize(count, colour_of_);
-        begin_.fill(0);
-        for (std::size_t n = 0; n < count; ++n) {
+        groups_.divide(count, ids, [&](std::size_t n) {
             const auto& c = all[acting[n]];
-            // By arithmetic, not by a branch: what nothing moves has no colours, and stands for the first body.
-            const std::uint64_t a = moves(bodies[c.slot_a]), b = moves(bodies[c.slot_b]);
-            auto &of_a = taken_[c.slot_a * a], &of_b = taken_[c.slot_b * b];
-            const auto colour = std::size_t(std::countr_one((of_a & -a) | (of_b & -b)));
-            colour_of_[n] = std::uint8_t(colour | (a & b) << 7);
-            ++begin_[colour + 1];
-            if (colour == most) continue;
-            of_a |= a << colour;
-            of_b |= b << colour;
-        }
-        for (std::size_t c = 0; c <= most; ++c) begin_[c + 1] += begin_[c];
-        resize(count, which_, held_);
-        auto next = begin_;
-        for (std::size_t n = 0; n < count; ++n) {
-            const auto place = next[colour_of_[n] & 127]++;
-            which_[place] = acting[n];
-            held_[place] = Scalar(colour_of_[n] & 128 ? 0 : 1);
-        }
-        fill(all);
+            return std::pair(moves(bodies[c.slot_a]) ? c.a : c.b, moves(bodies[c.slot_b]) ? c.b : c.a);
+        });
+        taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
+        resize(count, colour_of_, which_, held_, a_, b_, touching_, impulse_, mass_, normal_);
+        if constexpr (Rubs) resize(count, rubbing_, friction_);
+        begin_.resize(groups_.size());
+        groups_.each(run, [&](std::size_t group) {
+            colour_group(group, all, acting, bodies);
+            fill(group, all);
+        });
     }
     /// The impulses of `all`, which others have changed.
     void read_impulses(const auto& all) {
@@ -94,29 +87,18 @@ public:
         }
     }
     /// The impulses of the substep before act again.
-    [[gnu::flatten]] void warm_start(std::vector<Body>& bodies) const {
-        each_chunk([&](std::size_t first, std::size_t count) {
-            Chunk kept;
-            for (std::size_t n = 0; n < count; ++n) {
-                kept.push[n] = impulse_[first + n] * normal_[first + n];
-                if constexpr (Rubs) kept.push[n] += rubbing_[first + n];
-            }
-            push(bodies, first, count, kept);
-        });
+    void warm_start(std::vector<Body>& bodies, const LoopRunner& run) const {
+        groups_.each(run, [&](std::size_t group) { warm_start(bodies, group); });
     }
     /// One pass.
-    [[gnu::flatten]] void solve(std::vector<Body>& bodies, const Pass& pass) {
-        each_chunk([&](std::size_t first, std::size_t count) {
-            Chunk kept;
-            gather(bodies, first, count, kept);
-            press(pass, first, count, kept);
-            rub(pass, first, count, kept);
-            push(bodies, first, count, kept);
-        });
+    void solve(std::vector<Body>& bodies, const Pass& pass, const LoopRunner& run) {
+        groups_.each(run, [&](std::size_t group) { solve(bodies, pass, group); });
     }
     /// Room for what another holds, so that assigning it cannot fail.
     void make_room_for(const ContactColours& other) {
         const auto reserve = [](auto& lane, const auto& as) { lane.reserve(as.size()); };
+        groups_.make_room_for(other.groups_);
+        reserve(begin_, other.begin_);
         reserve(taken_, other.taken_);
         reserve(colour_of_, other.colour_of_);
         for (auto lane : {&ContactColours::a_, &ContactColours::b_, &ContactColours::which_})
@@ -148,19 +130,69 @@ private:
     static Scalar smaller(Scalar a, Scalar b) { return b < a ? b : a; }
     static Scalar larger(Scalar a, Scalar b) { return a < b ? b : a; }
     static std::uint64_t moves(const Body& body) { return body.weight > Scalar(0); }
-    template <class F> [[gnu::always_inline]] void each_chunk(F&& f) const {
+    void colour_group(std::size_t group, const auto& all, const std::vector<std::uint32_t>& acting,
+                      const std::vector<Body>& bodies) {
+        const auto [first, last] = groups_[group];
+        std::array<std::uint32_t, most + 2> next{}; // where the next contact of each colour goes
+        std::uint64_t none = 0;                     // the colours of what nothing moves
+        for (std::uint32_t n = first; n < last; ++n) {
+            const auto& c = all[acting[groups_.at(n)]];
+            const std::uint64_t a = moves(bodies[c.slot_a]), b = moves(bodies[c.slot_b]);
+            auto &of_a = a ? taken_[c.slot_a] : none, &of_b = b ? taken_[c.slot_b] : none;
+            const auto colour = std::size_t(std::countr_one(of_a | of_b));
+            colour_of_[n] = std::uint8_t(colour | (a & b) << 7);
+            ++next[colour + 1];
+            if (colour == most) continue;
+            of_a |= a << colour;
+            of_b |= b << colour;
+        }
+        next[0] = first;
+        for (std::size_t c = 0; c <= most; ++c) next[c + 1] += next[c];
+        begin_[group] = next;
+        for (std::uint32_t n = first; n < last; ++n) {
+            const auto place = next[colour_of_[n] & 127]++;
+            which_[place] = acting[groups_.at(n)];
+            held_[place] = Scalar(colour_of_[n] & 128 ? 0 : 1);
+        }
+        // The next group of these bodies begins with the first colour again.
+        for (std::uint32_t n = first; n < last; ++n) {
+            const auto& c = all[which_[n]];
+            if (moves(bodies[c.slot_a])) taken_[c.slot_a] = 0;
+            if (moves(bodies[c.slot_b])) taken_[c.slot_b] = 0;
+        }
+    }
+    // Flattened: in a file with several worlds g++ would call the arithmetic of vectors.
+    [[gnu::flatten, gnu::noinline]] void warm_start(std::vector<Body>& bodies, std::size_t group) const {
+        each_chunk(group, [&](std::size_t first, std::size_t count) {
+            Chunk kept;
+            for (std::size_t n = 0; n < count; ++n) {
+                kept.push[n] = impulse_[first + n] * normal_[first + n];
+                if constexpr (Rubs) kept.push[n] += rubbing_[first + n];
+            }
+            push(bodies, first, count, kept);
+        });
+    }
+    [[gnu::flatten, gnu::noinline]] void solve(std::vector<Body>& bodies, const Pass& pass, std::size_t group) {
+        each_chunk(group, [&](std::size_t first, std::size_t count) {
+            Chunk kept;
+            gather(bodies, first, count, kept);
+            press(pass, first, count, kept);
+            rub(pass, first, count, kept);
+            push(bodies, first, count, kept);
+        });
+    }
+    template <class F> [[gnu::always_inline]] void each_chunk(std::size_t group, F&& f) const {
+        const auto& begin = begin_[group];
         for (std::size_t colour = 0; colour <= most; ++colour) {
             // Those without a colour may push the same bodies.
-            const std::size_t step = colour < most ? chunk : 1, end = begin_[colour + 1];
-            for (std::size_t n = begin_[colour]; n < end; n += step) f(n, std::min(step, end - n));
+            const std::size_t step = colour < most ? chunk : 1, end = begin[colour + 1];
+            for (std::size_t n = begin[colour]; n < end; n += step) f(n, std::min(step, end - n));
         }
     }
     static void resize(std::size_t count, auto&... lanes) { ((detail::grow(lanes, count), lanes.resize(count)), ...); }
-    void fill(const auto& all) {
-        const std::size_t count = which_.size();
-        resize(count, a_, b_, touching_, impulse_, mass_, normal_);
-        if constexpr (Rubs) resize(count, rubbing_, friction_);
-        for (std::size_t n = 0; n < count; ++n) {
+    void fill(std::size_t group, const auto& all) {
+        const auto [first, last] = groups_[group];
+        for (std::size_t n = first; n < last; ++n) {
             const auto& c = all[which_[n]];
             a_[n] = c.slot_a;
             b_[n] = c.slot_b;
@@ -271,18 +303,19 @@ private:
         }
     }
 
-    std::vector<std::uint32_t> a_, b_;          // slots
-    std::vector<std::uint32_t> which_;          // of all
-    std::vector<Half> normal_;                  // from b to a
-    std::vector<Scalar> touching_;              // N . (x_a - x_b) where they only touch, m
-    std::vector<Scalar> impulse_;               // along the normal, N s
-    std::vector<Scalar> mass_;                  // 1 / (w_a + w_b), kg
-    std::vector<Scalar> held_;                  // 1 where nothing moves one of the bodies
-    std::vector<Half> rubbing_;                 // across the normal, N s
-    std::vector<Scalar> friction_;              // the coefficient of the two
-    std::vector<std::uint64_t> taken_;          // by slot: a bit for each colour
-    std::vector<std::uint8_t> colour_of_;       // by contact that acts; 128 more where nothing holds a body of it
-    std::array<std::size_t, most + 2> begin_{}; // of each colour, and of what has none
+    std::vector<std::uint32_t> a_, b_;    // slots
+    std::vector<std::uint32_t> which_;    // of all
+    std::vector<Half> normal_;            // from b to a
+    std::vector<Scalar> touching_;        // N . (x_a - x_b) where they only touch, m
+    std::vector<Scalar> impulse_;         // along the normal, N s
+    std::vector<Scalar> mass_;            // 1 / (w_a + w_b), kg
+    std::vector<Scalar> held_;            // 1 where nothing moves one of the bodies
+    std::vector<Half> rubbing_;           // across the normal, N s
+    std::vector<Scalar> friction_;        // the coefficient of the two
+    std::vector<std::uint64_t> taken_;    // by slot: a bit for each colour
+    std::vector<std::uint8_t> colour_of_; // by contact that acts; 128 more where nothing holds a body of it
+    ContactGroups groups_;
+    std::vector<std::array<std::uint32_t, most + 2>> begin_; // by group: of each colour, and of what has none
 };
 
 } // namespace ansatz
