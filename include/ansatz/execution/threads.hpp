@@ -6,10 +6,11 @@
 /// on any number of threads (world/execution.hpp says why).
 ///
 /// Use it for tens of thousands of bodies with laws of their own, with springs, or which collide: pairs are searched
-/// and tested on all threads. Springs are divided by the bodies that they act on (motion/gathering.hpp): add bodies
-/// that hang together one behind the other, or many springs are computed twice. What a step does in an order (answering
-/// contacts, islands of sleep, the door) stays serial. Many worlds at once need no `Threads`:
-/// `ensemble` (ensemble.hpp) gives each a core of its own, and nothing has to wait in between.
+/// and tested on all threads, and `SoftSubsteps<Coloured>` solves contacts on them. Springs are divided by the bodies
+/// that they act on (motion/gathering.hpp): add bodies that hang together one behind the other, or many springs are
+/// computed twice. What a step does in an order (other responses, islands of sleep, the door) stays serial. Many worlds
+/// at once need no `Threads`: `ensemble` (ensemble.hpp) gives each a core of its own, and nothing has to wait in
+/// between.
 ///
 /// A program that includes this links oneTBB: `find_package(TBB)` and `TBB::tbb` (on Debian: libtbb-dev). No other
 /// header of the library knows of it. What oneTBB keeps for its tasks is its own memory, outside of a step's promise

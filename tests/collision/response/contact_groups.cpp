@@ -26,9 +26,15 @@ std::size_t width_of(std::size_t ids) {
     while (width * 32 < ids) width *= 2;
     return width;
 }
+/// A loop in two ranges, the second one first.
+const auto in_halves = [](std::size_t count, std::size_t, const auto& loop) {
+    loop(count / 2, count);
+    loop(std::size_t(0), count / 2);
+};
 ContactGroups divided(const std::vector<Pair>& pairs, std::size_t ids) {
     ContactGroups groups;
-    groups.divide(pairs.size(), ids, [&](std::size_t n) { return pairs[n]; });
+    groups.divide(
+        pairs.size(), ids, [&](std::size_t n) { return pairs[n]; }, in_halves);
     return groups;
 }
 Pair blocks_of(const Pair& pair, std::size_t width) {
@@ -158,7 +164,8 @@ TEST_CASE("Groups of contacts: used again, they are those of the last contacts",
     const auto many = by_chance(9000, 6000, 9000, 4), few = by_chance(600, 30, 600, 4);
     for (const auto* pairs : {&many, &few, &many}) {
         const std::size_t ids = pairs == &few ? 600 : 9000;
-        groups.divide(pairs->size(), ids, [&](std::size_t n) { return (*pairs)[n]; });
+        groups.divide(
+            pairs->size(), ids, [&](std::size_t n) { return (*pairs)[n]; }, in_halves);
         const auto fresh = divided(*pairs, ids);
         REQUIRE(groups.size() == fresh.size());
         REQUIRE(groups.stages().size() == fresh.stages().size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // `./workbook peers threads`: the same scenes with none and with two threads, and with one for each core: what a step
-// gains. By the clock on the wall, since threads that wait for each other use none of the processor's time; so close
-// all other programs first.
+// gains; and what it would gain on more cores than there are (rehearsal.hpp). By the clock on the wall, since threads
+// that wait for each other use none of the processor's time; so close all other programs first.
 
 #include "tests/peers/contest.hpp"
 
@@ -13,6 +13,7 @@ int main() { peers::Contest::left_out("oneTBB", "libtbb-dev"); }
 
 #include "tests/peers/collision/pile.hpp"
 #include "tests/peers/flight.hpp"
+#include "tests/peers/threads/rehearsal.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/execution/threads.hpp>
@@ -22,7 +23,7 @@ int main() { peers::Contest::left_out("oneTBB", "libtbb-dev"); }
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -37,14 +38,12 @@ int main() { peers::Contest::left_out("oneTBB", "libtbb-dev"); }
 
 using namespace ansatz;
 using peers::Contest;
+using peers::Rehearsal;
+using peers::wall_seconds;
 
 namespace {
 
 using S = Space<float, 3>;
-
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A square sheet of so many bodies, with springs along its edges and across its cells.
 auto sheet(int n, auto... execution) {
@@ -112,7 +111,7 @@ struct Search {
         pairs = 0;
         grid.find(boxes, [this](std::size_t, std::size_t) { ++pairs; });
     }
-    void divided(const Threads& threads) {
+    void divided(const auto& threads) {
         const auto run = [&](std::size_t count, std::size_t grain, const auto& loop) {
             threads.execute(count, grain, loop);
         };
@@ -136,6 +135,7 @@ struct Search {
 struct Player {
     std::string name;
     std::function<void()> step;
+    std::function<double()> gained{}; ///< of one who rehearses: s, by how much its steps would have been shorter
     std::vector<double> times{};
 };
 
@@ -151,9 +151,11 @@ void play(Contest& contest, const std::string& scene, int n, std::vector<Player>
     }
     for (int repeat = 0; repeat < contest.repeats(); ++repeat)
         for (Player& player : players) {
+            if (player.gained) player.gained(); // before
             const double start = wall_seconds();
             for (int i = 0; i < steps; ++i) player.step();
-            player.times.push_back(1e9 * (wall_seconds() - start) / steps / n);
+            const double used = wall_seconds() - start - (player.gained ? player.gained() : 0);
+            player.times.push_back(1e9 * used / steps / n);
         }
     std::printf("\n%s, n = %d, smallest of %d repeats in turn\n", scene.c_str(), n, contest.repeats());
     double serial = 0;
@@ -161,7 +163,7 @@ void play(Contest& contest, const std::string& scene, int n, std::vector<Player>
         std::sort(player.times.begin(), player.times.end());
         const double best = player.times.front();
         if (serial == 0) serial = best;
-        std::printf("  %-14s %10.2f ns a body   %.2f times as fast\n", player.name.c_str(), best, serial / best);
+        std::printf("  %-20s %10.3f ns a body   %.2f times as fast\n", player.name.c_str(), best, serial / best);
         contest.note(scene, n, "ansatz " + player.name, best, "ns a body",
                      player.times[player.times.size() / 2] / best - 1);
     }
@@ -175,6 +177,26 @@ std::vector<int> counts() {
     if (cores > 2) all.push_back(cores);
     return all;
 }
+/// s, until another thread has begun with what it is handed, the least of many times; a hundredth of a second where
+/// there is no other one.
+double time_to_wake() {
+    const Threads two(2);
+    double least = 0.01;
+    for (int repeat = 0; repeat < 2000; ++repeat) {
+        std::atomic<int> begun = 0;
+        const double start = wall_seconds();
+        two.execute(2, 1, [&](std::size_t, std::size_t) { // each waits for the other
+            for (++begun; begun < 2 && wall_seconds() - start < 0.01;) {
+            }
+        });
+        if (begun == 2) least = std::min(least, wall_seconds() - start);
+    }
+    return least;
+}
+/// Of how many cores one wants to know.
+constexpr int rehearsed[] = {2, 8, 64};
+std::string name_of_rehearsed(int cores) { return "rehearsed, " + std::to_string(cores) + " cores"; }
+
 /// A scene whose worlds must come to the same bits.
 /// \return whether they do
 template <class Make> bool play_world(Contest& contest, const std::string& scene, int n, const Make& make) {
@@ -187,6 +209,13 @@ template <class Make> bool play_world(Contest& contest, const std::string& scene
     };
     add("serial", make(n));
     for (const int threads : counts()) add(std::to_string(threads) + " threads", make(n, Threads{threads}));
+    for (const int cores : rehearsed) {
+        const Rehearsal by(cores, time_to_wake());
+        const auto world = std::make_shared<decltype(make(n, by))>(make(n, by));
+        players.push_back(
+            {name_of_rehearsed(cores), [world] { world->step(1.0 / 60 * second); }, [by] { return by.take_gained(); }});
+        hashes.push_back([world] { return world->hash(); });
+    }
     play(contest, scene, n, std::move(players));
     for (const auto& hash : hashes)
         if (hash() != hashes.front()()) {
@@ -215,6 +244,11 @@ int main(int argc, char** argv) {
         for (const int threads : counts())
             players.push_back(
                 {std::to_string(threads) + " threads", [search, by = Threads(threads)] { search->divided(by); }});
+        for (const int cores : rehearsed) {
+            const Rehearsal by(cores, time_to_wake());
+            players.push_back(
+                {name_of_rehearsed(cores), [search, by] { search->divided(by); }, [by] { return by.take_gained(); }});
+        }
         play(contest, "pairs of spheres by UniformGrid", 100000, std::move(players));
     }
     world("spheres that meet, UniformGrid and Impulse", 100000, [](int n, auto... by) { return gas(n, by...); });

@@ -67,13 +67,13 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
         /// \name The search in pieces, pairs of fat boxes, which may be tested at the same time
         /// @{
         /// Makes what is kept that of these boxes.
-        void prepare(const Boxes<S>& boxes, const auto&) {
+        void prepare(const Boxes<S>& boxes, const auto& run) {
             const bool as_before = boxes.size() == size_ && boxes.active() == active_;
             size_ = boxes.size(), active_ = boxes.active();
             if (!as_before) state_ = State::apart;
             searched_ = active_ > 0 && size_ > 1;
             if (!searched_) return;
-            if (state_ == State::keeps) follow(boxes);
+            if (state_ == State::keeps) follow(boxes, run);
             else if (state_ == State::watches) kept_.watch(boxes), make(boxes);
             else if (pause_ > 0) --pause_;
             else if (as_before) kept_.watch(boxes), state_ = State::watches;
@@ -142,8 +142,8 @@ template <class Broadphase = UniformGrid<>> struct Coherent {
             age_ = 0;
             state_ = State::keeps;
         }
-        void follow(const Boxes<S>& boxes) {
-            kept_.follow(boxes);
+        void follow(const Boxes<S>& boxes, const auto& run) {
+            kept_.follow(boxes, run);
             ++age_;
             if (kept_.left() == 0) return;
             const std::uint64_t cost = cost_to_amend();

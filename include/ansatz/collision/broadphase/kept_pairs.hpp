@@ -117,23 +117,28 @@ public:
         for (std::size_t i = 0; i < boxes.size(); ++i) place(placed[i], boxes, i);
     }
     /// The same, and notes which bodies have left their fat box.
-    void follow(const Boxes<S>& boxes) {
+    /// \param run runs loops, `run(count, grain, loop)`
+    void follow(const Boxes<S>& boxes, const auto& run) {
         constexpr std::size_t block = 32; // tested at once, without a branch
         auto& placed = next_places(boxes);
-        left_.clear();
-        for (std::size_t first = 0; first < boxes.size(); first += block) {
-            const std::size_t count = std::min(block, boxes.size() - first);
-            std::array<std::uint8_t, block> out{};
-            for (int k = 0; k < S::dimension; ++k) {
-                const Scalar *low = boxes.lower(k) + first, *high = boxes.upper(k) + first;
-                const Scalar *least = fat_.lower(k) + first, *most = fat_.upper(k) + first;
-                for (std::size_t n = 0; n < count; ++n)
-                    out[n] = std::uint8_t(out[n] | unsigned(!(least[n] <= low[n])) | unsigned(!(high[n] <= most[n])));
+        run((boxes.size() + block - 1) / block, blocks_worth_a_thread, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t first = begin * block; first < std::min(end * block, boxes.size()); first += block) {
+                const std::size_t count = std::min(block, boxes.size() - first);
+                std::array<std::uint8_t, block> out{};
+                for (int k = 0; k < S::dimension; ++k) {
+                    const Scalar *low = boxes.lower(k) + first, *high = boxes.upper(k) + first;
+                    const Scalar *least = fat_.lower(k) + first, *most = fat_.upper(k) + first;
+                    for (std::size_t n = 0; n < count; ++n)
+                        out[n] =
+                            std::uint8_t(out[n] | unsigned(!(least[n] <= low[n])) | unsigned(!(high[n] <= most[n])));
+                }
+                for (std::size_t n = 0; n < count; ++n) place(placed[first + n], boxes, first + n);
+                for (std::size_t n = 0; n < count; ++n) has_left_[first + n] = out[n];
             }
-            for (std::size_t n = 0; n < count; ++n) place(placed[first + n], boxes, first + n);
-            for (std::size_t n = 0; n < count; ++n)
-                if (out[n]) left_.push_back(std::uint32_t(first + n));
-        }
+        });
+        left_.clear();
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            if (has_left_[i]) left_.push_back(std::uint32_t(i));
     }
     /// Between the last two calls of `watch` and `follow`, for the first so many boxes.
     BoxMotion motion(std::size_t active) const {
@@ -178,7 +183,6 @@ public:
             table_.take(i);
             if (!fatten(i, calls)) return false;
             table_.put(fat_, i);
-            has_left_[i] = 1;
         }
         const std::size_t known = pairs_.size();
         for (const std::uint32_t i : left_)
@@ -188,7 +192,6 @@ public:
                 pairs_.push_back(pair);
             });
         merge(known);
-        for (const std::uint32_t i : left_) has_left_[i] = 0;
         return true;
     }
     /// Tells those of the pairs begin to end - 1 whose boxes of the last `follow` touch, in order.
@@ -213,6 +216,7 @@ public:
     }
 
 private:
+    static constexpr std::size_t blocks_worth_a_thread = 32;
     static constexpr double skin = 0.05;    // of a box's longest side, all around
     static constexpr double farthest = 0.5; // of it or a typical one's: or the fast are tested against all on their way
 
@@ -299,7 +303,7 @@ private:
     bool table_is_made_ = false;
     std::vector<BoxPair> pairs_, spare_; // the second while the first is made, in turn
     std::vector<std::uint32_t> left_;
-    std::vector<std::uint8_t> has_left_;
+    std::vector<std::uint8_t> has_left_; // in the last `follow`
     PairSorter sorter_;
     BoxTable<S> table_;
 };

@@ -60,10 +60,11 @@ public:
     void colour(const auto& all, const std::vector<std::uint32_t>& acting, const std::vector<Body>& bodies,
                 std::size_t awake, std::size_t ids, const LoopRunner& run) {
         const std::size_t count = acting.size();
-        groups_.divide(count, ids, [&](std::size_t n) {
+        const auto moved = [&](std::size_t n) {
             const auto& c = all[acting[n]];
             return std::pair(moves(bodies[c.slot_a]) ? c.a : c.b, moves(bodies[c.slot_b]) ? c.b : c.a);
-        });
+        };
+        groups_.divide(count, ids, moved, run);
         taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
         resize(count, colour_of_, which_, held_, a_, b_, touching_, impulse_, mass_, normal_);
         if constexpr (Rubs) resize(count, rubbing_, friction_);

@@ -44,29 +44,31 @@ public:
     /// \param count how many there are
     /// \param ids   one more than the largest id of a body
     /// \param moved a function of a contact's number: the ids of the bodies that it may push, a pair of the same id where
-    ///              it is one
-    void divide(std::size_t count, std::size_t ids, const auto& moved) {
+    ///              it is one; asked for several at the same time if `run` does
+    /// \param run   runs a loop, `run(count, grain, loop)`
+    void divide(std::size_t count, std::size_t ids, const auto& moved, const auto& run) {
         groups_.clear();
         stages_.clear();
         order_.clear();
         if (count == 0) return;
-        int shift = 0; // of an id, to its block
-        while ((fewest << shift) * most < ids) ++shift;
-        const std::size_t width = fewest << shift, blocks = (ids + width - 1) / width;
-        if (blocks <= 1) {
+        if (ids <= fewest) {
             groups_.push_back({0, std::uint32_t(count)});
             stages_.push_back({0, 1});
             return;
         }
+        int shift = std::countr_zero(fewest); // from an id to its block
+        while (most << shift < ids) ++shift;
+        const std::size_t blocks = ((ids - 1) >> shift) + 1;
         sizes_.assign(blocks * blocks, 0);
         group_of_.resize(count);
-        for (std::size_t n = 0; n < count; ++n) {
-            const auto [a, b] = moved(n);
-            const std::size_t of_a = a / width, of_b = b / width;
-            const std::size_t group = std::min(of_a, of_b) * blocks + std::max(of_a, of_b);
-            group_of_[n] = std::uint16_t(group);
-            ++sizes_[group];
-        }
+        run(count, worth_a_thread, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t n = begin; n < end; ++n) {
+                const auto [a, b] = moved(n);
+                const std::size_t of_a = a >> shift, of_b = b >> shift;
+                group_of_[n] = std::uint16_t(std::min(of_a, of_b) * blocks + std::max(of_a, of_b));
+            }
+        });
+        for (const auto group : group_of_) ++sizes_[group];
         find_stages(blocks);
         order_.resize(count);
         for (std::size_t n = 0; n < count; ++n) order_[sizes_[group_of_[n]]++] = std::uint32_t(n);
@@ -81,7 +83,7 @@ public:
     std::uint32_t at(std::uint32_t place) const { return order_.empty() ? place : order_[place]; }
 
     /// Calls `f(group)` for all groups, those of a stage at the same time if `run` does.
-    /// \param run runs a loop, `run(count, grain, loop)`
+    /// \param run runs a loop, as in `divide`
     void each(const auto& run, const auto& f) const {
         for (const Range stage : stages_) {
             const std::size_t contacts = groups_[stage.end - 1].end - groups_[stage.begin].begin;

@@ -36,9 +36,9 @@ namespace ansatz {
 
 /// An option of SoftSubsteps: contacts are solved by colours, many at once (contact_colours.hpp).
 ///
-/// Use it for piles of a thousand bodies and more. The same formula for each contact, in another order: what comes out
-/// is as good, and is other bits. Along a column the order of ids is better than colours: there news runs from end to
-/// end in one pass.
+/// Use it for piles of a thousand bodies and more; the threads of an Execution share its passes. The same formula for
+/// each contact, in another order: what comes out is as good, and is other bits. Along a column the order of ids is
+/// better than colours: there news runs from end to end in one pass.
 struct Coloured {};
 
 /// \tparam Options Friction, Coloured, both or none
