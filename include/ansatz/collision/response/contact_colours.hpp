@@ -71,7 +71,7 @@ public:
         begin_.resize(groups_.size());
         groups_.each(run, [&](std::size_t group) {
             colour_group(group, all, acting, bodies);
-            fill(group, all);
+            fill(group, all, bodies);
         });
     }
     /// The impulses of `all`, which others have changed.
@@ -155,12 +155,6 @@ private:
             which_[place] = acting[groups_.at(n)];
             held_[place] = Scalar(colour_of_[n] & 128 ? 0 : 1);
         }
-        // The next group of these bodies begins with the first colour again.
-        for (std::uint32_t n = first; n < last; ++n) {
-            const auto& c = all[which_[n]];
-            if (moves(bodies[c.slot_a])) taken_[c.slot_a] = 0;
-            if (moves(bodies[c.slot_b])) taken_[c.slot_b] = 0;
-        }
     }
     // Flattened: in a file with several worlds g++ would call the arithmetic of vectors.
     [[gnu::flatten, gnu::noinline]] void warm_start(std::vector<Body>& bodies, std::size_t group) const {
@@ -191,7 +185,7 @@ private:
         }
     }
     static void resize(std::size_t count, auto&... lanes) { ((detail::grow(lanes, count), lanes.resize(count)), ...); }
-    void fill(std::size_t group, const auto& all) {
+    void fill(std::size_t group, const auto& all, const std::vector<Body>& bodies) {
         const auto [first, last] = groups_[group];
         for (std::size_t n = first; n < last; ++n) {
             const auto& c = all[which_[n]];
@@ -202,6 +196,9 @@ private:
             mass_[n] = c.mass;
             if constexpr (Rubs) friction_[n] = c.friction;
             read(n, c);
+            // The next group of these bodies begins with the first colour again.
+            if (moves(bodies[c.slot_a])) taken_[c.slot_a] = 0;
+            if (moves(bodies[c.slot_b])) taken_[c.slot_b] = 0;
         }
     }
     void read(std::size_t n, const auto& c) {

@@ -43,8 +43,8 @@ public:
     /// Divides contacts. Within a group they stay in their order.
     /// \param count how many there are
     /// \param ids   one more than the largest id of a body
-    /// \param moved a function of a contact's number: the ids of the bodies that it may push, a pair of the same id where
-    ///              it is one; asked for several at the same time if `run` does
+    /// \param moved a function of a contact's number: the ids of the bodies that it may push, a pair with the smaller
+    ///              one first, or of the same id where it is one; asked for several at the same time if `run` does
     /// \param run   runs a loop, `run(count, grain, loop)`
     void divide(std::size_t count, std::size_t ids, const auto& moved, const auto& run) {
         groups_.clear();
@@ -64,8 +64,7 @@ public:
         run(count, worth_a_thread, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 const auto [a, b] = moved(n);
-                const std::size_t of_a = a >> shift, of_b = b >> shift;
-                group_of_[n] = std::uint16_t(std::min(of_a, of_b) * blocks + std::max(of_a, of_b));
+                group_of_[n] = std::uint16_t((a >> shift) * blocks + (b >> shift));
             }
         });
         for (const auto group : group_of_) ++sizes_[group];
