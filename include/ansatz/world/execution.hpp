@@ -25,7 +25,8 @@
 /// laws, filters and shapes of a world with an Execution are asked at the same time, so that they must not change what
 /// they share; those of the library do not.
 ///
-/// Not for what a step does in an order: most of what is done about contacts, islands of sleep and the door stay serial.
+/// Not for what a step does in an order: most of what is done about contacts, islands of sleep and the door stay
+/// serial.
 
 #include <ansatz/world/roles.hpp>
 #include <ansatz/world/types.hpp>
