@@ -47,6 +47,7 @@ expect 0 "./workbook section 1.6.2" help section
 expect 0 "The one command of Ansatz" --help
 expect 2 "did you mean list?" lsit
 expect 2 "there is no verb 'xyzzy'" xyzzy
+expect 2 "there is no verb '1.1'; did you mean section 1.1?" 1.1
 expect 2 "there is no verb '../lib/build'" ../lib/build
 expect 2 "did you mean costs?" help cost
 expect 0 "4 Soft bodies" list

@@ -6,6 +6,7 @@ in that file (0 if it is elsewhere), where the error was raised, and what it say
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 
@@ -24,6 +25,13 @@ TO = re.compile(r" to (?:function return type |non-scalar type )?(?=')")
 NUMBER = re.compile(r"(const )?(double|float|int|long|unsigned|unsigned long|std::size_t|size_t)( const)?&?")
 NO_RETURN = re.compile(r"no return statement in function|control reaches end of non-void"
                        r"|non-void function.* does not return a value")
+# What of a file is no code, and each bracket.
+PIECE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"([^(\s]*)\(.*?\)\1\"|\"(?:[^\"\\\n]|\\.)*\""
+                   r"|(?<![0-9a-fA-F])'(?:[^'\\\n]|\\.)+'|[()\[\]{}]", re.DOTALL)
+CLOSING = {"(": ")", "[": "]", "{": "}"}
+NO_FUNCTION = re.compile(r"no matching function for call to "
+                         r"'(?:std::)?((?:exp|log|sinh|cosh|tanh|asin|acos|atan)[a-z0-9]*)\("
+                         r".*?((?:quantity|vector) in [^,>)]*?) *[,>)]")
 OPEN_BEFORE = re.compile(r"expected .*[;}]|function.definition is not allowed")
 CAME_FROM = re.compile(r"note: (in instantiation|while)|required from")
 SYMBOLS = {"length": "m", "mass": "kg", "time": "s", "plane_angle": "rad"}
@@ -118,6 +126,10 @@ def plain(text: str) -> str:
     """What a compiler says in its own words, where a person needs others."""
     if NO_RETURN.search(text):
         return "the function ends without return"
+    of_number = NO_FUNCTION.search(text.replace("‘", "'").replace("’", "'"))
+    if of_number:
+        return (f"{of_number[1]} takes a plain number, and this is a {of_number[2]}: is a factor missing, or one too "
+                "many, with which the units cancel?")
     return re.sub(r" *\[-Werror[^]]*\]$", "", text)
 
 
@@ -140,12 +152,30 @@ def asserted(text: str) -> str:
     return text
 
 
+def never_closed(code: str) -> tuple[int, str] | None:
+    """The line of a ( or a [ in whose place a brace is closed, and which it is. Where only braces do not match, nobody
+    knows which of them."""
+    opened: list[tuple[int, str]] = []
+    for piece in PIECE.finditer(code):
+        bracket = piece[0]
+        if bracket in CLOSING:
+            opened.append((code.count("\n", 0, piece.start()) + 1, bracket))
+        elif bracket in CLOSING.values():
+            if opened and CLOSING[opened[-1][1]] == bracket:
+                opened.pop()
+            else:
+                return opened[-1] if opened and opened[-1][1] != "{" else None
+    return opened[-1] if opened and opened[-1][1] != "{" else None
+
+
 class FirstError:
     """What has been found in the lines so far; `line` is 0 where the answer has no part in it."""
 
-    def __init__(self, file: str, root: str) -> None:
-        """`file` is the answer as the compiler names it, and `root` begins the paths that are shortened."""
+    def __init__(self, file: str, root: str, code: str) -> None:
+        """`file` is the answer as the compiler names it, `root` begins the paths that are shortened, and `code` is what
+        the answer says."""
         self.file = file
+        self.code = code
         self.root = root
         self.found = False
         self.line = 0
@@ -180,7 +210,11 @@ class FirstError:
         # The lines of subject.hpp after the answer ask whether a bracket is open there. Then the compiler has often
         # missed another one before, in a place that is right.
         elif re.search(r"subject\.hpp:[0-9]+.*error:", text) and (not self.found or OPEN_BEFORE.search(self.message)):
-            self.set("end", "something is open at the end of the file: most often a closing brace } is missing")
+            opened = never_closed(self.code)
+            if opened:
+                self.set("end", f"the {opened[1]} here is never closed", opened[0])
+            else:
+                self.set("end", "something is open at the end of the file: most often a closing brace } is missing")
         elif "error:" in text:
             if not self.found:
                 self.take_error(text)
@@ -196,9 +230,9 @@ class FirstError:
             self.line = int(in_answer[1])
 
 
-def first_error(log: str, file: str, root: str) -> FirstError:
+def first_error(log: str, file: str, root: str, code: str = "") -> FirstError:
     """The first error of a log."""
-    error = FirstError(file, root)
+    error = FirstError(file, root, code)
     for line in log.split("\n"):
         error.take(line)
     return error
@@ -212,8 +246,12 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("log", help="the compiler's output")
     given = parser.parse_args(arguments)
     try:
+        code = ""
+        if os.path.exists(given.file):
+            with open(given.file, encoding="utf-8", errors="surrogateescape") as stream:
+                code = stream.read()
         with open(given.log, encoding="utf-8", errors="surrogateescape", newline="\n") as stream:
-            error = first_error(stream.read(), given.file, given.root)
+            error = first_error(stream.read(), given.file, given.root, code)
     except OSError as problem:
         print(f"first_error.py: {problem.filename}: {problem.strerror}", file=sys.stderr)
         return 1

@@ -225,6 +225,34 @@ class FirstError(unittest.TestCase):
                     "/p/tools/exercises/expect.hpp:14:1: error: expected '}' at end of input")
         self.expect(0, "end", BRACE, f"{ANSWER}:31:2: error: expected ';' after struct definition", open_there)
 
+    def test_a_bracket_that_is_never_closed(self) -> None:
+        """The compiler swallows the rest of the file with it; the file says where it stands."""
+        log = f"{SUBJECT}:3:20: error: specialization of 'template<class> struct NothingIsOpen' in different namespace"
+        for code, line, message in (
+                ("void f() {\n    g(1, h(2);\n}\n", 2, "the ( here is never closed"),
+                ("void f() {\n    a[1 = 2;\n}\n", 2, "the [ here is never closed"),
+                ("void f() {\n    x = exp(-a * b\n}\nint g(int);\n", 2, "the ( here is never closed"),
+                ("int f(\n", 1, "the ( here is never closed"),
+                ("void f() {\n    g(\")\" /* ) */, ')' // )\n    ;\n}\n", 2, "the ( here is never closed"),
+                ("int n = 1'000'000;\nvoid f() { g('\\'', R\"x())x\"; }\n", 2, "the ( here is never closed"),
+                ("struct A {\n    void f() { g(1); }\n", 0, BRACE),
+                ("void f() { g(1)); }\nstruct A {\n", 0, BRACE), ("}\n", 0, BRACE), ("", 0, BRACE)):
+            with self.subTest(code=code):
+                error = first_error.first_error(log + "\n", ANSWER, "/p/", code)
+                self.assertEqual((error.line, error.where, error.message), (line, "end", message))
+
+    def test_a_function_of_numbers_is_given_a_quantity(self) -> None:
+        """How the compiler calls what was handed over is of no use; its unit is."""
+        quantity = "boost::units::unit<boost::units::list<boost::units::dim<boost::units::time_base_dimension, " \
+                   "boost::units::static_rational<-1> >, boost::units::dimensionless_type>, " \
+                   "boost::units::homogeneous_system<x> >, double"
+        ending = "is a factor missing, or one too many, with which the units cancel?"
+        for given in (f"boost::units::quantity<{quantity} >",
+                      f"boost::units::unary_minus_typeof_helper<boost::units::quantity<{quantity} > >::type"):
+            self.expect_error(f"exp takes a plain number, and this is a quantity in 1/s: {ending}",
+                              f"no matching function for call to ‘exp({given})’")
+        self.expect_error("no matching function for call to 'exp(A)'", "no matching function for call to 'exp(A)'")
+
     def test_an_error_before_what_is_open(self) -> None:
         """Another mistake stays the first, and nothing is said of the end."""
         self.expect(9, f"{SHOWN}:9:1", "'x' was not declared", f"{ANSWER}:9:1: error: 'x' was not declared",
@@ -257,6 +285,21 @@ class Command(unittest.TestCase):
         """Every byte of the compiler's stays, also what is no UTF-8."""
         self.assertEqual(self.run_it(ANSWER.encode() + b":8:1: error: stray '\xff' in program\n"),
                          (0, b"8\n" + SHOWN.encode() + b":8:1\nstray '\xff' in program\n", ""))
+
+    def test_the_answer_is_read(self) -> None:
+        """Where the compiler only says that something is open."""
+        with tempfile.TemporaryDirectory() as folder:
+            answer, log = os.path.join(folder, "exercise.hpp"), os.path.join(folder, "log")
+            with open(answer, "w", encoding="utf-8") as stream:
+                stream.write("int f() {\n    return (1;\n}\n")
+            with open(log, "w", encoding="utf-8") as stream:
+                stream.write("subject.hpp:3:20: error: specialization\n")
+            said = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+            with contextlib.redirect_stdout(said):
+                code = first_error.main(["--file", answer, "--root", folder + "/", log])
+            said.flush()
+            self.assertEqual((code, said.buffer.getvalue()),  # type: ignore[attr-defined]
+                             (0, b"2\nend\nthe ( here is never closed\n"))
 
     def test_no_error_no_answer(self) -> None:
         """In a log without one, and where there is no log."""
