@@ -18,6 +18,8 @@
 /// Domain decomposition with coloured interfaces: Y. Saad, Iterative Methods for Sparse Linear Systems (2003), 12.4 and
 /// 14.3.
 
+#include <ansatz/core/compiler_flags.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -36,7 +38,8 @@ public:
 
     /// A part of a list.
     struct Range {
-        std::uint32_t begin = 0, end = 0;                  ///< of it
+        std::uint32_t begin = 0;                           ///< where it begins
+        std::uint32_t end = 0;                             ///< behind its last one
         std::uint32_t size() const { return end - begin; } ///< how many
     };
 
