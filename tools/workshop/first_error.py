@@ -25,7 +25,7 @@ TO = re.compile(r" to (?:function return type |non-scalar type )?(?=')")
 NUMBER = re.compile(r"(const )?(double|float|int|long|unsigned|unsigned long|std::size_t|size_t)( const)?&?")
 NO_RETURN = re.compile(r"no return statement in function|control reaches end of non-void"
                        r"|non-void function.* does not return a value")
-# What of a file is no code, and each bracket.
+# Comments, strings and characters, in which a bracket is none, and brackets.
 PIECE = re.compile(r"//[^\n]*|/\*.*?\*/|R\"([^(\s]*)\(.*?\)\1\"|\"(?:[^\"\\\n]|\\.)*\""
                    r"|(?<![0-9a-fA-F])'(?:[^'\\\n]|\\.)+'|[()\[\]{}]", re.DOTALL)
 CLOSING = {"(": ")", "[": "]", "{": "}"}
@@ -128,8 +128,7 @@ def plain(text: str) -> str:
         return "the function ends without return"
     of_number = NO_FUNCTION.search(text.replace("‘", "'").replace("’", "'"))
     if of_number:
-        return (f"{of_number[1]} takes a plain number, and this is a {of_number[2]}: is a factor missing, or one too "
-                "many, with which the units cancel?")
+        return (f"{of_number[1]} takes a plain number, and this is a {of_number[2]}: which factor would make it one?")
     return re.sub(r" *\[-Werror[^]]*\]$", "", text)
 
 
@@ -153,8 +152,8 @@ def asserted(text: str) -> str:
 
 
 def never_closed(code: str) -> tuple[int, str] | None:
-    """The line of a ( or a [ in whose place a brace is closed, and which it is. Where only braces do not match, nobody
-    knows which of them."""
+    """The line of a ( or a [ that has no partner, and which of the two it is. Where a brace has none, nothing: that
+    could be any of those that are open."""
     opened: list[tuple[int, str]] = []
     for piece in PIECE.finditer(code):
         bracket = piece[0]

@@ -202,7 +202,8 @@ concept ForceResponseIn = PlaysRole<R, roles::Response> && detail::acts_at<R>(Le
                           CouplingIn<R, S> && detail::KeepsContactsIn<R, S>;
 
 /// A response in space `S` that takes a step in substeps and solves all contacts between them. `SoftSubsteps` is one,
-/// and says what each of the verbs is for.
+/// and says what each of the verbs is for. Its contacts may have `run_by(runner)`, which is told at the beginning of a
+/// step what runs loops in a world with an Execution (`LoopRunner`), and `finish()`, at its end.
 template <class R, class S>
 concept SubstepResponseIn =
     PlaysRole<R, roles::Response> && detail::acts_at<R>(Level::substeps) && detail::SolvesContactsIn<R, S>;

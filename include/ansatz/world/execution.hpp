@@ -25,8 +25,8 @@
 /// laws, filters and shapes of a world with an Execution are asked at the same time, so that they must not change what
 /// they share; those of the library do not.
 ///
-/// Not for what a step does in an order: most of what is done about contacts, islands of sleep and the door stay
-/// serial.
+/// Not for what a step does in an order, such as answering one contact after the other, islands of sleep, and the door:
+/// that stays serial.
 
 #include <ansatz/world/roles.hpp>
 #include <ansatz/world/types.hpp>
@@ -77,8 +77,8 @@ template <class C, class Policies>
 }
 } // namespace detail
 
-/// Runs loops as an Execution does, for what does not know the type of it: `run(count, grain, loop)`. Made of nothing,
-/// it runs them on the thread that calls. It does not keep the Execution, which must outlive it.
+/// Runs loops as an Execution does, `run(count, grain, loop)`, for code that does not know its type; made without one,
+/// on the thread that calls. It refers to the Execution, which must outlive it.
 class LoopRunner {
 public:
     LoopRunner() = default; ///< Of no Execution.

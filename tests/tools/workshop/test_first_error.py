@@ -246,7 +246,7 @@ class FirstError(unittest.TestCase):
         quantity = "boost::units::unit<boost::units::list<boost::units::dim<boost::units::time_base_dimension, " \
                    "boost::units::static_rational<-1> >, boost::units::dimensionless_type>, " \
                    "boost::units::homogeneous_system<x> >, double"
-        ending = "is a factor missing, or one too many, with which the units cancel?"
+        ending = "which factor would make it one?"
         for given in (f"boost::units::quantity<{quantity} >",
                       f"boost::units::unary_minus_typeof_helper<boost::units::quantity<{quantity} > >::type"):
             self.expect_error(f"exp takes a plain number, and this is a quantity in 1/s: {ending}",

@@ -216,8 +216,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t blocks_worth_a_thread = 32;
-    static constexpr double skin = 0.05;    // of a box's longest side, all around
+    static constexpr std::size_t blocks_worth_a_thread = 32; // of 32 boxes: fewer take less time than waking one
+    static constexpr double skin = 0.05;                     // of a box's longest side, all around
     static constexpr double farthest = 0.5; // of it or a typical one's: or the fast are tested against all on their way
 
     /// Where the boxes of this call are kept; those of the last one stay.
@@ -303,7 +303,7 @@ private:
     bool table_is_made_ = false;
     std::vector<BoxPair> pairs_, spare_; // the second while the first is made, in turn
     std::vector<std::uint32_t> left_;
-    std::vector<std::uint8_t> has_left_; // in the last `follow`
+    std::vector<std::uint8_t> has_left_; // by box: 1 if it left its fat one in the last `follow`
     PairSorter sorter_;
     BoxTable<S> table_;
 };

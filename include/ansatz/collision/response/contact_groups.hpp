@@ -11,8 +11,8 @@
 /// stage; those between blocks get the first stage that neither of their blocks has yet. All this follows from ids and
 /// contacts alone, so that a world has the same groups on any number of threads.
 ///
-/// Bodies that lie beside each other and were added one after the other share a block: few stages with nearly all
-/// contacts in the first. Where ids say nothing about places there are as many stages as blocks, or up to twice as
+/// Bodies that lie beside each other and were added one after the other share a block: few stages, with most contacts
+/// in the first. Where ids say nothing about places there are as many stages as blocks, or up to twice as
 /// many. Up to 1024 ids there is one group.
 ///
 /// Domain decomposition with coloured interfaces: Y. Saad, Iterative Methods for Sparse Linear Systems (2003), 12.4 and
@@ -81,8 +81,8 @@ public:
     Range operator[](std::size_t group) const { return groups_[group]; }
     /// The groups of each stage, in the order in which they are solved.
     const std::vector<Range>& stages() const { return stages_; }
-    /// The number of the contact in a place.
-    std::uint32_t at(std::uint32_t place) const { return order_.empty() ? place : order_[place]; }
+    /// The numbers of the contacts by their places; null where each stands in the place of its number.
+    const std::uint32_t* order() const { return order_.empty() ? nullptr : order_.data(); }
 
     /// Calls `f(group)` for all groups, those of a stage at the same time if `run` does.
     /// \param run runs a loop, as in `divide`
