@@ -114,10 +114,10 @@ TEST_CASE("of the contacts that were found those stay that touch or press, and w
             if (dice.one_in(3)) c.first.generation = 1;
         std::map<std::uint32_t, Contact<S>> before;
         for (const auto& c : known) before[c.first.id * 10 + c.second.id] = c;
-        const auto check = [&](std::vector<Contact<S>>& all, const std::vector<std::uint32_t>& right) {
-            REQUIRE(pairs(all) == right);
+        const auto check = [&](std::vector<Contact<S>>& all, auto stays, const std::vector<std::uint32_t>& right) {
             std::vector<std::pair<Handle, Handle>> ended;
-            detail::compare_contacts(known, all, ended, false);
+            detail::compare_contacts(known, all, ended, false, stays);
+            REQUIRE(pairs(all) == right);
             std::set<std::uint32_t> go_on;
             for (const auto& c : all) {
                 const auto old = before.find(c.first.id * 10 + c.second.id);
@@ -129,10 +129,8 @@ TEST_CASE("of the contacts that were found those stay that touch or press, and w
             for (const auto& [first, second] : ended) REQUIRE(go_on.count(first.id * 10 + second.id) == 0);
         };
         auto both = found;
-        detail::keep_those_that_touch<false>(found, acting);
-        check(found, touch);
-        detail::keep_those_that_touch<true>(both, acting);
-        check(both, touch_or_press);
+        check(found, detail::KeepThoseThatTouch<false, Acting>(acting), touch);
+        check(both, detail::KeepThoseThatTouch<true, Acting>(acting), touch_or_press);
         known = both;
         stayed += int(found.size());
     }

@@ -158,9 +158,9 @@ public:
         if constexpr (C::acts_next) {
             hand_over(data, NextStep{}, working_.value.found);
             const auto& acting = std::as_const(data).template state<typename detail::FirstIn<NextStep>::type>();
-            detail::keep_those_that_touch<C::substeps>(working_.value.found, acting);
-        }
-        this->compare(working_.value.found, later);
+            using Acting = std::remove_cvref_t<decltype(acting)>;
+            this->compare(working_.value.found, later, detail::KeepThoseThatTouch<C::substeps, Acting>(acting));
+        } else this->compare(working_.value.found, later, detail::KeepAll());
         working_.value.as_before = !data.bodies.any_goes();
         this->put_contacts_to_sleep(data, std::exchange(working_.value.kept, {}).asleep);
     }

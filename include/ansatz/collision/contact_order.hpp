@@ -134,25 +134,58 @@ private:
 
 namespace detail {
 
+/// For `compare_contacts`: all that were found stay.
+struct KeepAll {
+    template <class S> bool operator()(const Contact<S>&, std::size_t) { return true; }
+};
+/// For `compare_contacts`: those of bodies that touch now stay, not those that may begin in the next step.
+/// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
+/// \tparam Acting  what a response keeps of them; in order, too
+template <bool Presses, class Acting> class KeepThoseThatTouch {
+public:
+    /// Of one step.
+    explicit KeepThoseThatTouch(const Acting& acting) : acting_(acting) {}
+    /// Of a contact and its number among those that were found; asked in their order.
+    template <class S> bool operator()(const Contact<S>& contact, [[maybe_unused]] std::size_t n) {
+        if (contact.depth.value() > typename S::Scalar(0)) return true;
+        if constexpr (Presses) {
+            const auto& all = acting_.all;
+            const auto ids = ids_of(contact);
+            if (n < all.size() && !(ids < ids_of(all[n]))) next_ = std::max(next_, n); // mostly it is this one
+            while (next_ != all.size() && ids_of(all[next_]) < ids) ++next_;
+            return next_ != all.size() && ids_of(all[next_]) == ids && all[next_].impulse > typename S::Scalar(0);
+        } else return false;
+    }
+
+private:
+    const Acting& acting_;
+    std::size_t next_ = 0;
+};
+
 /// Which contacts are new, which go on, and which have ended. What happened in any substep is reported for the step.
 /// \param known, found both in order; those found are told how long they have lasted
 /// \param ended        pairs of handles, to which those that have ended are added
 /// \param later        whether this is a substep and not the first
+/// \param stays        of a contact and its number: those that were found and do not stay are left out
 template <class S>
-void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<S>>& found, auto& ended, bool later) {
+void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<S>>& found, auto& ended, bool later,
+                      auto stays) {
     auto old = known.cbegin();
-    auto before = [](const Contact<S>& x, const Contact<S>& y) {
-        return std::pair(x.first.id, x.second.id) < std::pair(y.first.id, y.second.id);
-    };
-    for (auto& contact : found) {
-        for (; old != known.cend() && before(*old, contact); ++old) ended.push_back({old->first, old->second});
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        if (!stays(found[n], n)) continue;
+        auto& contact = found[kept++];
+        if (kept != n + 1) contact = found[n];
+        const auto ids = ids_of(contact);
+        for (; old != known.cend() && ids_of(*old) < ids; ++old) ended.push_back({old->first, old->second});
         const bool same = old != known.cend() && old->first == contact.first && old->second == contact.second;
         contact.steps = !same ? 0 : later ? old->steps : old->steps + 1;
-        if (old != known.cend() && !before(contact, *old)) {
+        if (old != known.cend() && !(ids < ids_of(*old))) {
             if (!same) ended.push_back({old->first, old->second});
             ++old;
         }
     }
+    found.resize(kept);
     for (; old != known.cend(); ++old) ended.push_back({old->first, old->second});
 }
 
@@ -160,31 +193,6 @@ void compare_contacts(const std::vector<Contact<S>>& known, std::vector<Contact<
 template <class S> void keep_the_first_of_each_pair(std::vector<Contact<S>>& contacts) {
     const auto same = [](const auto& x, const auto& y) { return x.first == y.first && x.second == y.second; };
     contacts.erase(std::unique(contacts.begin(), contacts.end(), same), contacts.end());
-}
-
-/// Leaves of the contacts that were found those of bodies that touch now: not those that may begin in the next step.
-/// \tparam Presses whether what acts in it knows which contacts press, however little two are apart
-/// \param acting   what a response keeps of them; in order, too
-template <bool Presses, class S>
-void keep_those_that_touch(std::vector<Contact<S>>& found, [[maybe_unused]] const auto& acting) {
-    [[maybe_unused]] std::size_t next = 0;
-    const auto only_near = [&](const Contact<S>& contact) {
-        if (contact.depth.value() > typename S::Scalar(0)) return false;
-        if constexpr (Presses) {
-            const auto& all = acting.all;
-            const auto ids = std::pair(contact.first.id, contact.second.id);
-            while (next != all.size() && std::pair(all[next].a, all[next].b) < ids) ++next;
-            return next == all.size() || std::pair(all[next].a, all[next].b) != ids ||
-                   !(all[next].impulse > typename S::Scalar(0));
-        } else return true;
-    };
-    std::size_t kept = 0; // not std::remove_if, which may ask in any order
-    for (std::size_t n = 0; n < found.size(); ++n)
-        if (!only_near(found[n])) {
-            if (kept != n) found[kept] = found[n];
-            ++kept;
-        }
-    found.resize(kept);
 }
 
 } // namespace detail

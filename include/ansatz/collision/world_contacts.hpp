@@ -96,10 +96,11 @@ protected:
     bool any_gone() const { return body_removed_; }
     /// Replaces the acting contacts by those that were found.
     /// \param later whether this is a substep and not the first
-    void compare(std::vector<Contact<S>>& found, bool later) {
+    /// \param stays which of those that were found; see `compare_contacts`
+    void compare(std::vector<Contact<S>>& found, bool later, auto stays) {
         detail::equal_room(contacts.acting, found);
         if (!later) ended.clear();
-        detail::compare_contacts(contacts.acting, found, ended, later);
+        detail::compare_contacts(contacts.acting, found, ended, later, stays);
         contacts.acting.swap(found);
         contacts.changed();
         body_removed_ = false;

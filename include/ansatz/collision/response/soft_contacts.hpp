@@ -162,13 +162,12 @@ public:
     /// \param friction the coefficient of two slots
     template <class Data, class FrictionOf> void begin(const Data& data, const FrictionOf& friction) {
         awake_ = data.bodies.end(Motion::awake);
-        for (auto& c : all) {
+        weigh([&](Constraint& c) {
             c.slot_a = data.bodies.slot_of_id(c.a);
             c.slot_b = data.bodies.slot_of_id(c.b);
             for (const auto slot : {c.slot_a, c.slot_b})
                 if (slot >= awake_) bodies[slot].position = data.lanes.template get<Position>(slot).value();
-        }
-        weigh();
+        });
         if constexpr (Rubs)
             each_acting([&](Constraint& c) {
                 c.friction = friction(c.slot_a, c.slot_b);
@@ -178,18 +177,7 @@ public:
     }
     /// The same where the slots are known: which contacts act, and against what mass.
     void weigh() {
-        acting_.clear();
-        detail::grow(acting_, all.size());
-        impacts.pairs.clear();
-        for (std::size_t n = 0; n < all.size(); ++n) {
-            auto& c = all[n];
-            const Scalar wa = bodies[c.slot_a].weight, wb = bodies[c.slot_b].weight;
-            if (!(wa + wb > Scalar(0))) continue;
-            acting_.push_back(std::uint32_t(n));
-            c.mass = 1 / (wa + wb);
-        }
-        loads_.reserve_contacts(all.capacity());
-        islands_.forget(); // those of another step; they are searched for where they are asked for
+        weigh([](Constraint&) {});
     }
     /// How many bodies contacts may push; they come first.
     std::size_t awake() const { return awake_; }
@@ -349,6 +337,23 @@ protected:
     bool platforms_ = false;            ///< whether there are bodies that move and are not moved
 
 private:
+    /// Which contacts act, and against what mass.
+    /// \param look_up is called with each of them first
+    void weigh(const auto& look_up) {
+        acting_.clear();
+        detail::grow(acting_, all.size());
+        impacts.pairs.clear();
+        for (std::size_t n = 0; n < all.size(); ++n) {
+            auto& c = all[n];
+            look_up(c);
+            const Scalar wa = bodies[c.slot_a].weight, wb = bodies[c.slot_b].weight;
+            if (!(wa + wb > Scalar(0))) continue;
+            acting_.push_back(std::uint32_t(n));
+            c.mass = 1 / (wa + wb);
+        }
+        loads_.reserve_contacts(all.capacity());
+        islands_.forget(); // those of another step; they are searched for where they are asked for
+    }
     /// Those whose bodies sleep, too.
     void each(const auto& f) const { asleep_.each(all, f, f); }
     [[gnu::always_inline]] void press(Constraint& c, Scalar bias, Scalar mass_share, Scalar impulse_share) {
