@@ -304,8 +304,9 @@ private:
             Body &a = bodies[a_[first + n]], &b = bodies[b_[first + n]];
             // Beside a push stands zero: the weights stay.
             const Half pushed = kept.push[n];
-            a.move(a.moving() + a.weight * pushed);
-            b.move(b.moving() - b.weight * pushed);
+            // What nothing moves is not written either: contacts of other groups read it at the same time.
+            if (moves(a)) a.move(a.moving() + a.weight * pushed);
+            if (moves(b)) b.move(b.moving() - b.weight * pushed);
         }
     }
 
