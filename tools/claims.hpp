@@ -7,7 +7,10 @@
 /// A program of the course makes claims; each is printed with its outcome, and the program fails when one does not
 /// hold. So every section is a test as well.
 
+#include "say.hpp"
+
 #include <iostream>
+#include <string>
 #include <string_view>
 
 namespace ansatz::workbook {
@@ -16,7 +19,8 @@ class Claims {
 public:
     /// Prints a claim and remembers whether it holds.
     void operator()(std::string_view claim, bool holds) {
-        std::cout << (holds ? "  [holds] " : "  [FAILS] ") << claim << '\n';
+        const std::string outcome = holds ? "[holds] " : "[FAILS] ";
+        std::cout << wrapped("  " + outcome + std::string(claim), outcome.size()) << '\n';
         all_ = all_ && holds;
     }
     /// The program's exit code: 0 if every claim held.

@@ -6,6 +6,8 @@
 /// `plot.hpp` (pictures of the sections) and `costs/picture.hpp` (what accuracy costs) describe what
 /// is to be seen; gnuplot draws it. Without gnuplot every picture becomes one line that says so.
 
+#include "width.hpp"
+
 #include <stdio.h> // popen and pclose are POSIX: <cstdio> need not declare them
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,13 +54,6 @@ inline std::string number(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.9g", value);
     return text.data();
-}
-
-/// How many characters a reader sees: the bytes of UTF-8 that do not continue a character.
-inline std::size_t visible_width(std::string_view text) {
-    std::size_t width = 0;
-    for (char c : text) width += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    return width;
 }
 
 /// Where pictures go: the environment variable ANSATZ_PICTURES, or `pictures` beside where one is.

@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -27,7 +28,7 @@ int main() {
     const auto sum = mechanics::resultant(left_dog, right_dog, friction);
     const auto acceleration = mechanics::acceleration(sum, sledge);
     //! [formula]
-    std::cout << "The dogs pull with " << sum << " in all; the sledge accelerates with " << acceleration << '\n';
+    workbook::say() << "The dogs pull with " << sum << " in all; the sledge accelerates with " << acceleration << '\n';
     claim("60 + 60 - 80 = 40 N along x, nothing across", sum == newtons(40, 0, 0));
     claim("40 N on 20 kg are 2 m/s^2", acceleration == metres_per_second_squared(2, 0, 0));
     claim("and back: F = m a", mechanics::force(sledge, acceleration) == sum);
@@ -50,8 +51,8 @@ int main() {
         snow.step(dt);
         //! [pull]
     }
-    std::cout << "After a second the sledge does " << snow.velocity(light) << ", one of twice the mass "
-              << snow.velocity(heavy) << '\n';
+    workbook::say() << "After a second the sledge does " << snow.velocity(light) << ", one of twice the mass "
+                    << snow.velocity(heavy) << '\n';
     claim("v = a t", norm(snow.velocity(light) - metres_per_second(2, 0, 0)) < 1e-12 * metre_per_second);
     claim("twice the mass, half the velocity",
           norm(snow.velocity(heavy) - metres_per_second(1, 0, 0)) < 1e-12 * metre_per_second);

@@ -8,6 +8,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -98,10 +99,10 @@ int main() {
     attraction.constant = 1.0 * (cubic_metre / (kilogram * second * second));
     const auto both = watch(attraction);
     const auto one = watch(Lopsided{});
-    std::cout << "Two bodies attract each other for 2 s; they come to " << both.first.back() << " and "
-              << both.second.back() << ", their centre of mass is at " << both.centre.back() << '\n'
-              << "momentum with the third law: " << both.momentum << "\nmomentum without:            " << one.momentum
-              << '\n';
+    workbook::say() << "Two bodies attract each other for 2 s; they come to " << both.first.back() << " and "
+                    << both.second.back() << ", their centre of mass is at " << both.centre.back() << '\n'
+                    << "momentum with the third law: " << both.momentum
+                    << "\nmomentum without:            " << one.momentum << '\n';
     claim("the centre of mass stays at 3 m", abs(both.centre.back() - 3.0 * metre) < 1e-12 * metre);
     claim("the light one went three times as far as the heavy one",
           abs((both.first.back() - 0.0 * metre) - 3.0 * (4.0 * metre - both.second.back())) < 1e-12 * metre);

@@ -7,11 +7,11 @@
 // says that in an inelastic collision all momentum is dissipated; the table below says otherwise.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
 
 #include <ansatz/world.hpp>
 
-#include <iomanip>
 #include <iostream>
 #include <vector>
 
@@ -31,7 +31,8 @@ int main() {
     const auto closing = cart.velocity - wagon.velocity;
 
     std::cout << "before: " << cart.velocity << " and " << wagon.velocity << ", momentum " << before << ", energy "
-              << energy(cart, wagon) << "\n\n   e   cart         wagon        momentum       energy\n";
+              << energy(cart, wagon) << "\n\n";
+    workbook::Columns table({"e", "cart", "wagon", "momentum", "energy"});
     std::vector<double> restitutions;
     std::vector<Quantity<unit::Energy>> energies;
     bool conserved = true, separated = true;
@@ -41,13 +42,13 @@ int main() {
         const auto after =
             mechanics::momentum(one.mass, one.velocity) + mechanics::momentum(other.mass, other.velocity);
         //! [collide]
-        std::cout << std::setw(5) << e << std::setw(8) << one.velocity << std::setw(8) << other.velocity << "   "
-                  << after << "   " << energy(one, other) << '\n';
+        table.row(e, one.velocity, other.velocity, after, energy(one, other));
         conserved = conserved && abs(after - before) < 1e-14 * kilogram_metre_per_second;
         separated = separated && abs((other.velocity - one.velocity) - e * closing) < 1e-14 * metre_per_second;
         restitutions.push_back(e);
         energies.push_back(energy(one, other));
     }
+    std::cout << table;
     claim("momentum is the same before and after, at every e", conserved);
     claim("they separate with e times the speed at which they met", separated);
     claim("e = 1: -2.5 m/s and 0.5 m/s, and no energy is lost",

@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -47,7 +48,7 @@ int main() {
         reason = error.what();
     }
     //! [refused]
-    std::cout << "Does it reach 22 m? " << reason << '\n';
+    workbook::say() << "Does it reach 22 m? " << reason << '\n';
     claim("out of reach is a sentence, not a NaN", !reason.empty());
 
     // s = v t - a t^2 / 2 with the initial velocity instead of the final one: from rest with 2 m/s^2 for 3 s.
@@ -55,8 +56,9 @@ int main() {
     const auto a = 2.0 * metre_per_second_squared;
     const auto t = 3.0 * second;
     const auto start = suvat::solve(suvat::initial_velocity(u), suvat::acceleration(a), suvat::time(t)).front();
-    std::cout << "From rest, 2 m/s^2 for 3 s: " << start.s << "; v t - a t^2 / 2 with v = " << start.v << " gives "
-              << start.v * t - 0.5 * a * t * t << ", with the initial velocity " << u * t - 0.5 * a * t * t << '\n';
+    workbook::say() << "From rest, 2 m/s^2 for 3 s: " << start.s << "; v t - a t^2 / 2 with v = " << start.v
+                    << " gives " << start.v * t - 0.5 * a * t * t << ", with the initial velocity "
+                    << u * t - 0.5 * a * t * t << '\n';
     claim("the final velocity belongs in the fifth equation", start.v * t - 0.5 * a * t * t == start.s);
 
     // Constant acceleration within a step: a spring's changes, so each step of u, a, t -> s, v has an error that adds
@@ -78,8 +80,8 @@ int main() {
         steps.push_back(in(dt, second));
         errors.push_back(std::abs(in(place, metre) - std::cos(1.0)));
     }
-    std::cout << "A spring of 1 s, by SUVAT steps: error " << errors[0] << " m with 16 of them, " << errors[3]
-              << " m with 128\n";
+    workbook::say() << "A spring of 1 s, by SUVAT steps: error " << errors[0] << " m with 16 of them, " << errors[3]
+                    << " m with 128\n";
     const double order = std::log2(errors[2] / errors[3]);
     claim("halving the step halves the error: order 1", order > 0.9 && order < 1.1);
 

@@ -9,6 +9,7 @@
 #include "claims.hpp"
 #include "oscillation.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -17,8 +18,8 @@ using namespace ansatz;
 
 int main() {
     const auto omega = 10.0 / second;
-    std::cout << "A mass on a spring, omega = " << omega
-              << ", for 3 s. Energy at the end, as a multiple of that at the start:\n";
+    workbook::say() << "A mass on a spring, omega = " << omega
+                    << ", for 3 s. Energy at the end, as a multiple of that at the start:\n";
     workbook::Plot plot("1.6.1", "Explicit Euler gains energy at every step, however short");
     plot.x("time").y("energy per mass").log_y();
     workbook::Claims claim;
@@ -38,7 +39,7 @@ int main() {
         claim("it has grown, although " + std::to_string(rate) + " steps a second were taken", measured > 1);
     }
     plot.write();
-    std::cout << "A body that only falls does not explode, but it is always a little too high, by g dt t / 2:\n";
+    workbook::say() << "A body that only falls does not explode, but it is always a little too high, by g dt t / 2:\n";
     //! [fall]
     World world{ExplicitEuler{}, Gravity{}};
     const auto body = world.add(position(metres(0, 0, 0)));

@@ -13,6 +13,7 @@
 #include "claims.hpp"
 #include "oscillation.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -45,8 +46,8 @@ int main() {
     const double step_angle = omega * dt;
     const double predicted = std::pow(1 + step_angle * step_angle, -60);
     //! [solved]
-    std::cout << "omega = " << omega << ", 60 Hz: after a second " << 100 * left
-              << " % of the energy are left (predicted " << 100 * predicted << " %)\n";
+    workbook::say() << "omega = " << omega << ", 60 Hz: after a second " << 100 * left
+                    << " % of the energy are left (predicted " << 100 * predicted << " %)\n";
     claim("the energy shrinks by 1 / (1 + (w dt)^2) in each step: 81 % are lost in a second",
           std::abs(left / predicted - 1) < 1e-12);
 
@@ -58,8 +59,8 @@ int main() {
     const auto harder = 100.0 / second; // w dt = 1.67
     const auto repeated = problems::oscillate<FixedPointEuler>(harder, dt, 60);
     const auto newton = problems::oscillate<ImplicitEuler>(harder, dt, 60);
-    std::cout << "omega dt = 1.67, 60 steps: 5 iterations a step end at " << repeated.places.back()
-              << ", Newton's method at " << newton.places.back() << '\n';
+    workbook::say() << "omega dt = 1.67, 60 steps: 5 iterations a step end at " << repeated.places.back()
+                    << ", Newton's method at " << newton.places.back() << '\n';
     claim("five iterations are not a solution: beyond w dt = 1 they explode",
           abs(repeated.places.back()) > 1e30 * metre);
     claim("solved exactly, the same step is calm", abs(newton.places.back()) < 1e-15 * metre);

@@ -12,6 +12,7 @@
 #include "film.hpp"
 #include "oscillation.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,8 +93,8 @@ int main() {
     claim("after 60000 steps the energy still swings about its start", most < 1.25 && least > 0.75);
     claim("what is kept exactly is H~, to rounding", drift < 1e-11);
 
-    std::cout << "The limit omega dt = 2: within 2000 steps the mass reaches " << reach(1.999) << " m at 1.999, "
-              << reach(2.001) << " m at 2.001\n";
+    workbook::say() << "The limit omega dt = 2: within 2000 steps the mass reaches " << reach(1.999) << " m at 1.999, "
+                    << reach(2.001) << " m at 2.001\n";
     claim("stable just below omega dt = 2", reach(1.999) < 100);
     claim("unstable just above", reach(2.001) > 1e9);
 
@@ -106,9 +107,9 @@ int main() {
           reach(1.01 * limit, problems::LinearDamping{c / second}) > 1e9);
 
     const auto [grown, kept_up, faded] = side_by_side();
-    std::cout << "After four seconds at 30 steps a second, omega = 4/s, a swing is " << grown
-              << " times as wide by explicit Euler, " << kept_up << " by semi-implicit, " << faded
-              << " by implicit Euler\n";
+    workbook::say() << "After four seconds at 30 steps a second, omega = 4/s, a swing is " << grown
+                    << " times as wide by explicit Euler, " << kept_up << " by semi-implicit, " << faded
+                    << " by implicit Euler\n";
     claim("one line makes the difference between growing and staying", grown > 2.5 && std::abs(kept_up - 1) < 0.02);
     claim("and the implicit one loses it", faded < 0.5);
 

@@ -13,6 +13,7 @@
 #include "claims.hpp"
 #include "oscillation.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -73,8 +74,9 @@ int main() {
         //! [starts]
     }
     auto order = [](const auto& errors) { return std::log2(double(errors[errors.size() - 2] / errors.back())); };
-    std::cout << "Orders of the three starts: with a dt^2/2 " << order(library) << ", without " << order(first_order)
-              << ", with s_{-1} = s_0 " << order(from_rest) << " (error stays at " << from_rest.back() << ")\n";
+    workbook::say() << "Orders of the three starts: with a dt^2/2 " << order(library) << ", without "
+                    << order(first_order) << ", with s_{-1} = s_0 " << order(from_rest) << " (error stays at "
+                    << from_rest.back() << ")\n";
     claim("started with s_0 - v_0 dt + a_0 dt^2 / 2, Verlet is of second order", std::abs(order(library) - 2) < 0.02);
     claim("without the last term it is of first order", std::abs(order(first_order) - 1) < 0.05);
     claim("started with s_{-1} = s_0 it does not converge at all", from_rest.back() > 0.2 * metre);
@@ -82,11 +84,11 @@ int main() {
     const auto log2 = [](double coarse, double fine) { return std::log2(coarse / fine); };
     const auto coarse = uneven(800, true), fine = uneven(1600, true);
     const double by_the_notes = uneven(1600, false).error;
-    std::cout << "Steps of h and 2h in turn: order " << log2(coarse.error, fine.error)
-              << " if the velocity is carried over, error " << by_the_notes << " m if not\n"
-              << "Order of the velocity: (s_x - s_{x-1}) / dt "
-              << log2(coarse.mean_velocity_error, fine.mean_velocity_error) << ", half a step later "
-              << log2(coarse.velocity_error, fine.velocity_error) << '\n';
+    workbook::say() << "Steps of h and 2h in turn: order " << log2(coarse.error, fine.error)
+                    << " if the velocity is carried over, error " << by_the_notes << " m if not\n"
+                    << "Order of the velocity: (s_x - s_{x-1}) / dt "
+                    << log2(coarse.mean_velocity_error, fine.mean_velocity_error) << ", half a step later "
+                    << log2(coarse.velocity_error, fine.velocity_error) << '\n';
     claim("with steps that vary it is of second order, if the velocity is carried over",
           std::abs(log2(coarse.error, fine.error) - 2) < 0.05);
     claim("by the notes' formula it does not converge then",

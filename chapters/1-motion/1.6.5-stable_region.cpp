@@ -141,9 +141,8 @@ int main([[maybe_unused]] int count, [[maybe_unused]] char** words) {
     Claims claim;
     workbook::Plot plot("1.6.5", "How long a step may be");
     plot.x("damping ratio").y("longest stable omega dt").y_range(0., 4.);
-    std::cout
-        << "Longest stable omega dt, measured (by theory):\n  damping ratio         0.0            0.5            1.0"
-           "            1.5\n";
+    std::cout << "Longest stable omega dt, measured (by theory):\n"
+              << "  damping ratio          0.0           0.5           1.0           1.5\n";
     std::vector<double> dampings, limits;
     double worst = 0;
     bool always = true;
@@ -155,7 +154,7 @@ int main([[maybe_unused]] int count, [[maybe_unused]] char** words) {
             const double bound = theory(points[k]);
             const auto number = std::lround(10 * points[k].damping);
             if (number % 5 == 0) {
-                if (bound == longest) std::cout << "  any   (any)  ";
+                if (bound == longest) std::cout << "   any   (any)";
                 else std::cout << ' ' << measured[k] << " (" << bound << ')';
             }
             if (i == 2) always = always && measured[k] == longest && bound == longest;

@@ -8,8 +8,10 @@
 // a force that grows with the square of the speed, gives a falling body a terminal speed.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
 #include "problems.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -31,19 +33,19 @@ template <class Damping> double left_after_a_second(int rate, Damping damping) {
 
 int main() {
     workbook::Claims claim;
-    std::cout << "What is left of a velocity after a second, at 30, 60 and 120 steps a second:\n";
     const double f30 = left_after_a_second(30, FrameDrag{0.99}), f60 = left_after_a_second(60, FrameDrag{0.99}),
                  f120 = left_after_a_second(120, FrameDrag{0.99});
-    std::cout << "  FrameDrag{0.99}:     " << f30 << "  " << f60 << "  " << f120 << '\n';
-    claim("a factor for each frame: 0.740, 0.547, 0.299 of the velocity",
-          std::abs(f30 - 0.740) < 1e-3 && std::abs(f60 - 0.547) < 1e-3 && std::abs(f120 - 0.299) < 1e-3);
 
     //! [rate]
     const auto rate = -60 * std::log(0.99) / second; // the same drag as 0.99 for each frame at 60 Hz
     const double d30 = left_after_a_second(30, Drag{rate}), d60 = left_after_a_second(60, Drag{rate}),
                  d120 = left_after_a_second(120, Drag{rate});
     //! [rate]
-    std::cout << "  Drag{0.603 / second}: " << d30 << "  " << d60 << "  " << d120 << '\n';
+    std::cout << workbook::Columns({"left of a velocity after a second", "at 30 steps", "at 60 steps", "at 120 steps"})
+                     .row("FrameDrag{0.99}", f30, f60, f120)
+                     .row("Drag{0.603 / second}", d30, d60, d120);
+    claim("a factor for each frame: 0.740, 0.547, 0.299 of the velocity",
+          std::abs(f30 - 0.740) < 1e-3 && std::abs(f60 - 0.547) < 1e-3 && std::abs(f120 - 0.299) < 1e-3);
     claim("a rate for each second: the same at every frame rate",
           std::abs(d30 - d60) < 1e-9 && std::abs(d60 - d120) < 1e-9);
 
@@ -76,8 +78,8 @@ int main() {
         sky.step(1.0 / 240 * second);
     }
     const auto at_5 = speeds[5 * 240];
-    std::cout << "A fall in air: " << at_5 << " after 5 s (exact: 37.674924 m/s), " << speeds.back()
-              << " after 20 s (exact: 49.960962 m/s)\n";
+    workbook::say() << "A fall in air: " << at_5 << " after 5 s (exact: 37.674924 m/s), " << speeds.back()
+                    << " after 20 s (exact: 49.960962 m/s)\n";
     claim("quadratic drag follows v_t tanh(g t / v_t)",
           abs(at_5 - 37.674924 * metre_per_second) < 1e-4 * metre_per_second &&
               abs(speeds.back() - 49.960962 * metre_per_second) < 1e-4 * metre_per_second);

@@ -10,6 +10,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -60,8 +61,8 @@ int main() {
             if (event.kind == Event::Kind::slept) slept_at = ice.time();
     }
     //! [puck]
-    std::cout << "A puck on rough ice fell asleep after " << slept_at << "; it is now " << name_of(ice.motion(puck))
-              << ", velocity " << ice.velocity(puck) << '\n';
+    workbook::say() << "A puck on rough ice fell asleep after " << slept_at << "; it is now "
+                    << name_of(ice.motion(puck)) << ", velocity " << ice.velocity(puck) << '\n';
     claim("a body that is slow for half a second, and that nothing pulls, rests", ice.motion(puck) == Motion::resting);
     claim("its velocity is exactly zero", ice.velocity(puck) == metres_per_second(0, 0, 0));
     //! [push]

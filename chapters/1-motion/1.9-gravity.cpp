@@ -6,6 +6,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/world.hpp>
 
@@ -73,8 +74,8 @@ int main() {
     //! [off]
     const auto here = lift.position(ball);
     for (int i = 0; i < 60; ++i) lift.step(1.0 / 60 * second);
-    std::cout << "Gravity switched off at the top of a throw: the ball moves " << norm(lift.position(ball) - here)
-              << " in the next second\n";
+    workbook::say() << "Gravity switched off at the top of a throw: the ball moves " << norm(lift.position(ball) - here)
+                    << " in the next second\n";
     claim("switched off at the apex, the ball stays where it is", norm(lift.position(ball) - here) < 1e-10 * metre);
     return claim.result();
 }

@@ -6,6 +6,7 @@
 // same with both, to the last bit; only the broadphase in its list is another one.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
 
 #include <ansatz/collision.hpp>
@@ -50,12 +51,14 @@ template <class Broadphase> double tests(int n) {
 int main() {
     workbook::Claims claim;
     std::vector<double> sizes, all, few;
+    workbook::Columns table({"bodies", "tests a step", "behind a broadphase"});
     for (const int n : {50, 100, 200, 400, 800}) {
         sizes.push_back(n);
         all.push_back(tests<AllPairs>(n));
         few.push_back(tests<UniformGrid<>>(n));
-        std::cout << n << " bodies: " << all.back() << " tests a step, behind a broadphase " << few.back() << '\n';
+        table.row(n, all.back(), few.back());
     }
+    std::cout << table;
     claim("all pairs are N (N - 1) / 2", all.back() == 800.0 * 799 / 2);
     claim("twice the bodies are four times the tests", all[4] / all[3] > 3.9);
     claim("behind a broadphase they grow two and a half times at most from 400 to 800 bodies", few[4] / few[3] < 2.5);

@@ -9,7 +9,9 @@
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <iostream>
 #include <vector>
@@ -34,6 +36,7 @@ int main() {
     std::vector<double> numbers, all, by_boxes, truly;
     double checks_of_boxes = 0, collisions = 0;
     bool none_lost = true;
+    workbook::Columns table({"balls", "pairs", "whose boxes touch", "that touch"});
     for (const int n : {25, 50, 100, 200, 400, 800, 1600}) {
         //! [two steps]
         const auto balls = scenes::uniform(n);
@@ -50,17 +53,17 @@ int main() {
         by_boxes.push_back(double(pairs.size()));
         truly.push_back(double(right));
         checks_of_boxes += double(pairs.size()), collisions += double(right);
-        std::cout << n << " balls: " << all.back() << " pairs, " << pairs.size() << " whose boxes touch, " << right
-                  << " that do\n";
+        table.row(n, all.back(), pairs.size(), right);
     }
+    std::cout << table;
     claim("no collision is lost", none_lost);
     claim("at 1600 balls fewer than one check in 500 is left", by_boxes.back() < all.back() / 500);
     claim("but the box tests are N (N - 1) / 2, as the checks were", all.back() == 1600.0 * 1599 / 2);
 
     // How many boxes touch without their balls: a cube of side 4r around a centre, against a ball of radius 2r in it.
     const double expected = 64 / (4.0 / 3 * M_PI * 8);
-    std::cout << "Of boxes that touch there are " << checks_of_boxes / collisions
-              << " for each collision; the volumes say " << expected << '\n';
+    workbook::say() << "Of boxes that touch there are " << checks_of_boxes / collisions
+                    << " for each collision; the volumes say " << expected << '\n';
     claim("that is 6/pi, the volume of a cube by that of its ball",
           std::abs(checks_of_boxes / collisions / expected - 1) < 0.1);
 

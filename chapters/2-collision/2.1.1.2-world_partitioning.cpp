@@ -8,7 +8,9 @@
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 #include "strokes.hpp"
 
 #include <algorithm>
@@ -80,8 +82,8 @@ int main() {
         find_pairs(UniformGrid{2.0 * metre}, boxes); // or UniformGrid{}, which chooses the width itself
     //! [grid]
     const std::size_t inside = pairs_inside_cells(balls, 2);
-    std::cout << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; searching each cell alone finds "
-              << inside << " of them\n";
+    workbook::say() << "1000 balls, cells of 2 m: " << right.size() << " pairs touch; searching each cell alone finds "
+                    << inside << " of them\n";
     claim("without provision for boundaries more than half of the pairs are lost", 2 * inside < right.size());
     claim("the grid finds the very pairs that the box test finds", by_cells == right);
     bool same = true;
@@ -91,7 +93,7 @@ int main() {
 
     // How many tests, as there are more and more bodies.
     std::vector<double> numbers, all, by_grid, crowded;
-    std::cout << "    N    tests by boxes    by cells    by cells, all in one\n";
+    workbook::Columns table({"N", "tests by boxes", "by cells", "by cells, all in one"});
     for (const int n : {50, 100, 200, 400, 800, 1600, 3200}) {
         Work work, one_place;
         //! [count]
@@ -103,8 +105,9 @@ int main() {
         all.push_back(0.5 * n * (n - 1));
         by_grid.push_back(work.tests);
         crowded.push_back(one_place.tests);
-        std::cout << "  " << n << "    " << all.back() << "    " << work.tests << "    " << one_place.tests << '\n';
+        table.row(n, all.back(), work.tests, one_place.tests);
     }
+    std::cout << table;
     const double growth = by_grid.back() / by_grid[by_grid.size() - 2];
     std::cout << "Twice as many bodies, " << growth << " times as many tests\n";
     claim("twice as many bodies are about twice as many tests, not four times", growth > 1.7 && growth < 2.4);

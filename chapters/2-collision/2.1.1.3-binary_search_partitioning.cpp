@@ -9,6 +9,7 @@
 
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
 #include "strokes.hpp"
 
@@ -102,7 +103,7 @@ int main() {
 
     // The threshold, from one body a cell to all in one.
     std::vector<double> thresholds, tests, members, sum;
-    std::cout << "threshold    tests a body    cells a body is in\n";
+    workbook::Columns table({"threshold", "tests a body", "cells a body is in"});
     for (int threshold = 1; threshold <= 4096; threshold *= 2) {
         Work work;
         //! [threshold]
@@ -111,8 +112,9 @@ int main() {
         thresholds.push_back(threshold);
         tests.push_back(work.tests / n);
         members.push_back(work.members / n);
-        std::cout << "  " << threshold << "          " << tests.back() << "          " << members.back() << '\n';
+        table.row(threshold, tests.back(), members.back());
     }
+    std::cout << table;
     claim("too high, and there is no benefit: (N - 1) / 2 tests a body",
           tests.back() == 0.5 * (n - 1) && members.back() == 1);
     // It would be worse still, if the octree did not refuse a division that hands on twice as many bodies as there are.

@@ -10,6 +10,7 @@
 #include "broadphase_scenes.hpp"
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 #include "strokes.hpp"
 
 #include <algorithm>
@@ -95,8 +96,8 @@ int main() {
     broadphase.find(boxes, [&](std::size_t, std::size_t) { ++pairs; });
     //! [library]
     const std::size_t across = left_by_sweep(boxes, 0), along = left_by_sweep(boxes, 1);
-    std::cout << "A tower of 1000 balls: of 499500 pairs, " << across << " overlap on the x axis, " << along
-              << " on y, " << pairs << " on all three\n";
+    workbook::say() << "A tower of 1000 balls: of 499500 pairs, " << across << " overlap on the x axis, " << along
+                    << " on y, " << pairs << " on all three\n";
     claim("sort and sweep finds the very pairs that the box test finds",
           pairs == right.size() && find_pairs(SortAndSweep{}, boxes) == right);
     claim("along the tower it leaves less than a twentieth of what it leaves across", along < across / 20);

@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 #include "strokes.hpp"
 
 #include <ansatz/collision.hpp>
@@ -67,8 +68,8 @@ int main() {
     };
     //! [their point]
     const double from_one = point_of_the_notes(0, 0.6), from_other = point_of_the_notes(0.6, 0);
-    std::cout << "With S1 - N (r1 - p) the point is at " << from_one << " m or at " << from_other
-              << " m, as one or the other sphere comes first\n";
+    workbook::say() << "With S1 - N (r1 - p) the point is at " << from_one << " m or at " << from_other
+                    << " m, as one or the other sphere comes first\n";
     claim("the notes' two points are a depth apart, and the middle between them is the symmetric one",
           std::abs(from_other - from_one - 0.4) < 1e-12 &&
               std::abs(0.5 * (from_one + from_other) - in(x(touch->point), metre)) < 1e-12);

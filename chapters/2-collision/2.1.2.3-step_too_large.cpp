@@ -11,6 +11,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
@@ -97,12 +98,12 @@ int main() {
         ahead.push_back(behind(v, now, SoftSubsteps<>{}));
         swept.push_back(behind(v, throughout, Impulse<>{}, Projection{}));
     }
-    std::cout << "Of 100 balls at 8 m/s " << plain[3] << " come out behind the wall, at 30 m/s " << plain[14]
-              << "; with Swept " << swept[3] << " and " << swept[14] << '\n'
-              << "At 500 m/s: " << behind(500, now, Impulse<>{}, Projection{}) << ", with Swept "
-              << behind(500, throughout, Impulse<>{}, Projection{}) << "; it keeps a ball at " << std::fixed
-              << std::setprecision(3) << shot(500, 1, throughout, Impulse<>{}, Projection{})
-              << " m, where it touches\n";
+    workbook::say() << "Of 100 balls at 8 m/s " << plain[3] << " come out behind the wall, at 30 m/s " << plain[14]
+                    << "; with Swept " << swept[3] << " and " << swept[14] << '\n'
+                    << "At 500 m/s: " << behind(500, now, Impulse<>{}, Projection{}) << ", with Swept "
+                    << behind(500, throughout, Impulse<>{}, Projection{}) << "; it keeps a ball at " << std::fixed
+                    << std::setprecision(3) << shot(500, 1, throughout, Impulse<>{}, Projection{})
+                    << " m, where it touches\n";
     claim("while a step is shorter than half of the way through, all are stopped",
           plain[2] == 0 && shot(8.9, 1, now, Impulse<>{}, Projection{}) < 0);
     claim("beyond the middle a ball is resolved in the opposite direction, below the critical speed already",

@@ -9,8 +9,10 @@
 // needs a threshold, or a ball that lies on the ground keeps bouncing off what gravity gives it in a single step.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/world.hpp>
@@ -182,8 +184,8 @@ int main() {
     const auto j = collision_impulse(both, both, w, w, Eigen::Vector3d(-1, 0, 0), 1.0);
     //! [side by side]
     const double of_the_sum = -2 * (5 + 5) * -1.0 / 2; // J with v_a + v_b
-    std::cout << "Side by side at 5 m/s: J = " << j << "; with the sum of the velocities it would be " << of_the_sum
-              << " N s\n";
+    workbook::say() << "Side by side at 5 m/s: J = " << j << "; with the sum of the velocities it would be "
+                    << of_the_sum << " N s\n";
     claim("bodies that move together do not push each other", j.value() == 0);
 
     // Two bodies of 1 kg that overlap by 0.1 m and separate at 1 m/s each: v_N = 2 m/s.
@@ -196,25 +198,25 @@ int main() {
     const auto apart = x(separating.position(right)) - x(separating.position(left));
     //! [separating]
     const double stopped = 2 + 2 * impulse_without_condition(2, 0), turned = 2 + 2 * impulse_without_condition(2, 1);
-    std::cout << "Two that separate at 2 m/s are " << apart
-              << " apart after 1 s; the formula alone would leave them v_N = " << stopped << " m/s (e = 0) or "
-              << turned << " m/s (e = 1)\n";
+    workbook::say() << "Two that separate at 2 m/s are " << apart
+                    << " apart after 1 s; the formula alone would leave them v_N = " << stopped << " m/s (e = 0) or "
+                    << turned << " m/s (e = 1)\n";
     claim("bodies that separate get no impulse", std::abs(in(apart, metre) - 2.9) < 1e-12);
     claim("the formula alone would glue them together, or drive them back into each other",
           stopped == 0 && turned == -2);
 
     const double g_dt = 9.81 / 240, by_formula = trembles_with(0.5);
-    std::cout << "What lies on the ground trembles by the formula alone with " << by_formula
-              << " m/s (e = 0.5), gravity gives " << g_dt << " m/s in a step\n";
+    workbook::say() << "What lies on the ground trembles by the formula alone with " << by_formula
+                    << " m/s (e = 0.5), gravity gives " << g_dt << " m/s in a step\n";
     claim("the formula without a threshold leaves e / (1 + e) of what gravity gives in a step",
           std::abs(by_formula - 0.5 / 1.5 * g_dt) < 1e-12);
 
     const auto without_threshold = settle(0.0 * metre_per_second), with_threshold = settle(0.25 * metre_per_second);
     const double one_fall = std::sqrt(2 / 9.81);
-    std::cout << "Dropped from 1 m with e = 0.5: at rest after " << with_threshold.came_to_rest << " s and "
-              << with_threshold.way << " m, by the series " << 3 * one_fall << " s and " << 5.0 / 3 << " m\n"
-              << "In the last half second it moves at " << with_threshold.trembles
-              << " m/s, in a world with a threshold of zero at " << without_threshold.trembles << " m/s\n";
+    workbook::say() << "Dropped from 1 m with e = 0.5: at rest after " << with_threshold.came_to_rest << " s and "
+                    << with_threshold.way << " m, by the series " << 3 * one_fall << " s and " << 5.0 / 3 << " m\n"
+                    << "In the last half second it moves at " << with_threshold.trembles
+                    << " m/s, in a world with a threshold of zero at " << without_threshold.trembles << " m/s\n";
     // What is slower than the threshold does not bounce any more: of the series up to 2 e v / (g (1 - e)) is left out.
     const double v = 0.25, left_out = 2 * v / 9.81, way_left_out = v * v * 0.25 / (9.81 * 0.75);
     claim("with a threshold it rests when the series ends, but for the bounces below the threshold",
@@ -226,22 +228,23 @@ int main() {
 
     const auto euler = heights<ExplicitEuler>(), half = heights<SemiImplicitEuler>(),
                verlet = heights<VelocityVerlet>();
-    std::cout << "After 20 bounces with e = 1: " << euler.back() << " (explicit Euler), " << half.back()
-              << " (semi-implicit), " << verlet.back() << " (velocity Verlet) of the height\n";
+    workbook::say() << "After 20 bounces with e = 1: " << euler.back() << " (explicit Euler), " << half.back()
+                    << " (semi-implicit), " << verlet.back() << " (velocity Verlet) of the height\n";
     bool all = true;
     for (const auto& tops : {euler, half, verlet})
         for (const double top : tops) all = all && top > 0.99 && top < 1.01;
     claim("a ball with e = 1 comes back to its height, with every integrator", all);
 
     const auto tops = side_by_side();
-    std::cout << "Dropped side by side, balls come back to";
+    std::string come_back;
     double off = 0;
     for (std::size_t k = 0; k < 5; ++k) {
         const double e = 0.25 * double(k);
         off = std::max(off, std::abs(tops[k] - e * e));
-        std::cout << (k == 0 ? " " : ", ") << std::round(100 * tops[k]) << " %";
+        come_back += (k == 0 ? "" : ", ") + workbook::printed(std::round(100 * tops[k]), " %");
     }
-    std::cout << " of their height, with e = 0, 1/4, 1/2, 3/4, 1\n";
+    workbook::say() << "Dropped side by side, balls come back to " << come_back
+                    << " of their height, with e = 0, 1/4, 1/2, 3/4, 1\n";
     claim("that is e^2 of it, but for what a step takes or gives", off < 0.03);
 
     workbook::Plot plot("2.2.1", "Twenty bounces with e = 1");

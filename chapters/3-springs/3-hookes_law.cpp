@@ -10,6 +10,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
@@ -67,7 +68,8 @@ int main() {
         if (pendulum.time() > 55.0 * second) highest = std::max<double>(highest, y(pendulum.position(bob)) / metre);
     }
     //! [axis]
-    std::cout << "A pendulum on a damped spring still rises to " << highest << " m after a minute; its start was 0 m\n";
+    workbook::say() << "A pendulum on a damped spring still rises to " << highest
+                    << " m after a minute; its start was 0 m\n";
     claim("the damper takes the stretching, not the swing", highest > -0.02);
 
     workbook::Plot plot("3", "A spring is displaced in proportion to what it carries");

@@ -7,6 +7,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
@@ -66,16 +67,16 @@ int main() {
         const auto v = sqrt(2.0 * (9.81 * metre_per_second_squared) * (4.0 * metre));
         return weight + sqrt(weight * weight + k * (80.0 * kilogram) * v * v);
     };
-    std::cout << "A fall of 4 m, 80 kg: a rope of " << soft << " pulls with at most " << gives.peak << ", one of "
-              << stiff << " with " << does_not.peak << '\n';
+    workbook::say() << "A fall of 4 m, 80 kg: a rope of " << soft << " pulls with at most " << gives.peak << ", one of "
+                    << stiff << " with " << does_not.peak << '\n';
     claim("the peak is what the energy of the fall says, soft", abs(gives.peak / expected(soft) - 1.0) < 0.005);
     claim("and stiff", abs(does_not.peak / expected(stiff) - 1.0) < 0.02);
     bool pushed = false;
     for (const auto& pull : does_not.pulls) pushed = pushed || pull < -1e-6 * newton;
     claim("no rope ever pushed", !pushed);
 
-    std::cout << "A rope of " << stiff << " that holds " << usual << " broke at " << breaks.how.tension
-              << ", stretched by " << 100 * breaks.how.strain << " %\n";
+    workbook::say() << "A rope of " << stiff << " that holds " << usual << " broke at " << breaks.how.tension
+                    << ", stretched by " << 100 * breaks.how.strain << " %\n";
     claim("the stiff rope breaks in a fall that the soft one catches", breaks.broke && gives.peak < usual);
     claim("it breaks in the step after which it pulls too hard",
           breaks.how.tension > usual && breaks.how.tension < 1.1 * usual);

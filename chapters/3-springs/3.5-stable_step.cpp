@@ -8,7 +8,9 @@
 // notes do not divide.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/springs.hpp>
 #include <ansatz/world.hpp>
@@ -52,20 +54,20 @@ int main() {
     std::vector<double> ratios;
     std::vector<Quantity<unit::Time>> limits, closed;
     bool sharp = true;
-    std::cout << "   c in N s/m   limit of the step   at 0.99 of it    at 1.01 of it\n";
+    workbook::Columns table({"c in N s/m", "limit of the step", "at 0.99 of it", "at 1.01 of it"});
     for (const double c : {0.0, 2.0, 20.0, 200.0}) {
         //! [advice]
         const auto world = spring<SemiImplicitEuler>(k, c * newton_second_per_metre);
         const auto limit = stable_step(world);
         //! [advice]
         const double below = reach(world, 0.99 * limit), above = reach(world, 1.01 * limit);
-        std::cout << "   " << c << "            " << limit << "       " << below << " mm      "
-                  << (above < 100 ? "stays" : "explodes") << '\n';
+        table.row(c, limit, workbook::printed(below, " mm"), above < 100 ? "stays" : "explodes");
         sharp = sharp && below < 20 && above >= 100;
         ratios.push_back(c / 20);
         limits.push_back(limit);
         closed.push_back((std::sqrt(c * c + 400) - c) / 100 * second);
     }
+    std::cout << table;
     claim("the limit is sharp: it stays at 0.99, it explodes at 1.01", sharp);
     claim("without damping it is 2/omega", abs(limits[0] - 0.2 * second) < 1e-9 * second);
     claim("ten times the critical damping makes it twenty times smaller",
@@ -84,7 +86,7 @@ int main() {
         sentence = error.what();
     }
     //! [refuse]
-    std::cout << sentence << '\n';
+    workbook::say() << sentence << '\n';
     claim("StepLimit<Refuse> says what would do, and nothing has happened",
           refused.tick() == 0 && sentence.find("0.002 s") != std::string::npos);
     //! [divide]

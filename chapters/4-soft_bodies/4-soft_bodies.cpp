@@ -6,6 +6,7 @@
 // built it. The same bodies and springs, added by hand, move alike to the last bit.
 
 #include "claims.hpp"
+#include "say.hpp"
 
 #include <ansatz/soft_bodies.hpp>
 #include <ansatz/world.hpp>
@@ -78,8 +79,8 @@ int main() {
         by_hand.step(1.0 / 500 * second);
     }
     //! [by hand]
-    std::cout << "After a second the flag's free corner is at " << built.position(parts.bodies[12])
-              << ", that of the flag made by hand at " << by_hand.position(bodies[12]) << '\n';
+    workbook::say() << "After a second the flag's free corner is at " << built.position(parts.bodies[12])
+                    << ", that of the flag made by hand at " << by_hand.position(bodies[12]) << '\n';
     bool alike = true;
     for (std::size_t v = 0; v < bodies.size(); ++v)
         alike = alike && built.position(parts.bodies[v]) == by_hand.position(bodies[v]) &&

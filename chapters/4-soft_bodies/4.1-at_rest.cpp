@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/soft_bodies.hpp>
 #include <ansatz/world.hpp>
@@ -79,8 +80,8 @@ int main() {
     Quantity<unit::Length> farthest{};
     for (const Handle body : parts.bodies)
         farthest = std::max(farthest, norm(rounded.position(body) - as_built.position(body)));
-    std::cout << "With rest lengths of a tenth of a millimetre it begins with a tension of " << tensions.front()
-              << " and has moved by up to " << farthest << " after two seconds\n";
+    workbook::say() << "With rest lengths of a tenth of a millimetre it begins with a tension of " << tensions.front()
+                    << " and has moved by up to " << farthest << " after two seconds\n";
     claim("rest lengths that are typed in are no rest", tensions.front().value() > 0 && farthest.value() > 0);
 
     workbook::Plot plot("4.1", "A sheet at rest, and one whose rest lengths were rounded to 0.1 mm");

@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/soft_bodies/vertex_block_descent.hpp>
 #include <ansatz/soft_bodies/xpbd.hpp>
@@ -84,8 +85,8 @@ int main() {
     const World few{SemiImplicitEuler{}, Gravity{}, Springs{}, VertexBlockDescent{.iterations = 4}};
     const World many{SemiImplicitEuler{}, Gravity{}, Springs{}, VertexBlockDescent{.iterations = 300}};
     const double after_few = stretch(few, soft, 3000), after_many = stretch(many, soft, 3000);
-    std::cout << "   one body after the other: stretched by " << after_few << " after 4 iterations a frame, by "
-              << after_many << " after 300\n";
+    workbook::say() << "   one body after the other: stretched by " << after_few << " after 4 iterations a frame, by "
+                    << after_many << " after 300\n";
     claim("block descent is Hooke's law after many iterations", std::abs(after_many - 1) < 1e-3);
     claim("and not after few", std::abs(after_few - 1) > 0.01);
 

@@ -7,6 +7,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/collision.hpp>
 #include <ansatz/soft_bodies/pressure.hpp>
@@ -129,9 +130,9 @@ int main() {
         of_skin.push_back(extent(here, skin).first);
     });
     const auto jump = [](const auto& heights) { return *std::max_element(heights.begin() + 24, heights.end()); };
-    std::cout << "Thrown down at 5 m/s the ball is pressed to " << flattest << " of height, its volume stays between\n"
-              << least << " and " << most << ", and it jumps to " << jump(of_ball) << ". Its skin alone jumps to "
-              << jump(of_skin) << ".\n";
+    workbook::say() << "Thrown down at 5 m/s the ball is pressed to " << flattest
+                    << " of height, its volume stays between " << least << " and " << most << ", and it jumps to "
+                    << jump(of_ball) << ". Its skin alone jumps to " << jump(of_skin) << ".\n";
     claim("it is pressed flat by a twentieth, and its volume changes by less than a hundredth",
           flattest < 0.95 * 0.6 * metre && most / least < 1.01);
     claim("with its air it jumps four times as high as its skin alone", jump(of_ball) > 4.0 * jump(of_skin));

@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/soft_bodies/cloth.hpp>
 #include <ansatz/soft_bodies/strain_limit.hpp>
@@ -55,9 +56,10 @@ int main() {
     const auto cloth = hang(springs), same = hang(limited);
     const auto dt = 1.0 / 500 * second;
     const auto free = strains(springs, dt, 1.5 * second), held = strains(limited, dt, 1.5 * second);
-    std::cout << std::fixed << std::setprecision(3) << "   springs alone: stretched by " << free.second
-              << " of a spring's length at most, and by " << free.first << " on the way\n"
-              << "   with a limit of 0.1: by " << held.second << ", and by " << held.first << " on the way\n";
+    std::cout << std::fixed << std::setprecision(3);
+    workbook::say() << "   springs alone: stretched by " << free.second << " of a spring's length at most, and by "
+                    << free.first << " on the way\n"
+                    << "   with a limit of 0.1: by " << held.second << ", and by " << held.first << " on the way\n";
     claim("springs alone hang like rubber: the longest is more than half too long", free.second > 0.5);
     claim("with a limit none is more than a tenth too long when the sheet hangs, but for two thousandths",
           held.second < 0.102);

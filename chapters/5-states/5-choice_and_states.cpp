@@ -13,6 +13,7 @@
 #include <ansatz/states.hpp>
 #include <ansatz/world.hpp>
 
+#include <iomanip>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -89,7 +90,7 @@ int main() {
         times.push_back(line.world.time());
         speeds.push_back(line.speed());
     }
-    for (const auto& leg : legs) std::cout << "  " << leg.begin << "  " << leg.state << '\n';
+    for (const auto& leg : legs) std::cout << std::setw(9) << leg.begin.value() << " s  " << leg.state << '\n';
     claim("it stands, pulls, rolls, brakes and stands",
           legs.size() == 5 && legs[2].state == "rolls" && driver.is_in("stands"));
     claim("it pulls for v/a = 25 s", abs(legs[2].begin - legs[1].begin - 25.0 * second) < 2.0 * dt);

@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "guard_npc.hpp"
+#include "say.hpp"
 
 #include <iostream>
 
@@ -88,6 +89,6 @@ int main() {
     claim("every chase began with a shout, by hand too",
           of_hand.shouts ==
               int(std::count_if(hand.begin(), hand.end(), [](const Began& b) { return b.state == "chase"; })));
-    std::cout << "Doors to chase, each of which must not forget the shout: 3 by hand, 1 in the description\n";
+    workbook::say() << "Doors to chase, each of which must not forget the shout: 3 by hand, 1 in the description\n";
     return claim.result();
 }

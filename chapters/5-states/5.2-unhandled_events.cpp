@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "graphviz.hpp"
+#include "say.hpp"
 
 #include <ansatz/states.hpp>
 
@@ -82,7 +83,7 @@ int main() {
         sentence = error.what();
     }
     //! [refuse]
-    std::cout << sentence << '\n';
+    workbook::say() << sentence << '\n';
     claim("a strict machine refuses, and is where it was",
           strict.is_in("open") && sentence.find("lock") != std::string::npos);
     workbook::draw_graph("5.2", to_dot(outline_of<Door>(), strict.active_names()));

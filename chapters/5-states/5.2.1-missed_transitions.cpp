@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/states.hpp>
 #include <ansatz/world.hpp>
@@ -111,7 +112,7 @@ int main() {
     // Nobody need find this by hand: the guards know what they compare.
     //! [check]
     const auto findings = check(outline_of<ByEquality>());
-    for (const auto& finding : findings) std::cout << finding.text << '\n';
+    for (const auto& finding : findings) workbook::say() << finding.text << '\n';
     //! [check]
     claim("the checker reports the equality", findings.size() == 1 && findings[0].what == Finding::What::equality);
     claim("and has nothing to say about the others",

@@ -8,7 +8,9 @@
 // the checker finds.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/states.hpp>
 
@@ -83,16 +85,17 @@ int main() {
     workbook::Claims claim;
     std::vector<int> states, flat, nested;
     bool same = true, counts = true;
-    std::cout << "  states   transitions, flat   with parents\n";
+    workbook::Columns table({"states", "transitions, flat", "with parents"});
     for (const int k : {1, 2, 4, 8, 16, 32}) {
         const Outline one = machine_of(k, false), other = machine_of(k, true);
         states.push_back(3 * k);
         flat.push_back(int(one.transitions.size()));
         nested.push_back(int(other.transitions.size()));
-        std::cout << "  " << states.back() << "        " << flat.back() << "                 " << nested.back() << '\n';
+        table.row(states.back(), flat.back(), nested.back());
         same = same && same_trace(one, other, 2000);
         counts = counts && flat.back() == 3 * k * 3 && nested.back() == 3 * k + 6;
     }
+    std::cout << table;
     claim("flat, every state needs a transition to each other behaviour: 3k (1 + 2)", counts);
     claim("the machine with parents does the same", same);
 
@@ -109,7 +112,7 @@ int main() {
     for (auto& transition : wrong.transitions)
         if (transition.targets[0] == "flee 0") transition.targets[0] = "combat 0"; // the wrong line was copied
     wrong.transitions.erase(wrong.transitions.begin());                            // and the first one deleted
-    for (const auto& finding : check(wrong)) std::cout << finding.text << '\n';
+    for (const auto& finding : check(wrong)) workbook::say() << finding.text << '\n';
     //! [check]
     claim("both states of flee are unreachable, and the checker says so",
           check(wrong).size() >= 2 && check(wrong)[0].what == Finding::What::unreachable);

@@ -9,13 +9,16 @@
 // report, not a feeling.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "graphviz.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/states.hpp>
 #include <ansatz/world.hpp>
 
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 #include <random>
 #include <string>
@@ -128,19 +131,20 @@ int main() {
                                    transitions_in_noise<3>(n), transitions_in_noise<4>(n), transitions_in_noise<5>(n)};
     auto law = [&](double w) { return n * 0.5 * std::erfc(w / std::sqrt(2.0)); };
     bool follows = true;
-    std::cout << "  half-width   transitions in 100000 updates   the law\n";
+    workbook::Columns table({"half-width", "transitions in 100000 updates", "the law"});
     for (std::size_t w = 0; w < widths.size(); ++w) {
-        std::cout << "  " << w << " sigma                 " << counted[w] << "                       "
-                  << std::round(10 * law(double(w))) / 10 << '\n';
+        table.row(workbook::printed(w, " sigma"), counted[w],
+                  workbook::printed(std::fixed, std::setprecision(1), law(double(w))));
         follows = follows && std::abs(counted[w] - law(double(w))) <= 5 * std::sqrt(law(double(w))) + (w == 5 ? 1 : 0);
     }
+    std::cout << table;
     claim("transitions follow n erfc(w / sqrt 2) / 2", follows);
     claim("a band of five sigma keeps still", counted[5] <= 1);
 
     // Feedback.
     const Walk bare = follow<OneThreshold>(60), banded = follow<WithBand>(60), dwelling = follow<WithDwell>(60);
-    std::cout << "In a minute the follower changes his mind " << bare.transitions << " times, with a band "
-              << banded.transitions << " times, with a dwell time " << dwelling.transitions << " times\n";
+    workbook::say() << "In a minute the follower changes his mind " << bare.transitions << " times, with a band "
+                    << banded.transitions << " times, with a dwell time " << dwelling.transitions << " times\n";
     claim("with one threshold he turns at more than half of all updates", bare.transitions > 60 * 60 / 2);
     claim("and faster updates make it worse", follow<OneThreshold>(240).transitions > 3 * bare.transitions);
     // 1 m at 2 m/s, 1 m at 1 m/s: a period of 1.5 s; each turn comes up to a step late.

@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "graphviz.hpp"
+#include "say.hpp"
 
 #include <ansatz/states.hpp>
 #include <ansatz/states/save.hpp>
@@ -98,7 +99,7 @@ int main() {
     try {
         load(changed, file, "guard.json");
     } catch (const std::invalid_argument& e) {
-        std::cout << e.what() << '\n';
+        workbook::say() << e.what() << '\n';
         claim("a guard who was changed is not loaded into", !changed.started());
     }
     //! [changed]

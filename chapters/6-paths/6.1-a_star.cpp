@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
@@ -55,7 +56,8 @@ int main() {
     const Cell start{1, 1}, goal{5, 1};
     AStar search{map, Octile{}}; // it counts in whole numbers: a straight step of a tile is 33461
     //! [search]
-    std::cout << "S start, G goal, # wall; P is moved to the closed list (x), what it sees to the open list (o).\n";
+    workbook::say()
+        << "S start, G goal, # wall; P is moved to the closed list (x), what it sees to the open list (o).\n";
 
     Watch watch;
     bool by_least_f = true, f_never_falls = true, no_list_twice = true;
@@ -77,9 +79,8 @@ int main() {
         auto rows = drawing::lists_of(map, search, start, goal);
         rows[watch.newest.y][watch.newest.x] = 'P';
         drawing::Rows texts{"turn " + std::to_string(++turn), "P " + values(search, watch.newest),
-                            "of its neighbours " + std::to_string(watch.added) +
-                                " are new on the open list, and a cheaper way leads to " +
-                                std::to_string(watch.improved_),
+                            "neighbours new on the open list: " + std::to_string(watch.added) +
+                                "; reached by a cheaper way: " + std::to_string(watch.improved_),
                             "open:"};
         for (std::size_t i = 0; i < open.size() && i < 3; ++i)
             texts.back() +=
@@ -101,7 +102,7 @@ int main() {
         return true;
     }());
 
-    std::cout << "\nThe parents, from the goal back:";
+    std::string parents;
     //! [parents]
     std::vector<Cell> path;
     for (Cell c = goal;; c = search.node(c)->parent) { // 4
@@ -109,17 +110,17 @@ int main() {
         if (c == start) break; // the start is its own parent
     }
     //! [parents]
-    for (std::size_t i = path.size(); i-- > 0;) std::cout << ' ' << name_of(path[i]);
-    std::cout << '\n';
+    for (std::size_t i = path.size(); i-- > 0;) parents += ' ' + name_of(path[i]);
+    workbook::say() << "\nThe parents, from the goal back:" << parents << '\n';
     const bool same = std::equal(path.begin(), path.end(), search.path().begin(), search.path().end());
     claim("turned round they are the path", same);
     bool closed = true;
     for (const Cell c : search.path()) closed = closed && search.is_closed(c);
     claim("every node of the path is on the closed list, but not every closed node on the path",
           closed && search.closed_list().size() > search.path().size());
-    std::cout << search.expanded() << " nodes were expanded, " << search.generated()
-              << " were ever on the open list, of " << map.size() << "; the path is " << map.length(search.path())
-              << " long\n";
+    workbook::say() << search.expanded() << " nodes were expanded, " << search.generated()
+                    << " were ever on the open list, of " << map.size() << "; the path is " << map.length(search.path())
+                    << " long\n";
     claim("and is as long as its cheapest way: the steps of Dijkstra's search find no shorter one", [&] {
         AStar dijkstra{map, ZeroHeuristic{}};
         return dijkstra.find(start, goal) == Outcome::found && dijkstra.cost() == search.cost() &&

@@ -13,6 +13,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
@@ -61,7 +62,7 @@ int main() {
 
     //! [check]
     const auto wrong = check_heuristic(country, Unscaled{Octile{}}, town);
-    if (wrong) std::cout << wrong->sentence << '\n';
+    if (wrong) workbook::say() << wrong->sentence << '\n';
     //! [check]
     claim("checking names the node where it is worst", wrong && wrong->estimate > wrong->true_cost);
     claim("and finds nothing wrong with the other", !check_heuristic(country, Octile{}, town));

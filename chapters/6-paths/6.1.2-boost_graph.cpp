@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/boost_a_star.hpp>
@@ -127,9 +128,9 @@ int main() {
     } catch (const Reached&) { // its documented way to stop
     }
     //! [near]
-    std::cout << "A path of " << near.path().size() - 1 << " steps on a map of a million tiles: our loop wrote "
-              << near.generated() << " nodes, boost::astar_search prepared " << count.prepared << " and expanded "
-              << count.expanded << '\n';
+    workbook::say() << "A path of " << near.path().size() - 1 << " steps on a map of a million tiles: our loop wrote "
+                    << near.generated() << " nodes, boost::astar_search prepared " << count.prepared << " and expanded "
+                    << count.expanded << '\n';
     claim("what Boost's search prepares is the whole map", count.prepared == plain.size());
     claim("what ours writes is what it sees", near.generated() < 100);
 

@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
@@ -55,7 +56,7 @@ int main() {
     //! [smooth]
     const std::vector<Cell> corners = smooth(swamp, quickest.path());
     //! [smooth]
-    std::cout << "Its corners, from which one can walk straight on:";
+    std::cout << "Its corners, from which one can walk straight on:\n ";
     for (const Cell c : corners) std::cout << ' ' << name_of(c);
     std::cout << "; " << straight_tiles(corners) * swamp.tile() << '\n';
     claim("smoothed it is shorter, and keeps out of the swamp", straight_tiles(corners) < swamp.tiles(quickest.path()));
@@ -67,7 +68,7 @@ int main() {
         //! [refused]
         claim("a negative weight is refused", false);
     } catch (const std::invalid_argument& error) {
-        std::cout << error.what() << '\n';
+        workbook::say() << error.what() << '\n';
         claim("a negative weight is refused when it is set, not when a search meets it", true);
     }
 

@@ -11,6 +11,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/goap.hpp>
 #include <ansatz/paths/heuristics.hpp>
@@ -78,7 +79,7 @@ void by_machine(workbook::Claims& claim) {
     for (std::size_t i = 0; i < trace.size(); ++i)
         if (trace[i].what == Happening::What::entered)
             entered += (entered.empty() ? "" : ", ") + std::string(machine.name(trace[i].state));
-    std::cout << "Carried out by a machine: " << entered << '\n';
+    workbook::say() << "Carried out by a machine: " << entered << '\n';
     claim("the thief takes the machine out of its state, after three blows; the new plan leads it on",
           runner.reached() && runner.plans() == 2 && man.blows == 3 &&
               entered == "stand about, fell the tree, gather branches, done, light a fire, done");
@@ -113,12 +114,12 @@ int main() {
     planner.plan(now, goal);
     //! [plan]
     const double cost = planner.cost();
-    std::cout << "The plan, for " << cost << ": " << planner.why() << '\n';
+    workbook::say() << "The plan, for " << cost << ": " << planner.why() << '\n';
     std::vector<double> step, g, f;
     bool never_too_much = true;
     for (std::size_t i = 0; i < planner.states().size(); ++i) {
         const auto& node = *planner.search().node(planner.states()[i]);
-        std::cout << "  g " << node.g << ", h " << node.h << "  " << woods.words(planner.states()[i]) << '\n';
+        workbook::say() << "  g " << node.g << ", h " << node.h << "  " << woods.words(planner.states()[i]) << '\n';
         never_too_much = never_too_much && node.h <= planner.cost() - node.g + 1e-12;
         step.push_back(double(i)), g.push_back(node.g), f.push_back(node.f());
     }
@@ -169,7 +170,7 @@ int main() {
     desert.action("brew", 1).needs(boiling).makes(cup);
     goap::Planner hopeless{desert};
     hopeless.plan(desert.state({}), desert.condition({cup}));
-    std::cout << hopeless.why() << '\n';
+    workbook::say() << hopeless.why() << '\n';
     //! [why]
     claim("it says what is missing", hopeless.outcome() == goap::Outcome::no_path);
 

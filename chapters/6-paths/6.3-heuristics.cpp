@@ -8,6 +8,7 @@
 // a lower bound for every node, and the larger one of two lower bounds is a lower bound again.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "drawing.hpp"
 #include "growth.hpp"
 
@@ -82,8 +83,9 @@ int main() {
         if (i > 0) std::cout << '\n';
         drawing::print_beside({rows[i].name, rows[i + 1].name}, {rows[i].drawing, rows[i + 1].drawing});
     }
-    std::cout << "\nheuristic, nodes expanded, length of the path in tiles\n";
-    for (const Row& row : rows) std::cout << "  " << row.name << ", " << row.expanded << ", " << row.tiles << '\n';
+    workbook::Columns table({"heuristic", "nodes expanded", "length of the path in tiles"});
+    for (const Row& row : rows) table.row(row.name, row.expanded, row.tiles);
+    std::cout << '\n' << table;
 
     const Row &zero = rows[0], &chebyshev = rows[1], &euclid = rows[2], &octile = rows[3], &both = rows[4],
               &weighted = rows[5], &landmarks = rows[6];

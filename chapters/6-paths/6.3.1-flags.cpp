@@ -10,6 +10,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
@@ -95,8 +96,8 @@ int main() {
             .distance_inf(infinite)
             .visitor(Expansions{{}, &examined}));
     //! [boost]
-    std::cout << "boost::astar_search with infinite weights: " << examined
-              << " nodes expanded; the goal has g = " << g[index[inside]] << '\n';
+    workbook::say() << "boost::astar_search with infinite weights: " << examined
+                    << " nodes expanded; the goal has g = " << g[index[inside]] << '\n';
     claim("it goes through every tile of the map, walls and room too",
           examined == open.size() && g[index[inside]] == infinite);
 

@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths.hpp>
 
@@ -68,7 +69,7 @@ int main() {
 
     //! [order]
     const std::array<Errand, 2> b_first{a_first[1], a_first[0]};
-    if (!search.find(b_first)) std::cout << search.why() << '\n';
+    if (!search.find(b_first)) workbook::say() << search.why() << '\n';
     //! [order]
     claim("if B is first there is no plan: A is not at the bay in time", search.failed() == 1);
 

@@ -8,7 +8,9 @@
 // again before they are walked. (A part of section 6.3, beyond the notes.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "crowd_film.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths.hpp>
 
@@ -85,7 +87,9 @@ int main() {
     claim("nobody meets anybody", !first_meeting(plans));
     claim("eight steps each, two into the bay and out, and one that is waited", best.tiles() == 19);
 
-    std::cout << "Of 20 crowds: solved in 2000 nodes of the tree, their mean number; by ranks, and how much dearer\n";
+    std::cout << "20 crowds each; the best plan is given up after 2000 nodes of the tree\n";
+    workbook::Columns table({"agents", "solved", "nodes of the tree", "by ranks as well", "dearer by"});
+    const auto tenths = [](double x) { return workbook::printed(std::fixed, std::setprecision(1), x); };
     std::vector<double> agents, nodes, searches;
     double gap = 0;
     std::size_t first_solved = 0, last_solved = 0;
@@ -115,12 +119,11 @@ int main() {
         if (n == 2) first_solved = solved;
         last_solved = solved;
         if (ranked > 0) gap = std::max(gap, dearer / double(ranked));
-        std::cout << "  " << std::setw(2) << n << " agents: " << std::setw(2) << solved << ", " << std::setw(6)
-                  << std::fixed << std::setprecision(1) << double(tree) / 20 << "; " << std::setw(2) << ranked << ", "
-                  << (ranked > 0 ? 100 * dearer / double(ranked) : 0.0) << " %\n"
-                  << std::defaultfloat << std::setprecision(6);
+        table.row(n, solved, tenths(double(tree) / 20), ranked,
+                  workbook::printed(tenths(ranked > 0 ? 100 * dearer / double(ranked) : 0.0), " %"));
         agents.push_back(double(n)), nodes.push_back(double(tree) / 20), searches.push_back(double(expanded) / 20);
     }
+    std::cout << table;
     claim("what ranks find is never cheaper than the best", never_cheaper);
     claim("the tree grows faster than the number of agents, to more than 20 times with 6 times as many",
           nodes.back() > 20 * nodes.front());
@@ -141,8 +144,8 @@ int main() {
     team.begin(crowd(square, random, 16));
     while (!team.all_arrived() && team.stalled() < 50) team.step();
     //! [window]
-    std::cout << "A crowd of 16 on 64 tiles, 16 steps ahead: all there after " << team.steps() << " steps, "
-              << team.expanded() / 16 << " nodes an agent\n";
+    workbook::say() << "A crowd of 16 on 64 tiles, 16 steps ahead: all there after " << team.steps() << " steps, "
+                    << team.expanded() / 16 << " nodes an agent\n";
     claim("all have arrived", team.all_arrived());
 
     std::mt19937 again(5);

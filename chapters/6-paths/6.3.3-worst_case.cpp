@@ -7,7 +7,9 @@
 // to where it came nearest, or accept a path that is not the best. (A part of section 6.3.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/graph.hpp>
@@ -41,13 +43,13 @@ int main() {
     //! [locked]
     map.set_passable(door, false);
     search.find(start, goal);
-    std::cout << search.why() << '\n';
+    workbook::say() << search.why() << '\n';
     //! [locked]
     const std::size_t locked = search.expanded();
     AStar all{map, ZeroHeuristic{}};
     all.find(start, goal);
-    std::cout << "with the door open: " << open_door << " nodes expanded; locked: " << locked
-              << "; without any heuristic: " << all.expanded() << '\n';
+    workbook::say() << "with the door open: " << open_door << " nodes expanded; locked: " << locked
+                    << "; without any heuristic: " << all.expanded() << '\n';
     claim("no path: everything that can be reached was expanded, and a heuristic does not help",
           search.outcome() == Outcome::no_path && locked == all.expanded());
     claim("but only that: the inside of the castle was not", !search.node(goal));
@@ -70,7 +72,7 @@ int main() {
     //! [budget]
     map.set_passable(door, false);
     const auto outcome = search.find(start, goal, 1000);
-    std::cout << search.why() << '\n';
+    workbook::say() << search.why() << '\n';
     //! [budget]
     const Cell nearest = search.path().back();
     claim("given up, it has a path to where it came nearest",
@@ -84,19 +86,20 @@ int main() {
     std::vector<double> weights, expansions;
     std::vector<double> lengths;
     bool within = true;
-    std::cout << "w, nodes expanded, length over the best\n";
+    workbook::Columns table({"w", "nodes expanded", "length over the best"});
     //! [weighted]
     for (const double w : {1.0, 1.2, 1.5, 2.0, 5.0}) {
         AStar hasty{map, Weighted{Octile{}, w}, NoReopening{}};
         hasty.find(start, goal);
         const double longer = map.tiles(hasty.path()) / map.tiles(at_once.path());
         within = within && longer <= w + 1e-9;
-        std::cout << "  " << w << ", " << hasty.expanded() << ", " << longer << '\n';
+        table.row(w, hasty.expanded(), longer);
         //! [weighted]
         weights.push_back(w);
         expansions.push_back(double(hasty.expanded()));
         lengths.push_back(longer);
     }
+    std::cout << table;
     claim("weighted by w, the path costs at most w times the best", within);
     claim("and a small w saves most of what there is to save", expansions[2] < 0.5 * expansions[0]);
 

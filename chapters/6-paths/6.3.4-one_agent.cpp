@@ -14,6 +14,7 @@
 
 #include "claims.hpp"
 #include "drawing.hpp"
+#include "say.hpp"
 
 #include <ansatz/paths/a_star.hpp>
 #include <ansatz/paths/grid/from_rows.hpp>
@@ -117,8 +118,8 @@ int main() {
     };
     for (int round = 0; round < 100; ++round) turn(a, b, a_goal), turn(b, a, b_goal);
     //! [wall]
-    std::cout << "Each with the other as a wall: after 100 rounds, " << moves << " moves and " << searches
-              << " searches for another way they stand like this\n";
+    workbook::say() << "Each with the other as a wall: after 100 rounds, " << moves << " moves and " << searches
+                    << " searches for another way they stand like this\n";
     drawing::print(drawn(a, b));
     claim("they never come past each other", a != a_goal && b != b_goal && searches > 180);
 
@@ -149,7 +150,7 @@ int main() {
     claim("over the graph of both places A* finds a plan, in which one steps aside",
           both.outcome() == Outcome::found && apart && aside);
     claim("it is longer than either's own path", both.cost() > double(a_path.size() - 1));
-    std::cout << "Nodes of such a graph with " << together.tiles.size() << " free tiles:";
+    std::cout << "Nodes of such a graph with " << together.tiles.size() << " free tiles:\n ";
     for (int k = 1; k <= 6; ++k)
         std::cout << (k > 1 ? ", " : " ") << std::pow(double(together.tiles.size()), k) << " for " << k;
     std::cout << '\n';

@@ -9,6 +9,7 @@
 // searches then too. (A part of section 6.3.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "drawing.hpp"
 
 #include <ansatz/paths/a_star.hpp>
@@ -113,11 +114,10 @@ int main() {
                                   walked.way);
     };
     drawing::print_beside({"when touched", "also when cheaper"}, {drawn(touched), drawn(cheaper)});
-    std::cout << "rule, searches, nodes expanded, length of the walk in tiles\n"
-              << "  when touched, " << touched.searches << ", " << touched.expanded << ", " << touched.tiles << '\n'
-              << "  also when cheaper, " << cheaper.searches << ", " << cheaper.expanded << ", " << cheaper.tiles
-              << '\n'
-              << "  before each step, " << always.searches << ", " << always.expanded << ", " << always.tiles << '\n';
+    std::cout << workbook::Columns({"rule", "searches", "nodes expanded", "length of the walk in tiles"})
+                     .row("when touched", touched.searches, touched.expanded, touched.tiles)
+                     .row("also when cheaper", cheaper.searches, cheaper.expanded, cheaper.tiles)
+                     .row("before each step", always.searches, always.expanded, always.tiles);
     claim("of five events one touches the rest of the path: two searches with the first one", touched.searches == 2);
     claim("what becomes cheaper elsewhere it does not see: the way by the ford would have been shorter",
           always.tiles < touched.tiles - 1);

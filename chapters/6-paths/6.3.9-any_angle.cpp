@@ -8,6 +8,7 @@
 // always. `AnyAngle` does both and takes the shorter one. (A part of section 6.3, beyond the notes.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "drawing.hpp"
 
 #include <ansatz/paths.hpp>
@@ -52,6 +53,9 @@ int main() {
     // How often is which the shorter? Maps of 48 x 48 tiles, a share of them blocked.
     bool both = true, never_longer = true, sees = true;
     int in_the_open = 0, among_stones = 0; // by how many paths more LazyTheta is the shorter
+    std::cout << "How often each is the shorter, and what it saves of the way along the tiles\n";
+    workbook::Columns table({"blocked", "paths", "LazyTheta's", "saves", "smoothed", "saves", "the shorter"});
+    const auto percent = [](double left) { return workbook::printed(100 * (1 - left), " %"); };
     for (const int share : {5, 10, 20, 30}) {
         std::mt19937 random(5);
         int paths = 0, theta_shorter = 0, smooth_shorter = 0;
@@ -72,13 +76,12 @@ int main() {
             for (std::size_t k = 1; k < each.path().size(); ++k)
                 sees = sees && line_of_sight(moor, each.path()[k - 1], each.path()[k]);
         }
-        std::cout << std::setw(2) << share << " % blocked: of " << paths << " paths LazyTheta's is the shorter in "
-                  << theta_shorter << ", the smoothed one in " << smooth_shorter << "; they save "
-                  << 100 * (1 - by_theta / tiles) << " and " << 100 * (1 - by_smoothing / tiles)
-                  << " %, the shorter one " << 100 * (1 - shorter / tiles) << " %\n";
+        table.row(workbook::printed(share, " %"), paths, theta_shorter, percent(by_theta / tiles), smooth_shorter,
+                  percent(by_smoothing / tiles), percent(shorter / tiles));
         (share == 5 ? in_the_open : among_stones) = theta_shorter - smooth_shorter;
         both = both && theta_shorter > 0 && smooth_shorter > 0;
     }
+    std::cout << table;
     claim("in the open LazyTheta is mostly the shorter, among stones smoothing is",
           in_the_open > 0 && among_stones < 0);
     claim("each is sometimes the shorter one", both);

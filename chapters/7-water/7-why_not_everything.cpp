@@ -8,7 +8,9 @@
 // of the many that a step needs, against a whole step of the columns.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -51,11 +53,11 @@ void sweep(std::size_t n, const std::vector<float>& pressure, const std::vector<
 int main() {
     workbook::Claims claim;
     std::vector<double> sides, volume, surface, formula;
-    std::cout << "  N    numbers in a volume   of a surface   of four waves\n";
+    workbook::Columns table({"N", "numbers in a volume", "of a surface", "of four waves"});
     for (const std::size_t n : {16U, 32U, 64U, 128U}) {
         // Velocity and pressure in each cell; height and rate in each column; length, height, direction, phase.
         const std::size_t in_volume = 4 * n * n * n, in_surface = 2 * n * n, in_formula = 16;
-        std::cout << "  " << n << "   " << in_volume << "   " << in_surface << "   " << in_formula << '\n';
+        table.row(n, in_volume, in_surface, in_formula);
 
         std::vector<float> pressure(n * n * n), divergence(n * n * n, 0.1F), next(n * n * n);
         sides.push_back(double(n));
@@ -77,10 +79,11 @@ int main() {
         }));
     }
     // How many sweeps are needed: an error as long as the box shrinks by cos(pi/N) with each.
+    std::cout << table;
     const double rate = std::cos(3.14159265358979 / 128);
     const double sweeps = std::log(0.01) / std::log(rate);
-    std::cout << "In 128^3 cells a sweep leaves " << rate << " of an error as long as the box: to a hundredth of it, "
-              << std::round(sweeps) << " sweeps\n";
+    workbook::say() << "In 128^3 cells a sweep leaves " << rate
+                    << " of an error as long as the box: to a hundredth of it, " << std::round(sweeps) << " sweeps\n";
     claim("thousands of sweeps, where nothing better is used", sweeps > 1e4);
     const double against_columns = volume.back() / surface.back(), against_waves = volume.back() / formula.back();
     claim("one sweep of them takes more than ten steps of columns", against_columns > 10);

@@ -7,6 +7,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -58,9 +59,9 @@ int main() {
     write_obj(mesh, fine);
     write_pgm(image, map, 0.0 * metre, 2.0 * metre);
     //! [tessellated]
-    std::cout << map.points_x() * map.points_z() << " points become " << fine.points_x() * fine.points_z()
-              << " and a mesh of " << 2 * (fine.points_x() - 1) * (fine.points_z() - 1) << " triangles in "
-              << mesh.str().size() / 1024 << " KiB; the image has " << image.str().size() << " bytes\n";
+    workbook::say() << map.points_x() * map.points_z() << " points become " << fine.points_x() * fine.points_z()
+                    << " and a mesh of " << 2 * (fine.points_x() - 1) * (fine.points_z() - 1) << " triangles in "
+                    << mesh.str().size() / 1024 << " KiB; the image has " << image.str().size() << " bytes\n";
     double apart = 0, off = 0;
     for (double x = 0.013; x < 8; x += 0.037)
         for (double z = 0.011; z < 8; z += 0.041) {

@@ -10,6 +10,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -71,7 +72,7 @@ int main() {
     try {
         pool.step(0.05 * second);
     } catch (const std::invalid_argument& refused) {
-        std::cout << refused.what() << '\n';
+        workbook::say() << refused.what() << '\n';
     }
     //! [too_long]
     claim("the pool takes no step beyond the limit dx / (c sqrt(2))",

@@ -8,7 +8,9 @@
 // columns stick at the limit: a plateau. (A part of 7.2.)
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -80,9 +82,9 @@ Driven rocked(const Policy& policy, int minutes, const std::function<void(std::v
     return all;
 }
 
-void print(const std::string& name, const Driven& d) {
-    std::cout << name << ": in the last 20 s from " << (d.lowest < 1e-9 ? 0.0 : d.lowest) << " m to " << d.highest
-              << " m, " << (std::abs(d.volume) < 1e-9 ? 0.0 : d.volume) << " m^3 more than at first\n";
+void row(workbook::Columns& table, const std::string& name, const Driven& d) {
+    table.row(name, workbook::printed(d.lowest < 1e-9 ? 0.0 : d.lowest, " m"), workbook::printed(d.highest, " m"),
+              workbook::printed(std::abs(d.volume) < 1e-9 ? 0.0 : d.volume, " m^3"));
 }
 } // namespace
 
@@ -96,11 +98,13 @@ int main() {
     const auto cut = rocked(WaterColumns{speed}, 1, [](std::vector<double>& heights) {
         for (double& h : heights) h = std::clamp(h, 0.95, 1.25); // heights alone, and no room below
     });
-    print("left alone    ", free);
-    print("damped        ", damped);
-    print("Pipes         ", pipes);
-    print("ClampedColumns", clamped);
-    print("heights alone ", cut);
+    workbook::Columns table({"in the last 20 s", "the lowest", "the highest", "more water than at first"});
+    row(table, "left alone", free);
+    row(table, "damped", damped);
+    row(table, "Pipes", pipes);
+    row(table, "ClampedColumns", clamped);
+    row(table, "heights alone", cut);
+    std::cout << table;
     claim("pushed in time, a pool swings higher and higher", free.highest > 1.5);
     claim("damping ends it", damped.highest < 1.1);
     claim("pipes end it where the ground falls dry: none runs below it, no water is lost, and 4 min are as 1",
@@ -110,8 +114,8 @@ int main() {
           clamped.highest <= 1.25 && clamped.lowest >= 0.75 && std::abs(clamped.volume) < 1e-12);
     claim("a clamp of the heights alone makes water", cut.volume > 0.1);
     claim("and a plateau at the limit", cut.at_limit >= 2 * clamped.at_limit);
-    std::cout << "Columns on the upper limit at the same time: " << cut.at_limit << " where heights alone are clamped, "
-              << clamped.at_limit << " in ClampedColumns\n";
+    workbook::say() << "Columns on the upper limit at the same time: " << cut.at_limit
+                    << " where heights alone are clamped, " << clamped.at_limit << " in ClampedColumns\n";
 
     workbook::Plot plot("7.2.3", "The western column of a pool that is pushed once in each swing");
     plot.x("time in seconds").y("height in metres");

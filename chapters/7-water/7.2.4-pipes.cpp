@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -79,8 +80,9 @@ int main() {
             if (still.height[i] == 0 && shore.height(i, 0) > 1e-3 * metre) furthest = std::max(furthest, i);
     }
     //! [wave]
-    std::cout << "The wave wets dry ground as far as " << channel.centre_x(furthest)
-              << "; what floated at 6 m came as far as " << *std::max_element(places.begin(), places.end()) << " m\n";
+    workbook::say() << "The wave wets dry ground as far as " << channel.centre_x(furthest)
+                    << "; what floated at 6 m came as far as " << *std::max_element(places.begin(), places.end())
+                    << " m\n";
     claim("the wave runs up dry ground", furthest > 0);
     claim("what floats is carried along", *std::max_element(places.begin(), places.end()) > 6.2);
     claim("no drop is lost on the way", std::abs(double(shore.volume() / before) - 1) < 1e-13);

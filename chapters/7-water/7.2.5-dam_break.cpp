@@ -8,6 +8,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -60,8 +61,8 @@ int main() {
         std::cout << "  " << count << " columns: " << 100 * errors.back() << " % off Ritter's closed form\n";
     }
     const double order = std::log2(errors[3] / errors[4]);
-    std::cout << "Twice the columns leave " << std::exp2(-order) << " of it: order " << order
-              << ". The scheme is of order 1 where water is smooth, and the foot and the shoulder are not\n";
+    workbook::say() << "Twice the columns leave " << std::exp2(-order) << " of it: order " << order
+                    << ". The scheme is of order 1 where water is smooth, and the foot and the shoulder are not\n";
     claim("it converges, a bit slower than to first order", order > 0.55 && order < 1);
 
     const auto water = broken(ShallowWater{}, 200);

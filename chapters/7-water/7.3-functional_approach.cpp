@@ -8,8 +8,10 @@
 // for: with the height of the point that rests at x a boat floats beside the water.
 
 #include "claims.hpp"
+#include "columns.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 
@@ -50,12 +52,13 @@ std::vector<Wave> sea_of_wind(Quantity<unit::Velocity> wind, int count, unsigned
 int main() {
     workbook::Claims claim;
 
+    workbook::Columns speeds({"a wave of", "runs over deep water at", "and where it is 2 m deep"});
     //! [dispersion]
     for (const double metres_long : {1.0, 10.0, 100.0})
-        std::cout << "A wave of " << metres_long << " m runs at " << water::phase_speed(metres_long * metre)
-                  << " over deep water and at " << water::phase_speed(metres_long * metre, 2.0 * metre)
-                  << " where it is 2 m deep\n";
+        speeds.row(workbook::printed(metres_long, " m"), water::phase_speed(metres_long * metre),
+                   water::phase_speed(metres_long * metre, 2.0 * metre));
     //! [dispersion]
+    std::cout << speeds;
     const auto period = water::period(10.0 * metre);
     std::cout << "10 m long, it passes in " << period << '\n';
     claim("k is 2 pi / lambda: 2.53079 s; with 2 / lambda it would be 4.49 s",
@@ -93,8 +96,8 @@ int main() {
     const auto right = sharp.height(place, zero, 0.0 * second);
     const auto naive = y(sharp.position(place, zero, 0.0 * second)); // of the point that rests at 1 m, and is not there
     //! [sharp]
-    std::cout << "At 1 m a sharp crest is " << right << " high; the point that rests there is at "
-              << x(sharp.position(place, zero, 0.0 * second)) << ", " << naive << " high\n";
+    workbook::say() << "At 1 m a sharp crest is " << right << " high; the point that rests there is at "
+                    << x(sharp.position(place, zero, 0.0 * second)) << ", " << naive << " high\n";
     const auto found = sharp.position(x(sharp.rest(place, zero, 0.0 * second)), zero, 0.0 * second);
     claim("the height at x is that of the point that is at x",
           abs(x(found) - place) < 1e-9 * metre && abs(y(found) - right) < 1e-9 * metre);
@@ -107,8 +110,8 @@ int main() {
                trough = swell.velocity(5.0 * metre, zero, zero, 0.0 * second),
                deep = swell.velocity(0.0 * metre, -5.0 * metre, zero, 0.0 * second);
     //! [drift]
-    std::cout << "Under a crest the water runs at " << x(crest) << ", under a trough at " << x(trough)
-              << ", and 5 m below the crest at " << x(deep) << '\n';
+    workbook::say() << "Under a crest the water runs at " << x(crest) << ", under a trough at " << x(trough)
+                    << ", and 5 m below the crest at " << x(deep) << '\n';
     claim("with the wave under a crest, against it under a trough",
           x(crest) == -x(trough) && x(crest) > 0.0 * metre_per_second);
     claim("half a wavelength down, exp(-pi) of it is left",

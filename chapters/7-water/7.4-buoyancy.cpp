@@ -9,6 +9,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
@@ -55,15 +56,15 @@ int main() {
     const auto stone = heights(2000, false), cork = heights(250, false);
     const auto stone_exact = heights(2000, true), cork_exact = heights(250, true);
 
-    std::cout << "A stone of 2000 kg/m^3 falls through the water with " << acceleration(stone, 0.7)
-              << " m/s^2, where g is -9.81\n";
+    workbook::say() << "A stone of 2000 kg/m^3 falls through the water with " << acceleration(stone, 0.7)
+                    << " m/s^2, where g is -9.81\n";
     claim("the denser body is slowed, to half of g", std::abs(acceleration(stone, 0.7) + g / 2) < 1e-9);
     const double lowest = std::min_element(cork.begin(), cork.end())->value();
     std::cout << "A cork of 250 kg/m^3 is turned round " << std::round((4 - lowest) * 100) << " cm under the surface\n";
     claim("the lighter body is turned round", lowest > 3 && lowest < 4);
     const double leaps = std::max_element(cork.end() - 2 * int(rate), cork.end())->value();
-    std::cout << "In the last two seconds the cork with a fixed acceleration still leaps to "
-              << std::round(leaps * 10) / 10 << " m; the water is 4 m deep\n";
+    workbook::say() << "In the last two seconds the cork with a fixed acceleration still leaps to "
+                    << std::round(leaps * 10) / 10 << " m; the water is 4 m deep\n";
     claim("a fixed acceleration never lets it float", leaps > 4.8);
     const double rest = cork_exact.back().value();
     std::cout << "With Archimedes it lies at " << std::round(rest * 100) / 100 << " m\n";

@@ -9,6 +9,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
@@ -76,8 +77,8 @@ int main() {
     }
     std::cout << "The stone broke its spring after " << std::round(broke * 100) / 100 << " s\n";
     claim("the stone sinks far enough and breaks its spring", world.afloat(on_stone).broken);
-    std::cout << "Up to " << std::round(most * 1e4) / 10 << " litres were pressed up; when the spring broke, "
-              << std::round(after * 1e4) / 10 << " were left, which the duck presses\n";
+    workbook::say() << "Up to " << std::round(most * 1e4) / 10 << " litres were pressed up; when the spring broke, "
+                    << std::round(after * 1e4) / 10 << " were left, which the duck presses\n";
     claim("the column is free", after < 0.5 * most);
     std::cout << "The duck hangs " << std::round((world.afloat(on_duck).level - y(world.position(duck))).value() * 100)
               << " cm under the surface\n";

@@ -11,6 +11,7 @@
 #include "claims.hpp"
 #include "film.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
@@ -97,8 +98,8 @@ int main() {
     }
     for (const auto& thing : things) {
         const auto now = surface_touch(world, thing.on);
-        std::cout << "The " << thing.name << ": contacts begun in a minute: " << thing.begins.size()
-                  << (now.broken ? "; it broke its spring, and lies on the bed\n" : "\n");
+        workbook::say() << "The " << thing.name << ": contacts begun in a minute: " << thing.begins.size()
+                        << (now.broken ? "; it broke its spring, and lies on the bed\n" : "\n");
     }
     const auto stone = surface_touch(world, things[0].on), raft = surface_touch(world, things[1].on);
     claim("one sinks", stone.broken && y(world.position(things[0].body)) < -1.5 * metre);

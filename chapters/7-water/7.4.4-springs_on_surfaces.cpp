@@ -8,6 +8,7 @@
 
 #include "claims.hpp"
 #include "plot.hpp"
+#include "say.hpp"
 
 #include <ansatz/water.hpp>
 #include <ansatz/world.hpp>
@@ -103,10 +104,10 @@ int main() {
     workbook::Claims claim;
     const Run soft = over_soft_body(), rings = over_ripples();
     for (const auto& [name, run] : {std::pair("soft body", &soft), std::pair("ripples", &rings)})
-        std::cout << "Over the " << name << " the spring broke after " << std::round(run->broke * 100) / 100 << " s, "
-                  << std::round(run->deep.value() * 1000) / 10
-                  << " cm under the level at rest; a metre beside it the surface moved by "
-                  << std::round(swing(*run) * 1000) / 10 << " cm\n";
+        workbook::say() << "Over the " << name << " the spring broke after " << std::round(run->broke * 100) / 100
+                        << " s, " << std::round(run->deep.value() * 1000) / 10
+                        << " cm under the level at rest; a metre beside it the surface moved by "
+                        << std::round(swing(*run) * 1000) / 10 << " cm\n";
     claim("the stone breaks its spring over both", soft.broke > 0 && rings.broke > 0);
     claim("over the soft body it is deeper by then: the surface has given way",
           soft.deep > rings.deep + 0.02 * metre && soft.broke > rings.broke);

@@ -11,6 +11,8 @@
 # The same of their pictures and films (tools/plot.hpp, tools/graphviz.hpp, tools/film.hpp): each that a section draws is kept in
 # docs/pictures and is what is drawn; a film frame by frame. Of what another version of gnuplot or Graphviz draws this says that it is
 # not compared, and how wide the letters are, on which Graphviz places its states, depends on the fonts of the machine.
+#
+# And that none of them prints a line wider than a terminal of 80 columns.
 set -euo pipefail
 project=$1
 build=${ANSATZ_BUILD:-${ANSATZ_SCRATCH%/*/*}}
@@ -108,6 +110,8 @@ for source in "${programs[@]}"; do
 done
 for recording in docs/recordings/*; do
     name=${recording##*/}
+    wide=$(LC_ALL=C.UTF-8 awk 'length > 80 { print; exit }' "$recording")
+    [ -z "$wide" ] || fault "$recording has a line that is wider than 80 columns; say() wraps it, Columns keeps a table straight: $wide"
     sources=(chapters/*/"${name%.txt}"-*.cpp)
     if [ ${#sources[@]} -eq 0 ]; then fault "$recording is no section's"; continue; fi
     grep -qE "(^|/)${name//./\\.}\$" <<< "$included" || fault "no page includes $recording"

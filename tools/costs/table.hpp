@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "../gnuplot.hpp" // visible_width
+#include "../width.hpp"
 #include "order.hpp"
 #include "row.hpp"
 
