@@ -32,7 +32,8 @@ expect 0 "1.6.1 started explicit_euler" -- list
 
 answer 'x += a * dt; v += a * dt;'
 expect 1 "the first error is at exercises/1-motion/explicit_euler/exercise.hpp:22" "22 | x += a * dt; v += a * dt;" \
-    "this adds or compares quantities of different units: m and m/s" -- exercise
+    "this adds or compares quantities of different units: m and m/s" "task exercises/1-motion/explicit_euler/README.md" \
+    "next ./workbook exercise explicit_euler, or" -- exercise
 
 # Right in its own words: not the solution's letters, and rounded differently.
 answer 'const auto way = dt * v; x = x + way; v = v + dt * a;'

@@ -33,6 +33,7 @@ try_exercise() {
     start=$(now)
     if ! build_quietly "compiling your answer" "exercise.$ID.student"; then
         explain_failed_build
+        next_steps
         return 1
     fi
     if ! list_tests "$programs" student; then
