@@ -94,7 +94,10 @@ expect 0 "./workbook cases --last" help cases
 expect 0 "2 rows: 1 not run, 1 does not apply yet" cases --last
 expect 0 "there are none" cases --last c28
 expect 1 "./workbook test builds the tests" cases
-expect 2 "there is no row and no group 'Q9'" cases q9
+# A word is named as it was typed, by the workbook as always.
+expect 2 "workbook: there is no row and no group 'q9'" cases q9
+expect 2 "The groups: C Contact." cases --last foo
+expect 0 "there are none" cases --last C28
 expect 2 "cases knows no option '--lst'" cases --lst
 
 # Too many arguments are not silently left out, and nothing is built to find that out.

@@ -35,12 +35,12 @@ def wished(name: str, words: list[str]) -> bool:
 
 
 def refuse_unknown(rows: list[Row], words: list[str]) -> None:
-    """ValueError with a word that is neither a row nor a group."""
+    """ValueError with a word that is neither a row nor a group, as it was typed; a second line says which groups there are."""
     known = {row.name for row in rows} | {row.name[0] for row in rows}
     for word in words:
-        if word not in known:
+        if word.upper() not in known:
             groups = ", ".join(dict.fromkeys(row.group for row in rows))
-            raise ValueError(f"there is no row and no group '{word}'; the groups: {groups}")
+            raise ValueError(f"there is no row and no group '{word}'\nThe groups: {groups}.")
 
 
 def date(when: float) -> str:
@@ -180,8 +180,9 @@ def main(arguments: list[str]) -> int:
         rows = read_list(read(LIST))
         refuse_unknown(rows, words)
     except ValueError as error:
-        print(f"cases: {error}", file=sys.stderr)
+        print(error, file=sys.stderr)
         return 2
+    words = [word.upper() for word in words]
     cases = all_cases()
     if given.job == "check":
         faults = holes(rows, cases)

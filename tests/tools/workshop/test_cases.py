@@ -56,6 +56,8 @@ class Texts(unittest.TestCase):
 class Program(unittest.TestCase):
     """In a project of its own."""
 
+    complained = ""
+
     def test_all(self) -> None:
         """Of two runs the later counts; holes and failures end with 1, words that are no row with 2."""
         here = os.getcwd()
@@ -78,7 +80,9 @@ class Program(unittest.TestCase):
                 code, text = self.said("table", "build")
                 self.assertEqual(code, 0)
                 self.assertIn("4 rows: 3 passed, 1 does not apply yet", text)
-                self.assertEqual(self.said("table", "build", "Q")[0], 2)
+                self.assertEqual(self.said("table", "build", "c1"), self.said("table", "build", "C1"))
+                self.assertEqual(self.said("table", "build", "qx")[0], 2)
+                self.assertIn("no group 'qx'\nThe groups: ", self.complained)
                 self.assertEqual(self.said("sources", "site")[0], 0)
                 self.assertTrue(os.path.exists("site/tests/collision/b.cpp.txt"))
                 with open(hard_cases.LIST, "a", encoding="utf-8") as stream:
@@ -88,10 +92,12 @@ class Program(unittest.TestCase):
                 os.chdir(here)
 
     def said(self, *arguments: str) -> tuple[int, str]:
-        """How it ends, and what it prints."""
+        """How it ends, and what it prints; what it complains about is kept."""
+        errors = io.StringIO()
         with tempfile.TemporaryFile("w+", encoding="utf-8") as stream, contextlib.redirect_stdout(stream), \
-                contextlib.redirect_stderr(io.StringIO()):
+                contextlib.redirect_stderr(errors):
             code = cases.main(list(arguments))
+            self.complained = errors.getvalue()
             stream.flush()
             stream.seek(0)
             return code, stream.read()

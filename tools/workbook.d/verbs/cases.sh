@@ -12,17 +12,21 @@
 # as well, and ./workbook docs shows it on the page "Hard cases". Ends with 1 where a row failed.
 
 verb_cases() {
-    local argument last=false all=() words=() selected status log listed=build/cases/listed.json
+    local argument last=false all=() words=() selected refused status log listed=build/cases/listed.json
     for argument in "$@"; do
         case $argument in
             --last) last=true ;;
             --all) all=(--all) ;;
-            *) words+=("$(tr '[:lower:]' '[:upper:]' <<< "$argument")") ;;
+            *) words+=("$argument") ;;
         esac
     done
     if ! command -v python3 > /dev/null; then complain "cases needs python3 (on Debian: apt install python3)"; return 1; fi
     # A word that is no row is told before anything runs.
-    python3 tools/workshop/cases.py select ${words[@]+"${words[@]}"} <<< '{"tests": []}' > /dev/null || return 2
+    if ! refused=$(python3 tools/workshop/cases.py select ${words[@]+"${words[@]}"} <<< '{"tests": []}' 2>&1); then
+        complain "$(head -n 1 <<< "$refused")"
+        say "$(tail -n +2 <<< "$refused")"
+        return 2
+    fi
     mkdir -p build/cases
     if ! $last; then
         if [ ! -f "$BUILD/CTestTestfile.cmake" ]; then
