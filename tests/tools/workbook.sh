@@ -79,7 +79,10 @@ rm -rf "$tree/build"
 expect 0 "1.6.2" list 1.6
 expect 2 "did you mean 1.6.1" section 1.6.3
 expect 2 "by that name there is 1.6.1 (Explicit Euler), 1.6.2 (Implicit Euler)" section euler
-expect 2 "there is no section '9'" section 9
+# A number whose chapter is not there is near no section.
+expect 2 "workbook: there is no chapter 9" section 9
+expect 2 "The chapters: 1 Motion, 4 Soft bodies." section 9.1
+expect 2 "did you mean 1.1, 1.10" list 1.1.9
 expect 0 "./workbook section <number> runs one." section
 expect 2 "did you mean motion?" costs moton
 expect 2 "./workbook section 1.6 shows one section" tour 1.6

@@ -79,9 +79,26 @@ list_exercises() {
     printf '\n%s of %s done   (./workbook exercise [name])\n' "$done" "$count"
 }
 
-# no_section <word> <index>: a sentence with what may have been meant: by number, or by title.
+# The chapters of an index: "1 Motion, 2 Collision"
+chapters_of() {
+    local number title claim file last='' separator=''
+    while IFS=$SEP read -r number title claim file; do
+        [ "${number%%.*}" = "$last" ] && continue
+        last=${number%%.*}
+        printf '%s%s %s' "$separator" "$last" "$(chapter_title "$file")"
+        separator=', '
+    done <<< "$1"
+}
+
+# no_section <word> <index>: a sentence with what may have been meant: by number, or by title. Where a number's chapter is
+# not there, no section is near it.
 no_section() {
     local word=$1 index=$2 titles
+    if [[ $word =~ ^([0-9]+)(\.|$) ]] && ! numbers "$index" | grep -q -E "^${BASH_REMATCH[1]}(\.|\$)"; then
+        complain "there is no chapter ${BASH_REMATCH[1]}"
+        say "The chapters: $(chapters_of "$index"). ./workbook list shows their sections."
+        return
+    fi
     titles=$(printf '%s\n' "$index" | awk -F '\037' -v word="$(printf '%s' "$word" | tr '[:upper:]' '[:lower:]')" \
         'index(tolower($2), word) { printf "%s%s (%s)", sep, $1, $2; sep = ", " }')
     if [ -n "$titles" ]; then
