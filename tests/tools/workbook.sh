@@ -114,6 +114,23 @@ expect 0 "measure what accuracy costs" costs --help
 expect 0 "./workbook exercise semi_implicit_euler" exercise --help
 COLUMNS=99999999999999999999 expect 0 "Cloth of springs" list
 
+# Nothing is wider than the terminal, and nothing is cut.
+section 1-motion/1.12-wide.cpp "1.12 A title: and a claim that goes on for much longer than there is room beside it"
+printf 'C29 A row that asks for much more than there is room for beside it, so that it goes on below.\n' >> "$tree/tests/hard_cases.txt"
+for width in 80 60; do
+    for words in "list" "cases --last" "help" $(sed 's/^/--help:/' < <(cd "$tree/tools/workbook.d/verbs" && printf '%s\n' *.sh)); do
+        case $words in --help:*) words=${words#--help:} words="${words%.sh} --help" ;; esac
+        # shellcheck disable=SC2086
+        wide=$(cd / && COLUMNS=$width "$tree/workbook" $words 2>&1 < /dev/null | LC_ALL=C.UTF-8 awk -v most=$width 'length > most || /…/')
+        if [ -z "$wide" ]; then passed=$((passed + 1))
+        else failures=$((failures + 1)); printf 'FAILED: in %s columns, workbook %s says\n%s\n' "$width" "$words" "$wide"; fi
+    done
+done
+expect 0 "                             than there is room beside it" list 1.12
+expect 0 "                          beside it, so that it goes on below." cases --last
+COLUMNS=60 expect 0 "                                with what is built" cases --help
+rm "$tree/chapters/1-motion/1.12-wide.cpp"
+
 # Whoever asks a verb for help gets its help, with an example, and nothing else happens; what a verb does not know it refuses with
 # a sentence, and nothing is begun. Of both, a folder build would be left behind, or cmake would find no project here.
 before=$(find "$tree" | sort)

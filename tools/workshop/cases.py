@@ -79,10 +79,8 @@ def table(verdicts: list[Verdict], width: int, colours: dict[str, str]) -> str:
         if row.group != group:
             group = row.group
             text += f"{colours['BOLD']}{group}{colours['PLAIN']}\n"
-        asks = row.asks
-        if not detail and len(asks) > width - 27:
-            asks = asks[:max(width - 28, 10)] + "…"
         colour = paint.get(verdict.verdict, colours["YELLOW"])
+        asks = ("\n" + " " * 26).join(textwrap.wrap(row.asks, max(width - 26, 20), break_on_hyphens=False))
         text += f"  {row.name:<4} {colour}{verdict.verdict:<18}{colours['PLAIN']} {asks}\n"
         if verdict.reason and (detail or verdict.verdict in ("failed", "no test yet")):
             text += below(verdict.reason, colour)

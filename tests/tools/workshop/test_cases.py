@@ -39,6 +39,15 @@ class Texts(unittest.TestCase):
         self.assertIn("order: 1.98, bound >= 1.95", text)
         self.assertLessEqual(max(map(len, text.split("\n"))), 72)
 
+    def test_long_rows(self) -> None:
+        """What a row asks is cut nowhere: it goes on below itself."""
+        listed = "".join(f"C{number} {'one two ' * 20}three.\n" for number in range(1, 10))
+        verdicts = case_verdicts.judge(hard_cases.read_list(f"== C Contact\n{listed}"), [], {})
+        lines = cases.table(verdicts, 60, dict.fromkeys(("BOLD", "DIM", "RED", "GREEN", "YELLOW", "PLAIN"), "")).split("\n")
+        self.assertLessEqual(max(map(len, lines)), 60)
+        self.assertEqual(sum(line.endswith("three.") for line in lines), 9)
+        self.assertRegex(lines[2], "^ {26}(one|two)")
+
     def test_page_and_json(self) -> None:
         """Links to the tests, to rows and to the numbers; nothing of a test's name is taken for HTML."""
         tests = self.tests + [case("collision.C1: a < b", "C1")]

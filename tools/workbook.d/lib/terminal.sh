@@ -27,6 +27,15 @@ say() {
     [ "$width" -gt 100 ] && width=100
     printf '%s\n' "$*" | fold -s -w "$width" | sed 's/ *$//'
 }
+# The same to the right of what was printed on the line; further lines begin below it. beside <columns to the left> <text>
+beside() {
+    local left=$1 width blanks
+    shift
+    width=$((WIDTH - left))
+    [ "$width" -lt 12 ] && width=12
+    blanks=$(printf '%*s' "$left" '')
+    printf '%s\n' "$*" | fold -s -w "$width" | sed "s/ *\$//; 2,\$s/^/$blanks/"
+}
 heading() { printf '%s%s%s\n' "$BOLD" "$*" "$PLAIN"; }
 complain() { clear_progress; printf '%sworkbook: %s%s\n' "$RED" "$*" "$PLAIN" >&2; }
 

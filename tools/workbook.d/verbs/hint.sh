@@ -1,11 +1,13 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# a hint for the task that you are at: first a question, then a place, a shape, the key line
+# a hint for the task that you are at
 #
 #   ./workbook hint               the next hint for the last test that did not pass
 #   ./workbook hint drag          the same for an exercise by name
 #   ./workbook hint drag 2 4      task 2, level 4
+#
+# Each level says more: first a question, then a place, a shape, the key line.
 
 hint_text() { # <file> <task> <level>: the level's heading and text
     awk -v task="## Task $2: " -v level="$3" '

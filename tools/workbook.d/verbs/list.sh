@@ -37,7 +37,8 @@ verb_list() {
         esac
         local what=$title
         [ -n "$claim" ] && [ "$WIDTH" -gt 79 ] && what="$title: $claim"
-        printf '  %s %s  %s  %s\n' "$(fit "$number" "$digits")" "$shown" "$picture" "$(fit "$what" $((WIDTH - 24 - digits)) | sed 's/ *$//')"
+        printf '  %s %s  %s  ' "$(fit "$number" "$digits")" "$shown" "$picture"
+        beside $((23 + digits)) "$what"
     done <<< "$index"
     if [ $# -eq 0 ]; then
         local module modules=''
@@ -46,7 +47,10 @@ verb_list() {
             module=${module#chapters/*-}
             modules="$modules ${module%/*}"
         done
-        [ -n "$modules" ] && printf '\nCosts:%s   (./workbook costs [module])\n' "$modules"
+        if [ -n "$modules" ]; then
+            echo
+            say "Costs:$modules   (./workbook costs [module])"
+        fi
     fi
     list_exercises "${1:-}"
     return 0
@@ -74,7 +78,8 @@ list_exercises() {
             missing) shown="$RED$(fit "$state" 9)$PLAIN" ;;
             *) shown="$DIM$(fit "$state" 9)$PLAIN" ;;
         esac
-        printf '  %s %s  %s  %s\n' "$(fit "$number" "$digits")" "$shown" "$(fit "${id#*.}" 20)" "$title"
+        printf '  %s %s  %s  ' "$(fit "$number" "$digits")" "$shown" "$(fit "${id#*.}" 20)"
+        beside $((36 + digits)) "$title"
     done <<< "$index"
     printf '\n%s of %s done   (./workbook exercise [name])\n' "$done" "$count"
 }

@@ -1,9 +1,11 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# your answer as a policy of the real world, in its section's scene, beside the library's
+# your answer in the real world, beside the library's
 #
 #   ./workbook play drag
+#
+# It is a policy of a world there, in the scene of its section.
 
 verb_play() {
     one_exercise play 1 "$@" || return 2

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: BSL-1.0
 #
-# check the exercises themselves: every answer there is against every test
+# check the exercises themselves: every answer against every test
 #
 #   ./workbook verify             all of them
 #   ./workbook verify drag        one
