@@ -162,6 +162,7 @@ expect 2 "there is no commit 'nowhere'" test --touched nowhere
 expect 2 "test takes no 'b'" test --touched a b
 expect 2 "doctor takes one option at a time" doctor --times --checks
 expect 2 "what is 'x'?" peers collision 3 x
+expect 0 "soft_bodies 5" peers --help
 expect 2 "what is 'list'?" help costs list
 if [ "$(find "$tree" | sort)" = "$before" ]; then passed=$((passed + 1))
 else failures=$((failures + 1)); echo "FAILED: help or a refusal left something behind"; fi
@@ -171,6 +172,30 @@ for words in "-R units -N" "-j8" "-LE perf --show-only=json-v1" "--repeat until-
     expect 1 "CMake could not configure the project" test --yes $words
 done
 rm -rf "$tree/build"
+
+# How long it takes to measure is said before: what was written down, or how long it took here, with the usual repeats.
+mkdir -p "$tree/tests/peers/scale" "$tree/tests/peers/cases" "$tree/build" || exit 1
+: > "$tree/tests/peers/scale/main.cpp"
+: > "$tree/tests/peers/cases/main.cpp"
+# shellcheck disable=SC2016  # the word of the stand-in
+printf '#!/bin/sh\necho "measured with ${2:-its own} repeats"\n' > "$tree/build/peers_scale" && chmod +x "$tree/build/peers_scale"
+cp "$tree/build/peers_scale" "$tree/build/peers_cases" || exit 1
+PATH=$scratch/stub:$PATH expect 0 "It takes about 2 min, with the usual number of repeats." peers scale 3
+if [ -f "$tree/build/logs/durations.tsv" ] && grep -q peers "$tree/build/logs/durations.tsv"; then
+    failures=$((failures + 1)); echo "FAILED: what other repeats took is taken for the usual time"
+fi
+PATH=$scratch/stub:$PATH expect 0 "measured with its own repeats" peers scale
+PATH=$scratch/stub:$PATH expect 0 "It takes about 0 s." peers scale
+printf 'peers scale\t%s\t2020-01-01\n' 1170000 >> "$tree/build/logs/durations.tsv"
+PATH=$scratch/stub:$PATH expect 0 "It takes about 20 min, and cases, of which it is not known yet." peers
+rm -rf "$tree/build" "$tree/tests/peers"
+
+# The version of what tells it as a number.
+for version in '#define PUGIXML_VERSION 190:1.9' '#\tdefine PUGIXML_VERSION 1130 // 1.13:1.13'; do
+    printf '%b\n' "${version%:*}" > "$scratch/pugixml.hpp"
+    said=$(. "$tree/tools/workbook.d/verbs/doctor.sh"; version_of pugixml "$scratch/pugixml.hpp")
+    if [ "$said" = "${version##*:}" ]; then passed=$((passed + 1)); else failures=$((failures + 1)); echo "FAILED: $version is told as $said"; fi
+done
 
 # Exercises by name, by a part of it, by a section above them, by the path of a file.
 mkdir -p "$tree/exercises/1-motion"

@@ -61,6 +61,9 @@ clear_progress() { if $LIVE; then printf '\r\033[K'; fi; }
 now() {
     if [ -n "${EPOCHREALTIME:-}" ]; then echo $((${EPOCHREALTIME/[.,]/} / 1000)); else echo $(($(date +%s) * 1000)); fi
 }
+about() { # the same of a duration that is a guess
+    if [ "$1" -lt 90000 ]; then printf '%d s' $((($1 + 500) / 1000)); else printf '%d min' $((($1 + 30000) / 60000)); fi
+}
 duration() {
     local ms=$1
     if [ "$ms" -lt 60000 ]; then printf '%d.%d s' $((ms / 1000)) $((ms % 1000 / 100))

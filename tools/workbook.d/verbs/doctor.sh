@@ -23,7 +23,8 @@ version_of() {
         Eigen) awk '/#define EIGEN_(WORLD|MAJOR|MINOR)_VERSION/ { printf "%s%s", sep, $3; sep = "." }' "${where%Core}src/Core/util/Macros.h" ;;
         Catch2) sed -n 's/.*CATCH_VERSION_\(MAJOR\|MINOR\|PATCH\|PATCHLEVEL\) \([0-9]*\).*/\2/p' "$(dirname "$where")"/catch*.hpp 2>/dev/null | head -n 3 | paste -s -d . - ;;
         nlohmann-json) sed -n 's/^#define NLOHMANN_JSON_VERSION_[A-Z]* \([0-9]*\).*/\1/p' "$where" "${where%/*}"/detail/abi_macros.hpp 2>/dev/null | head -n 3 | paste -s -d . - ;;
-        pugixml) awk '/define PUGIXML_VERSION/ { printf "%d.%d", $3 / 1000, $3 % 1000 / 10 }' "$where" ;;
+        # 1.9 is 190, 1.13 is 1130
+        pugixml) awk 'sub(/.*define PUGIXML_VERSION +/, "") { one = $1 < 1000 ? 100 : 1000; printf "%d.%d", $1 / one, $1 % one / 10 }' "$where" ;;
         gnuplot) "$where" --version 2>/dev/null | sed 's/gnuplot //' ;;
         Graphviz) "$where" -V 2>&1 | sed 's/.*version \([0-9.]*\).*/\1/' ;;
         *) echo "is there" ;;
