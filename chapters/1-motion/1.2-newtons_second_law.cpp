@@ -12,7 +12,6 @@
 
 #include <ansatz/world.hpp>
 
-#include <iostream>
 #include <vector>
 
 using namespace ansatz;

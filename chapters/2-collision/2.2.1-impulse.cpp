@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <string>
 #include <vector>
 
 using namespace ansatz;

@@ -13,7 +13,6 @@
 #include <ansatz/world.hpp>
 
 #include <cmath>
-#include <iostream>
 #include <vector>
 
 using namespace ansatz;

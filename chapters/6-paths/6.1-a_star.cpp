@@ -102,7 +102,6 @@ int main() {
         return true;
     }());
 
-    std::string parents;
     //! [parents]
     std::vector<Cell> path;
     for (Cell c = goal;; c = search.node(c)->parent) { // 4
@@ -110,6 +109,7 @@ int main() {
         if (c == start) break; // the start is its own parent
     }
     //! [parents]
+    std::string parents;
     for (std::size_t i = path.size(); i-- > 0;) parents += ' ' + name_of(path[i]);
     workbook::say() << "\nThe parents, from the goal back:" << parents << '\n';
     const bool same = std::equal(path.begin(), path.end(), search.path().begin(), search.path().end());
