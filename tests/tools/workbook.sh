@@ -212,7 +212,19 @@ expect 1 "exercises/1-motion/drag/hints.md is not there" hint exercises/1-motion
 expect 1 "exercises/1-motion/drag/hints.md is not there" hint "$tree/exercises/1-motion/drag/wrong.diff"
 expect 1 "exercises/1-motion/implicit_euler/hints.md is not there" hint implicit
 expect 0 "0      missing    drag                  motion.drag" list
-rm -r "$tree/exercises"
+# Who wrote what does not compile is told where it stands, as after every other failure.
+mkdir -p "$tree/build/exercises" "$tree/tools/exercises" "$scratch/broken" && cp "$project/tools/exercises/judge.sh" "$tree/tools/exercises/" || exit 1
+cp "$project/tools/workshop/first_error.py" "$tree/tools/workshop/" || exit 1
+echo 'int answer = ' > "$tree/exercises/1-motion/drag/exercise.hpp"
+printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\n' "$tree" > "$tree/build/CMakeCache.txt"
+: > "$tree/build/build.ninja"
+printf '#!/bin/sh\necho "exercises/1-motion/drag/exercise.hpp:1:14: error: expected an expression"\nexit 1\n' > "$scratch/broken/cmake"
+chmod +x "$scratch/broken/cmake"
+for text in "the first error is at exercises/1-motion/drag/exercise.hpp:1" "  task   exercises/1-motion/drag/README.md" \
+    "  yours  exercises/1-motion/drag/exercise.hpp" "  next   ./workbook exercise drag, or ./workbook watch"; do
+    PATH=$scratch/broken:$PATH expect 1 "$text" exercise drag
+done
+rm -r "$tree/exercises" "$tree/build"
 
 # 1.1 is not 1.10, though they are the same number.
 lines=$(cd / && "$tree/workbook" list 1.1 | grep -c '^  1\.')
