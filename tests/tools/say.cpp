@@ -37,10 +37,12 @@ const std::string seventy(70, 'x');
 } // namespace
 
 TEST_CASE("what fits into a line is left as it is, blanks too", "[tools]") {
+    const std::string four = std::string(75, 'x') + " four"; // 80
     for (const std::string& text :
-         {std::string(), std::string("\n"), std::string("a  b \n\n  c\n"), std::string(80, 'x'), std::string(200, ' ')})
+         {std::string(), std::string("\n"), std::string("a  b \n\n  c\n"), four, std::string(200, ' ')})
         CHECK(wrapped(text) == text);
-    CHECK(wrapped(std::string(79, 'x') + "é") == std::string(79, 'x') + "é"); // characters are counted, and not bytes
+    const std::string bytes = std::string(75, 'x') + " foué"; // characters are counted, and not these
+    CHECK(wrapped(bytes) == bytes);
 }
 
 TEST_CASE("a line that is too wide ends at a word, and what is left is indented", "[tools]") {
