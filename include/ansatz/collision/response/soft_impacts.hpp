@@ -73,6 +73,7 @@ public:
             agree(contacts);
             solve(contacts);
             part(contacts);
+            look_again(contacts);
             any = true;
         }
         if (!any) return false;
@@ -103,6 +104,10 @@ public:
         pairs.reserve(other.pairs.size());
         bodies_.reserve(other.bodies_.size());
         meeting_.reserve(other.meeting_.size());
+        waiting_.reserve(other.waiting_.size());
+        looked_.reserve(other.looked_.size());
+        first_.reserve(other.first_.size());
+        of_body_.reserve(other.of_body_.size());
     }
 
 private:
@@ -121,52 +126,100 @@ private:
         for (const auto& pair : pairs)
             for (const auto slot : {contacts.all[pair.which].slot_a, contacts.all[pair.which].slot_b})
                 bodies_[slot] = Struck();
+        looks_at_all_ = true;
+        first_.clear();
     }
     template <class F> void each_body(const auto& contacts, const auto& c, F&& f) {
         if (contacts.bodies[c.slot_a].weight > Scalar(0)) f(bodies_[c.slot_a]);
         if (contacts.bodies[c.slot_b].weight > Scalar(0)) f(bodies_[c.slot_b]);
     }
 
-    /// Which meet, and when: into `meeting_`.
+    /// Which meet, and when: into `meeting_`; those that meet later than another one of their bodies, into `waiting_`.
     bool find(const auto& contacts, Scalar h, Scalar threshold) {
         meeting_.clear();
-        for (std::uint32_t n = 0; n < pairs.size(); ++n) {
-            auto& pair = pairs[n];
-            const auto& c = contacts.all[pair.which];
-            const Struck &a = bodies_[c.slot_a], &b = bodies_[c.slot_b];
-            // One that does not bounce is held softly, unless an impact has just set it in motion.
-            if (!(pair.restitution > Scalar(0)) && !a.struck && !b.struck) continue;
-            const Scalar pull = dot(Raw(contacts.kicks[c.slot_a] - contacts.kicks[c.slot_b]), c.normal) / h;
-            const Scalar from = std::max(a.time, b.time), start = contacts.along(c) - pull * h / 2,
-                         now = start + pull * from,
-                         gap =
-                             contacts.apart(c) - dot(Raw(a.late - b.late), c.normal) + from * (start + pull * from / 2);
-            pair.time = from;
-            pair.approach = -now;
-            if (gap > Scalar(0)) {
-                const Scalar squared = now * now - 2 * pull * gap;
-                if (!(squared > Scalar(0))) continue;
-                pair.approach = sqrt(squared);
-                const Scalar sum = pair.approach - now;
-                if (!(sum > Scalar(0))) continue;
-                pair.time += 2 * gap / sum;
-            }
-            if (!(pair.time <= h) || !(pair.approach > threshold)) continue;
-            meeting_.push_back(n);
-        }
+        const auto look = [&](std::uint32_t n) {
+            if (meets(contacts, pairs[n], h, threshold)) detail::append(meeting_, n);
+        };
+        if (looks_at_all_)
+            for (std::uint32_t n = 0; n < pairs.size(); ++n) look(n);
+        else
+            for (const auto n : looked_) look(n);
         for (const auto n : meeting_)
             each_body(contacts, contacts.all[pairs[n].which], [&](Struck& body) { body.first = h; });
         for (const auto n : meeting_)
             each_body(contacts, contacts.all[pairs[n].which],
                       [&](Struck& body) { body.first = std::min(body.first, pairs[n].time); });
-        std::erase_if(meeting_, [&](std::uint32_t n) {
+        const Scalar alike = h * sqrt(std::numeric_limits<Scalar>::epsilon());
+        waiting_.clear();
+        std::size_t first = 0;
+        for (const auto n : meeting_) {
             bool later = false;
-            const Scalar alike = h * sqrt(std::numeric_limits<Scalar>::epsilon());
             each_body(contacts, contacts.all[pairs[n].which],
                       [&](Struck& body) { later = later || pairs[n].time > body.first + alike; });
-            return later;
-        });
+            if (later) detail::append(waiting_, n);
+            else meeting_[first++] = n;
+        }
+        meeting_.resize(first);
         return !meeting_.empty();
+    }
+    /// Whether a pair meets in this substep, and when.
+    bool meets(const auto& contacts, Pair& pair, Scalar h, Scalar threshold) const {
+        const auto& c = contacts.all[pair.which];
+        const Struck &a = bodies_[c.slot_a], &b = bodies_[c.slot_b];
+        // One that does not bounce is held softly, unless an impact has just set it in motion.
+        if (!(pair.restitution > Scalar(0)) && !a.struck && !b.struck) return false;
+        const Scalar pull = dot(Raw(contacts.kicks[c.slot_a] - contacts.kicks[c.slot_b]), c.normal) / h;
+        const Scalar from = std::max(a.time, b.time), start = contacts.along(c) - pull * h / 2,
+                     now = start + pull * from,
+                     gap = contacts.apart(c) - dot(Raw(a.late - b.late), c.normal) + from * (start + pull * from / 2);
+        pair.time = from;
+        pair.approach = -now;
+        if (gap > Scalar(0)) {
+            const Scalar squared = now * now - 2 * pull * gap;
+            if (!(squared > Scalar(0))) return false;
+            pair.approach = sqrt(squared);
+            const Scalar sum = pair.approach - now;
+            if (!(sum > Scalar(0))) return false;
+            pair.time += 2 * gap / sum;
+        }
+        return pair.time <= h && pair.approach > threshold;
+    }
+    /// The pairs that the next round looks at: those that waited, and those of the bodies that have just been struck.
+    /// Nothing has changed for the others, so that a few that meet again and again do not cost the whole world.
+    void look_again(const auto& contacts) {
+        constexpr std::size_t few = 8; // one pair in so many: looking at all, in their order, is quicker
+        const auto many = [&] { return few * looked_.size() > pairs.size(); };
+        looked_.swap(waiting_);
+        looks_at_all_ = many() || few * meeting_.size() > pairs.size();
+        if (looks_at_all_) return;
+        if (first_.empty()) list_pairs_of_bodies(contacts);
+        for (const auto n : meeting_) {
+            const auto& c = contacts.all[pairs[n].which];
+            for (const auto slot : {c.slot_a, c.slot_b})
+                if (contacts.bodies[slot].weight > Scalar(0))
+                    for (auto at = first_[slot]; at < first_[slot + 1]; ++at) detail::append(looked_, of_body_[at]);
+            looks_at_all_ = many();
+            if (looks_at_all_) return;
+        }
+        std::sort(looked_.begin(), looked_.end());
+        looked_.erase(std::unique(looked_.begin(), looked_.end()), looked_.end());
+    }
+    /// Of those that may be struck.
+    void list_pairs_of_bodies(const auto& contacts) {
+        const auto each_end = [&](std::uint32_t n, const auto& f) {
+            const auto& c = contacts.all[pairs[n].which];
+            for (const auto slot : {c.slot_a, c.slot_b})
+                if (contacts.bodies[slot].weight > Scalar(0)) f(slot);
+        };
+        detail::grow(first_, contacts.awake() + 1);
+        first_.assign(contacts.awake() + 1, 0);
+        for (std::uint32_t n = 0; n < pairs.size(); ++n) each_end(n, [&](std::uint32_t slot) { ++first_[slot]; });
+        std::uint32_t count = 0;
+        for (auto& first : first_) first = count += first; // where those of a body end
+        detail::grow(of_body_, count);
+        of_body_.resize(count);
+        for (auto n = std::uint32_t(pairs.size()); n-- > 0;)
+            each_end(n, [&](std::uint32_t slot) { of_body_[--first_[slot]] = n; });
     }
     /// Those that meet together have one coefficient.
     void agree(const auto& contacts) {
@@ -257,8 +310,12 @@ private:
         if (wb > Scalar(0)) f(bodies_[c.slot_b], Raw(-wb * impulse));
     }
 
-    std::vector<Struck> bodies_;                               // by slot
-    std::vector<std::uint32_t> meeting_;                       // of `pairs`: those that are answered now
+    std::vector<Struck> bodies_;                 // by slot
+    std::vector<std::uint32_t> meeting_;         // of `pairs`: those that are answered now
+    std::vector<std::uint32_t> waiting_;         // those that meet, but another one comes first
+    std::vector<std::uint32_t> looked_;          // those that may meet now, unless all are looked at
+    std::vector<std::uint32_t> first_, of_body_; // by slot: where its own begin in the second
+    bool looks_at_all_ = true;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> met_; // while pairs are found again: whose have met
 };
 
