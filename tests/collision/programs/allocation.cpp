@@ -91,9 +91,37 @@ static void heap_that_falls_apart() {
     std::exit(1);
 }
 
+/// Balls that come down to the ground, one in each step: lists of contacts grow by a share, those of groups of contacts
+/// too, of which there are several among more than 1024 ids. A little gravity presses them on.
+template <class Response> void rain(const char* name, Response response) {
+    World world{SemiImplicitEuler{}, Gravity{metres_per_second_squared(0, -0.1, 0)}, UniformGrid{},
+                Narrowphase<Sphere, Plane>{}, response};
+    constexpr int bodies = 1500, falling = 200;
+    world.reserve(bodies + 1);
+    world.add(Plane::ground(), fixed);
+    for (int i = 0; i < bodies; ++i) {
+        const int after = i - (bodies - falling); // so many steps of 10 mm
+        world.add(Sphere{0.3 * metre}, mass(1.0 * kilogram),
+                  position(metres(i % 40, after < 0 ? 0.29 : 0.31 + 0.01 * after, i / 40)),
+                  velocity(metres_per_second(0, after < 0 ? 0 : -1, 0)));
+    }
+    int steps = 0;
+    for (step_now = 0; step_now < 150; ++step_now) {
+        const int before = allocations;
+        world.step(0.01 * second);
+        if (step_now >= 50 && allocations > before) ++steps;
+    }
+    if (steps <= 10 && world.contacts().size() > bodies - falling + 140) return;
+    std::printf("rain, %s: %d of 100 steps called operator new, with %zu contacts at the end\n", name, steps,
+                world.contacts().size());
+    std::exit(1);
+}
+
 int main() {
     test::before_allocation = allowed;
     heap_that_falls_apart();
+    rain("SoftSubsteps", SoftSubsteps<>{});
+    rain("SoftSubsteps<Coloured>", SoftSubsteps<Coloured>{});
     using I = SemiImplicitEuler;
     const auto with = [](const char* name, auto broadphase) { pile(name, I{}, broadphase, Impulse<>{}, Projection{}); };
     with("AllPairs", AllPairs{});

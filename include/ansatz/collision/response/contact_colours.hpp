@@ -65,7 +65,9 @@ public:
             return std::pair(moves(bodies[c.slot_a]) ? c.a : c.b, moves(bodies[c.slot_b]) ? c.b : c.a);
         };
         groups_.divide(count, ids, moved, run);
-        taken_.assign(awake > 0 ? awake : bodies.size(), 0); // nothing for those that sleep
+        const std::size_t movers = awake > 0 ? awake : bodies.size(); // nothing for those that sleep
+        detail::grow(taken_, movers);
+        taken_.assign(movers, 0);
         resize(count, colour_of_, which_, held_, a_, b_, touching_, impulse_, mass_, normal_);
         if constexpr (Rubs) resize(count, rubbing_, friction_);
         begin_.resize(groups_.size());

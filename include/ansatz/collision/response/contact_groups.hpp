@@ -18,7 +18,7 @@
 /// Domain decomposition with coloured interfaces: Y. Saad, Iterative Methods for Sparse Linear Systems (2003), 12.4 and
 /// 14.3.
 
-#include <ansatz/core/compiler_flags.hpp>
+#include <ansatz/collision/contact.hpp>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +72,7 @@ public:
         });
         for (const auto group : group_of_) ++sizes_[group];
         find_stages(blocks);
+        detail::grow(order_, count); // by a share: after `clear` it would grow by one at a time
         order_.resize(count);
         for (std::size_t n = 0; n < count; ++n) order_[sizes_[group_of_[n]]++] = std::uint32_t(n);
     }
