@@ -56,10 +56,16 @@ template <class O, class S> struct CheckObserver {
 };
 
 template <class E> struct ExecutionFacts {
-    static constexpr bool ok = ExecutionPolicy<E>;
+    static constexpr bool runs = ExecutionPolicy<E>;
+    static constexpr bool tells = !requires(E& e) { e.threads(); } || requires(const E& e) {
+        { e.threads() } -> std::convertible_to<std::size_t>;
+    };
+    static constexpr bool ok = runs && tells;
 };
 template <class E> struct CheckExecution {
-    static_assert(ExecutionFacts<E>::ok,
+    static_assert(ExecutionFacts<E>::tells, "Ansatz: an execution whose number of threads the world cannot ask for; "
+                                            "write `int threads() const`, or leave it out");
+    static_assert(ExecutionFacts<E>::runs,
                   "Ansatz: an execution whose execute the world cannot call; write `void execute(std::size_t count, "
                   "std::size_t grain, const auto& loop) const`, which calls loop(begin, end) for ranges of 0 to count");
 };

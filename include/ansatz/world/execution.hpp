@@ -89,6 +89,10 @@ public:
         : execution_(&execution), execute_([](const void* of, std::size_t count, std::size_t grain, const Loop& loop) {
               static_cast<const Execution*>(of)->execute(count, grain, loop);
           }) {}
+    /// Of one that is gone when it is asked.
+    template <class Execution>
+        requires(!std::same_as<Execution, LoopRunner>)
+    explicit LoopRunner(const Execution&&) = delete;
     /// Calls `loop(begin, end)` for ranges that together are 0 to `count`.
     template <class L> void operator()(std::size_t count, std::size_t grain, const L& loop) const {
         if (execute_ == nullptr) return loop(std::size_t(0), count);
