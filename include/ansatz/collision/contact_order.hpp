@@ -151,7 +151,8 @@ public:
         if constexpr (Presses) {
             const auto& all = acting_.all;
             const auto ids = ids_of(contact);
-            if (n < all.size() && !(ids < ids_of(all[n]))) next_ = std::max(next_, n); // mostly it is this one
+            if (n < all.size() && !(ids < ids_of(all[n])))
+                next_ = std::max(next_, n); // mostly the same number: all have what was found, but for sensors
             while (next_ != all.size() && ids_of(all[next_]) < ids) ++next_;
             return next_ != all.size() && ids_of(all[next_]) == ids && all[next_].impulse > typename S::Scalar(0);
         } else return false;

@@ -13,7 +13,7 @@
 ///
 /// `execute` calls `loop(begin, end)` for ranges that are disjoint and together are 0 to `count`, in any order, on any
 /// threads, and returns when all of them have returned. A range of less than `grain` is not worth a thread. An
-/// Execution may say how many threads it has, by a member `threads()`: then what is divided at a cost is not divided
+/// Execution may say how many threads it has, `int threads() const`: then what is divided at a cost is not divided
 /// further. Which ranges, and on which threads, changes no bit of a world: a row writes its own values only, counts are
 /// whole numbers, and the elements of a sum are added row by row in the order in which a serial loop adds them
 /// (motion/gathering.hpp).

@@ -90,6 +90,7 @@ class Program(unittest.TestCase):
                 self.assertEqual(code, 0)
                 self.assertIn("4 rows: 3 passed, 1 does not apply yet", text)
                 self.assertEqual(self.said("table", "build", "c1"), self.said("table", "build", "C1"))
+                self.assertEqual(self.said("table", "build", "Q")[0], 2)
                 self.assertEqual(self.said("table", "build", "qx")[0], 2)
                 self.assertIn("no group 'qx'\nThe groups: ", self.complained)
                 self.assertEqual(self.said("sources", "site")[0], 0)

@@ -72,7 +72,7 @@ public:
         });
         for (const auto group : group_of_) ++sizes_[group];
         find_stages(blocks);
-        detail::grow(order_, count); // by a share: after `clear` it would grow by one at a time
+        detail::grow(order_, count); // by a share: behind `clear`, `resize` takes just what it needs
         order_.resize(count);
         for (std::size_t n = 0; n < count; ++n) order_[sizes_[group_of_[n]]++] = std::uint32_t(n);
     }

@@ -7,9 +7,10 @@
 ///
 /// Each pair that runs into each other faster than the threshold has a moment at which it meets, by the velocities that
 /// its bodies have *then*: what one impact has changed is what the next one sees. They are answered in the order of
-/// these moments; those of one moment that share a body are answered together, and the moments of all others are
-/// computed anew. Balls that touch in a row (Newton's cradle) meet one pair after another, as they would with the
-/// smallest gap between them: (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
+/// these moments; those of one moment that share a body are answered together, and then the moments of those that share
+/// a body with them are computed anew. Balls that touch in a row (Newton's cradle) meet one pair after another, as they
+/// would with the smallest gap between them:
+/// (1, 0, 0, 0, 0) becomes (0, 0, 0, 0, 1), and (1, 1, 0, 0, 0) becomes (0, 0, 0, 1, 1).
 ///
 /// | symbol   | meaning                                                                            | unit |
 /// |----------|------------------------------------------------------------------------------------|------|
@@ -310,12 +311,12 @@ private:
         if (wb > Scalar(0)) f(bodies_[c.slot_b], Raw(-wb * impulse));
     }
 
-    std::vector<Struck> bodies_;                 // by slot
-    std::vector<std::uint32_t> meeting_;         // of `pairs`: those that are answered now
-    std::vector<std::uint32_t> waiting_;         // those that meet, but another one comes first
-    std::vector<std::uint32_t> looked_;          // those that may meet now, unless all are looked at
-    std::vector<std::uint32_t> first_, of_body_; // by slot: where its own begin in the second
-    bool looks_at_all_ = true;
+    std::vector<Struck> bodies_;                               // by slot
+    std::vector<std::uint32_t> meeting_;                       // of `pairs`: those that are answered now
+    std::vector<std::uint32_t> waiting_;                       // those that meet, but another one comes first
+    std::vector<std::uint32_t> looked_;                        // those that may meet now, unless all are looked at
+    std::vector<std::uint32_t> first_, of_body_;               // by slot: where its own begin in the second
+    bool looks_at_all_ = true;                                 // the next round, and not only at those
     std::vector<std::pair<std::uint32_t, std::uint32_t>> met_; // while pairs are found again: whose have met
 };
 
